@@ -1,0 +1,204 @@
+"""The interaction potential, the force sum, the force-separation curve, pull-off.
+
+Eq. 2 of the paper gives the attraction of a pixel at the gap g as (W/rho) exp(-g/rho) A_pix. The
+functions here return sums of exp(-g/rho); `pull_off_force` turns them into forces. The
+exponential of the gap g = s - t - h factorizes, which is what makes the sum cheap.
+"""
+
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+from threadpoolctl import threadpool_limits
+
+from hardcontact.sphere import paraboloid
+
+__all__ = [
+    "direct_sum",
+    "force_separation",
+    "plastic_total",
+    "pull_off_force",
+    "rigid_total",
+    "rough_sphere_sums",
+    "smooth_sphere_sums",
+]
+
+#: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
+NEWTON_PER_JOULE_M2_NM = 1e-9
+
+ROWS = 64  # rows a block: small enough for the cache, and the same for any number of threads
+
+
+def pull_off_force(total, rho, pixel_size, work_of_adhesion):
+    """Pull-off force (N), positive, from the sum of exp(-gap/rho) at closest approach: Eq. 3.
+
+    total: any shape; rho, pixel_size: nm; work_of_adhesion: J/m².
+    """
+    return work_of_adhesion / rho * pixel_size**2 * NEWTON_PER_JOULE_M2_NM * total
+
+
+def rigid_total(outside, gaps, rho):
+    """Sum of exp(-gap/rho) at rigid closest approach, from that outside plastic contact.
+
+    outside: sum over pixels that do not touch, at plastic closest approach; gaps: (count,) nm of
+    those that touch, ascending. Back at rigid contact every gap is larger by the penetration.
+    """
+    touching = np.exp((gaps[-1] - gaps) / rho).sum()
+    return (outside + touching) * np.exp((gaps[0] - gaps[-1]) / rho)
+
+
+def plastic_total(everywhere, h_max, gaps, rho):
+    """Sum of exp(-gap/rho) at plastic closest approach of a smooth sphere.
+
+    everywhere: what `smooth_sphere_sums` returned for one contact; gaps: (count,) nm of the
+    touching pixels, ascending. Each touching pixel counts as gap zero, not as its penetration.
+    """
+    approach = gaps[-1]
+    return np.exp((approach + h_max) / rho) * everywhere - np.expm1((approach - gaps) / rho).sum()
+
+
+def force_separation(pull_off, rho, separation):
+    """Force (N, negative: attractive) at separations (nm) beyond closest approach.
+
+    The deformed bodies move apart as they are, so all gaps grow alike and Eq. 3 decays with rho.
+    """
+    return -pull_off * np.exp(-np.asarray(separation) / rho)
+
+
+def _folded(positions, pixels, pixel_size, radius, window, rho):
+    """exp(-s/rho) along one axis, summed over the periodic images in the window: (contact, pixel)."""
+    offset = np.arange(window) - window // 2
+    weight = np.exp(-paraboloid(offset, pixel_size, radius) / rho)
+    return np.array(
+        [np.bincount((position + offset) % pixels, weight, pixels) for position in positions]
+    )
+
+
+def smooth_sphere_sums(substrate, positions, pixel_size, radius, window, rho, threads=1):
+    """Sum of exp((h - h_max - s)/rho) for an array of contacts of a smooth sphere, and h_max.
+
+    substrate: h (n, n) in nm, periodic; positions: (contact,) pixels along either axis; radius,
+    rho: nm; window: pixels. Returns (contact, contact) and h_max (nm): G exp((h-h_max)/rho) G^T,
+    a product over both axes, because exp(-s/rho) is one. Exact to rounding, all terms positive.
+    """
+    h_max = float(substrate.max())
+    fold = _folded(positions, substrate.shape[0], pixel_size, radius, window, rho)
+    columns = np.ascontiguousarray(fold.T)
+
+    def block(start):
+        rows = slice(start, start + ROWS)
+        attraction = np.subtract(substrate[rows], h_max, dtype=float)
+        attraction /= rho
+        np.exp(attraction, out=attraction)
+        return fold[:, rows] @ (attraction @ columns)
+
+    with threadpool_limits(1, "blas"), ThreadPoolExecutor(threads) as pool:
+        return sum(pool.map(block, range(0, substrate.shape[0], ROWS))), h_max
+
+
+def rough_sphere_sums(substrate, roughness, positions, contacts, pixel_size, radius, window, rhos):
+    """Sum of exp(-(g + d)/rho) over pixels outside plastic contact, for an array of contacts.
+
+    substrate: h (n, n), roughness: t (m, m), float64 in nm, periodic, on the same pixels;
+    positions: (contact,) pixels along either axis; contacts: dict (i, j) -> (gaps, offsets) of
+    `contact.lowest_gaps`; d is minus the last of these gaps; rhos: (rho,) in nm.
+    Returns (rho, contact, contact).
+
+    exp(h/rho) and the kernel exp((t - s)/rho), folded over the periodic images in the window, are
+    computed once a rho; each contact is then one dot product of positive terms. The touching
+    pixels are left out of it beforehand: subtracting them would cost digits where rho is small.
+    """
+    pixels = substrate.shape[0]
+    h_max, t_max = float(substrate.max()), float(roughness.max())
+    images = {
+        place: _image_gaps(
+            substrate, roughness, positions[list(place)], offsets, pixel_size, radius, window
+        )
+        for place, (_, offsets) in contacts.items()
+    }
+    outside = np.empty((len(rhos), len(positions), len(positions)))
+    for k, rho in enumerate(rhos):
+        attraction = np.exp((substrate - h_max) / rho)
+        kernel = _kernel(pixels, roughness - t_max, pixel_size, radius, window, rho)
+        for (i, j), (gaps, offsets) in contacts.items():
+            approach = gaps[-1]
+            y, x = ((positions[[i, j]] + offsets) % pixels).T
+            kept = attraction[y, x]
+            attraction[y, x] = 0.0
+            total = _shifted_dot(attraction, kernel, positions[i], positions[j])
+            attraction[y, x] = kept
+            outside[k, i, j] = (
+                np.exp((approach + h_max + t_max) / rho) * total
+                + np.exp((approach - images[i, j]) / rho).sum()
+            )
+    return outside
+
+
+def _kernel(pixels, roughness, pixel_size, radius, window, rho):
+    """exp((t - s)/rho) on (n, n) offsets from the apex, summed over the images in the window.
+
+    Twice along x, which spares `_shifted_dot` the wrap along that axis.
+    """
+    attraction = np.exp(roughness / rho)
+    period = roughness.shape[0]
+    folded = _folded_by_shift(pixels, period, pixel_size, radius, window, rho)
+    place = np.arange(pixels)
+    kernel = sum(
+        (weight_y[:, None] * weight_x)
+        * attraction[np.ix_((place + shift_y) % period, (place + shift_x) % period)]
+        for shift_y, weight_y in folded.items()
+        for shift_x, weight_x in folded.items()
+    )
+    return np.concatenate([kernel, kernel], axis=1)
+
+
+def _folded_by_shift(pixels, period, pixel_size, radius, window, rho):
+    """exp(-s/rho) along one axis summed over those images that see the roughness alike.
+
+    Returns shift of the roughness -> (n,): a single shift where both periods are the same.
+    """
+    folded = {}
+    reach = -(-window // (2 * pixels))
+    for image in range(-reach, reach):
+        offset = np.arange(pixels) + image * pixels
+        inside = (offset >= -(window // 2)) & (offset < window // 2)
+        weight = np.where(inside, np.exp(-paraboloid(offset, pixel_size, radius) / rho), 0.0)
+        shift = image * pixels % period
+        folded[shift] = folded.get(shift, 0.0) + weight
+    return folded
+
+
+def _shifted_dot(attraction, kernel, y, x):
+    """Sum of attraction * kernel with the kernel's origin moved, periodically, to pixel (y, x)."""
+    pixels = attraction.shape[0]
+    columns = slice(pixels - x, 2 * pixels - x)
+    return (
+        np.vecdot(attraction[:y], kernel[pixels - y :, columns]).sum()
+        + np.vecdot(attraction[y:], kernel[: pixels - y, columns]).sum()
+    )
+
+
+def _image_gaps(substrate, roughness, position, touching, pixel_size, radius, window):
+    """Gaps (k,) in nm of the periodic images, inside the window, of pixels that touch.
+
+    Images that touch themselves are left out. touching: offsets (count, 2) from the apex.
+    """
+    pixels = substrate.shape[0]
+    reach = -(-window // pixels)
+    steps = np.stack(np.meshgrid(*[np.arange(-reach, reach + 1) * pixels] * 2), -1).reshape(-1, 2)
+    places = np.unique((touching[:, None] + steps).reshape(-1, 2), axis=0)
+    inside = ((places >= -(window // 2)) & (places < window // 2)).all(axis=1)
+    code = (window * 4, 1)
+    places = places[inside & ~np.isin(places @ code, touching @ code)]
+    y, x = ((position + places) % pixels).T
+    u, v = (places % roughness.shape[0]).T
+    return paraboloid(places, pixel_size, radius).sum(axis=1) - roughness[u, v] - substrate[y, x]
+
+
+def direct_sum(gaps, touching, rho):
+    """Sum of exp(-(g + d)/rho) over every pixel but the `touching` lowest: Eq. 3 as it stands.
+
+    gaps: (window, window) in nm at zero approach; -d is the last of the touching gaps. What the
+    fast sums are checked and timed against.
+    """
+    ordered = np.partition(gaps.ravel(), touching - 1)
+    return float(np.exp((ordered[touching - 1] - ordered[touching:]) / rho).sum())

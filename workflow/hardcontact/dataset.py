@@ -1,0 +1,147 @@
+"""Datasets on disk: whole or absent, with their provenance, checked when read."""
+
+import hashlib
+import json
+import os
+import tempfile
+from contextlib import contextmanager
+from importlib.metadata import version
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+__all__ = [
+    "atomic_path",
+    "canonical",
+    "digest",
+    "height_map",
+    "pixel_size",
+    "read",
+    "stack",
+    "write",
+]
+
+PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
+
+
+def canonical(parameters):
+    """Parameters as one sorted JSON text: equal text means equal parameters."""
+    return json.dumps(parameters, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
+
+
+def digest(paths):
+    """SHA-256 over the contents of files, in the given order."""
+    total = hashlib.sha256()
+    for path in paths:
+        with open(path, "rb") as file:
+            total.update(hashlib.file_digest(file, "sha256").digest())
+    return total.hexdigest()
+
+
+@contextmanager
+def atomic_path(path):
+    """A temporary path beside `path`, renamed to it if the block succeeds, removed if it fails."""
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, temporary = tempfile.mkstemp(
+        dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
+    )
+    os.close(handle)
+    try:
+        yield temporary
+        os.chmod(temporary, 0o666 & ~_umask())
+        os.replace(temporary, path)
+    finally:
+        Path(temporary).unlink(missing_ok=True)
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def height_map(heights, pixel, *, periodic, **attributes):
+    """Dataset of one height map.
+
+    heights: (y, x) in nm, stored as float32; pixel: edge of a pixel in nm; periodic: whether
+    the map continues itself at its edges. Other attributes are kept as given.
+    """
+    coordinates = {
+        axis: (
+            axis,
+            (0.5 + np.arange(count)) * pixel,
+            {"units": "nm", "long_name": f"{axis} position"},
+        )
+        for axis, count in zip("yx", heights.shape, strict=True)
+    }
+    return xr.Dataset(
+        {
+            "heights": (
+                ("y", "x"),
+                heights.astype("float32"),
+                {"units": "nm", "long_name": "surface height", "pixel_size": float(pixel)},
+            )
+        },
+        coordinates,
+        {"periodic": int(periodic), **attributes},
+    )
+
+
+def pixel_size(surface):
+    """Edge of a pixel in nm of a dataset made by `height_map`."""
+    return float(surface["heights"].attrs["pixel_size"])
+
+
+def write(dataset, path, *, title, parameters, inputs, code, file_format="NETCDF4"):
+    """Write `dataset` whole or not at all, with what determined it.
+
+    title: one line; parameters: canonical JSON text; inputs: paths whose digests are kept one by
+    one, code: those among them that are digested together.
+    Files carry no time of writing, so that equal content is an equal file.
+    """
+    dataset = dataset.assign_attrs(
+        title=title,
+        Conventions="CF-1.11",
+        history=f"made by the hardcontact study: {title}",
+        parameters=parameters,
+        versions=canonical({name: version(name) for name in PACKAGES}),
+        code_digest=digest(code),
+        input_digests=canonical(
+            {Path(path).as_posix(): digest([path]) for path in inputs if path not in code}
+        ),
+    )
+    with atomic_path(path) as temporary:
+        dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+
+
+def read(path):
+    """Read a dataset into memory.
+
+    Raises ValueError, in one line, if the file is missing, damaged or truncated.
+    """
+    try:
+        with xr.open_dataset(path, engine="netcdf4") as dataset:
+            return dataset.load()
+    except (OSError, RuntimeError, ValueError) as error:
+        reason = str(error).splitlines()[0]
+        raise ValueError(
+            f"{path}: expected a complete netCDF file, found: {reason}; delete it and run again"
+        ) from None
+
+
+def stack(parts, dimensions):
+    """One dataset from many, along new dimensions in the order in which their keys come.
+
+    parts: tuple of keys -> Dataset; dimensions: their names, outermost first. Where a combination
+    is missing the values are NaN.
+    """
+    if not dimensions:
+        return parts[()]
+    groups = {}
+    for (first, *rest), part in parts.items():
+        groups.setdefault(first, {})[tuple(rest)] = part
+    inner = [stack(group, dimensions[1:]) for group in groups.values()]
+    return xr.concat(inner, pd.Index(list(groups), name=dimensions[0]), join="outer")

@@ -1,0 +1,129 @@
+"""Fig. 1: the topography of the substrates and of the sphere."""
+
+import math
+from string import ascii_lowercase
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+COLUMNS = 3
+AS_SCANNED = "sphere as scanned"
+SUBTRACTED = "sphere subtracted"
+
+
+def table(topography: xr.Dataset) -> pd.DataFrame:
+    """Return rms height and height range of each map drawn, beside the mean over all scans.
+
+    One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
+    scans. The maps themselves stay in topography.nc.
+    """
+    rows = []
+    for letter, (surface, state, heights) in zip(
+        ascii_lowercase, _panels(topography), strict=False
+    ):
+        named = {
+            "panel": letter,
+            "surface": surface,
+            "label": str(topography["label"].sel(surface=surface).item()),
+            "basis": str(topography["basis"].sel(surface=surface).item()),
+            "state": state,
+            "origin": "computed",
+        }
+        rows.append({**named, "quantity": "map_rms_height", "value": _rms(heights)})
+        rows.append({**named, "quantity": "map_peak_to_valley", "value": np.ptp(heights)})
+        if state != AS_SCANNED:
+            over_scans = _over_scans(topography, surface)
+            rows.append({**named, "quantity": "rms_height_mean", **over_scans})
+    return pd.DataFrame(rows).assign(unit="nm")
+
+
+@style.print_style()
+def draw(topography: xr.Dataset) -> Figure:
+    """Draw Fig. 1: one levelled scan of each substrate, the sphere with and without its curvature.
+
+    Uses `example_heights(surface, row, column)` and `sphere_as_scanned(row, column)`, both in nm,
+    and `scan_size(surface)` in nm.
+    """
+    panels = _panels(topography)
+    rows = math.ceil(len(panels) / COLUMNS)
+    figure = style.create(2.15 * rows + style.FOOTER)
+    grid = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
+    colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
+    for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
+        _draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
+        axes.spines[:].set(edgecolor=colours[surface], linewidth=1.5)
+        label = str(topography["label"].sel(surface=surface).item())
+        name = f"{label}, {state}" if state else label
+        style.label_panel(axes, letter, f"{name}\nrms {_rms(heights):.3g} nm")
+    for axes in grid[len(panels) :]:
+        axes.set_axis_off()
+    style.mark_basis(figure, topography)
+    return figure
+
+
+def _panels(topography: xr.Dataset) -> list[tuple[str, str, np.ndarray]]:
+    """Return surface, state and heights (row, column) in nm of each panel, in drawing order."""
+    sphere = topography.attrs["sphere_surface"]
+    substrates = [str(name) for name in topography["surface"].values if name != sphere]
+    levelled = topography["example_heights"]
+    return [
+        *((name, "", _heights(levelled.sel(surface=name))) for name in substrates),
+        (sphere, AS_SCANNED, _heights(topography["sphere_as_scanned"])),
+        (sphere, SUBTRACTED, _heights(levelled.sel(surface=sphere))),
+    ]
+
+
+def _heights(heights: xr.DataArray) -> np.ndarray:
+    """Return the heights without the rows and columns that only pad them to the largest scan."""
+    return heights.dropna("row", how="all").dropna("column", how="all").values
+
+
+def _rms(heights: np.ndarray) -> float:
+    return float(np.std(heights, dtype=float))
+
+
+def _over_scans(topography: xr.Dataset, surface: str) -> dict[str, float]:
+    of_surface = topography[["rms_height_mean", "rms_height_std"]].sel(surface=surface)
+    return {
+        "value": of_surface["rms_height_mean"].item(),
+        "uncertainty": of_surface["rms_height_std"].item(),
+    }
+
+
+def _draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
+    """Draw heights (nm) of a square scan of the given size (nm), with colour bar and scale bar."""
+    image = axes.imshow(heights - heights.mean(), cmap="viridis", extent=(0, size, 0, size))
+    bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
+    bar.ax.set_title("nm", fontsize=7, loc="left", pad=3)
+    axes.set(xticks=[], yticks=[])
+    length = _round_length(size / 4)
+    start = 0.06 * size
+    # white on a dark edge: readable on every height
+    axes.plot([start, start + length], [start, start], color="black", lw=4, solid_capstyle="butt")
+    axes.plot([start, start + length], [start, start], color="white", lw=2, solid_capstyle="butt")
+    axes.text(
+        start + length / 2,
+        start + 0.03 * size,
+        _print_length(length),
+        fontsize=7,
+        ha="center",
+        va="bottom",
+        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 1},
+    )
+
+
+def _round_length(length: float) -> float:
+    """Return the largest 1, 2 or 5 times a power of ten that is not longer than `length`."""
+    decade = 10.0 ** math.floor(math.log10(length))
+    return max(step * decade for step in (1, 2, 5) if step * decade <= length)
+
+
+def _print_length(length: float) -> str:
+    return f"{length:g} nm" if length < 1000 else f"{length / 1000:g} µm"

@@ -1,0 +1,167 @@
+"""What every figure shares: print style, the surfaces' colours, the mark of substitutes, saving."""
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+
+import matplotlib as mpl
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.axis import Axis
+from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+__all__ = [
+    "FOOTER",
+    "PUBLISHED",
+    "SPHERE",
+    "WIDTH",
+    "colours",
+    "create",
+    "label_logarithmic",
+    "label_panel",
+    "mark_basis",
+    "markers",
+    "print_style",
+    "save",
+]
+
+WIDTH = 7.0  # inch: two columns of a journal page
+FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
+RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
+
+# Okabe & Ito (2008), readable with every common colour blindness; their grey is the sphere's,
+# their black the published values' and the pooled line's, their yellow too pale for a thin line.
+SUBSTRATES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+SPHERE = "#7F7F7F"
+PUBLISHED = "#000000"
+MARKERS = ("o", "s", "^", "D", "v", "P")
+
+RC = {
+    "font.family": "DejaVu Sans",  # ships with matplotlib: the same bytes on every machine
+    "font.size": 8.0,
+    "axes.titlesize": 8.0,
+    "axes.labelsize": 8.0,
+    "xtick.labelsize": 7.0,
+    "ytick.labelsize": 7.0,
+    "legend.fontsize": 7.0,
+    "legend.frameon": False,
+    "legend.handlelength": 1.6,
+    "axes.linewidth": 0.6,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 3.5,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "image.interpolation": "nearest",  # a pixel is a datum
+    "pdf.fonttype": 42,  # text stays text
+}
+
+
+def print_style():
+    """Return the context, or decorator, under which figures are drawn and saved at print size."""
+    return mpl.rc_context(RC)
+
+
+def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
+    """Return the colour of each surface: by its place among the substrates, grey for the sphere."""
+    return _by_order(surfaces, SUBSTRATES, sphere, SPHERE)
+
+
+def markers(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
+    """Return the marker of each surface, so that it is also told without colour."""
+    return _by_order(surfaces, MARKERS, sphere, "x")
+
+
+def _by_order(
+    surfaces: Iterable[str], choices: tuple[str, ...], sphere: str | None, of_sphere: str
+) -> dict[str, str]:
+    substrates = [str(name) for name in surfaces if str(name) != sphere]
+    chosen = {name: choices[i % len(choices)] for i, name in enumerate(substrates)}
+    return chosen if sphere is None else {**chosen, sphere: of_sphere}
+
+
+def create(height: float) -> Figure:
+    """Return an empty figure of print width and the given height (inch), with room for a footer."""
+    footer = FOOTER / height
+    layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
+    return Figure(figsize=(WIDTH, height), layout=layout)
+
+
+def label_panel(axes: Axes, letter: str, title: str = "") -> None:
+    """Write the panel's letter, bold, and its title above the axes, flush left."""
+    axes.set_title(rf"$\mathbf{{{letter}}}$  {title}", loc="left")
+
+
+def label_logarithmic(axis: Axis) -> None:
+    """Label a logarithmic axis by plain numbers at 1, 2, 3 and 5, for ranges of few decades."""
+    axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_locator(LogLocator(subs=(4, 6, 7, 8, 9)))
+    axis.set_minor_formatter(NullFormatter())
+
+
+def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
+    """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
+
+    `dataset` holds `label(surface)` and `basis(surface)`, the latter "substitute" or "measured".
+    """
+    substitutes = dataset["label"].values[dataset["basis"].values == "substitute"]
+    note = "all surfaces measured"
+    if substitutes.size:
+        names = ", ".join(map(str, substitutes))
+        note = f"substitute surfaces: {names} (synthesised from published statistics)"
+    figure.text(0.006, 0.05 / figure.get_figheight(), note, fontsize=7, style="italic", va="bottom")
+
+
+@print_style()
+def save(
+    figure: Figure,
+    table: pd.DataFrame,
+    pdf: str | Path,
+    png: str | Path,
+    csv: str | Path,
+    metadata: Mapping[str, str] | None = None,
+) -> None:
+    """Write a figure as PDF and PNG and its table as CSV, the same bytes each time, all or none.
+
+    `metadata` takes the keys of a PDF's information dictionary (Title, Author, Subject, Keywords).
+    """
+    described = dict(metadata or {})
+    _freeze_layout(figure)
+    with ExitStack() as stack:
+        pdf_part, png_part, csv_part = (
+            stack.enter_context(_replacing(Path(path))) for path in (pdf, png, csv)
+        )
+        table.to_csv(csv_part, index=False, float_format="%.8g", lineterminator="\n")
+        figure.savefig(
+            png_part, format="png", dpi=RESOLUTION, metadata={**described, "Software": None}
+        )
+        figure.savefig(
+            pdf_part, format="pdf", dpi=RESOLUTION, metadata={**described, "CreationDate": None}
+        )
+
+
+def _freeze_layout(figure: Figure) -> None:
+    """Lay the figure out once and keep the positions to a millionth of its size.
+
+    Beyond that the solver's digits differ from run to run, and with them the bytes of the PDF.
+    """
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        bounds = axes.get_position(original=True).bounds
+        axes.set_position([round(bound, 6) for bound in bounds])
+
+
+@contextmanager
+def _replacing(path: Path) -> Iterator[Path]:
+    """Yield a name beside `path` that takes its place if all goes well and is removed otherwise."""
+    part = path.with_name(f".{path.name}.{os.getpid()}.part")
+    try:
+        yield part
+        os.replace(part, path)
+    finally:
+        part.unlink(missing_ok=True)

@@ -1,0 +1,261 @@
+"""Table 1: rms height, slope and curvature of the surfaces, published and computed."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+ROW_HEIGHT = 0.19  # inch
+LEFT = -2.2  # where the names of the rows begin, in widths of a column
+SCOPES = {
+    "AFM scans": "AFM scans alone",
+    "all scales": "all scales (published: stylus, AFM and TEM; computed: the joined spectrum)",
+}
+CALIBRATED = "†"
+NOTE = f"{CALIBRATED} substitute calibrated to this published value: agreement is by construction"
+
+
+class _Quantity(NamedTuple):
+    """A row of the paper's Table 1 and the definitions under which it can be computed."""
+
+    name: str  # as in resources/paper/table1.csv
+    scope: str
+    title: str
+    unit: str
+    printed_unit: float  # the unit printed, in `unit`
+    definitions: dict[str, str]  # variable: definition; the first is what substitutes calibrate to
+
+
+HALF_LAPLACIAN, GRADIENT = "half the Laplacian", "gradient"
+QUANTITIES = (
+    _Quantity("afm_rms_height", "AFM scans", "rms height (nm)", "nm", 1, {"rms_height": ""}),
+    _Quantity(
+        "afm_rms_slope",
+        "AFM scans",
+        "rms slope",
+        "1",
+        1,
+        {"rms_gradient": GRADIENT, "rms_profile_slope": "slope of profiles"},
+    ),
+    _Quantity(
+        "afm_rms_curvature",
+        "AFM scans",
+        "rms curvature (10⁻³ nm⁻¹)",
+        "nm-1",
+        1e-3,
+        {"rms_half_laplacian": HALF_LAPLACIAN, "rms_laplacian": "Laplacian"},
+    ),
+    _Quantity(
+        "all_rms_height", "all scales", "rms height (nm)", "nm", 1, {"all_scales_rms_height": ""}
+    ),
+    _Quantity(
+        "all_rms_slope", "all scales", "rms slope", "1", 1, {"all_scales_rms_gradient": GRADIENT}
+    ),
+    _Quantity(
+        "all_rms_curvature",
+        "all scales",
+        "rms curvature (nm⁻¹)",
+        "nm-1",
+        1,
+        {"all_scales_rms_half_laplacian": HALF_LAPLACIAN},
+    ),
+)
+
+
+def table(topography: xr.Dataset, table1_published: pd.DataFrame) -> pd.DataFrame:
+    """Return the published and the computed values of Table 1, one row a value.
+
+    Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the standard
+    deviation over the scans (none for the moments of the joined spectrum). `calibrated` says that a
+    substitute was made to meet the published value, which the first definition then repeats.
+    """
+    rows = [
+        row
+        for quantity in QUANTITIES
+        for surface in map(str, topography["surface"].values)
+        for row in (
+            *_published_rows(quantity, surface, table1_published),
+            *_computed_rows(quantity, topography.sel(surface=surface)),
+        )
+    ]
+    named = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    return pd.DataFrame(rows).join(named, on="surface")[
+        [
+            "scope",
+            "quantity",
+            "definition",
+            "surface",
+            "label",
+            "basis",
+            "origin",
+            "value",
+            "uncertainty",
+            "unit",
+            "calibrated",
+        ]
+    ]
+
+
+@style.print_style()
+def draw(topography: xr.Dataset, table1_published: pd.DataFrame) -> Figure:
+    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones."""
+    rows = table(topography, table1_published)
+    lines = rows[["scope", "quantity", "origin", "definition"]].drop_duplicates()
+    lines = lines.sort_values("origin", ascending=False, kind="stable")  # published comes first
+    columns = [str(name) for name in topography["surface"].values]
+    last = 1 + len(SCOPES) + len(lines)
+    figure = style.create((last + 1) * ROW_HEIGHT + style.FOOTER)
+    axes = figure.subplots()
+    axes.set_axis_off()
+    axes.set(xlim=(LEFT, len(columns)), ylim=(last + 1, 0))
+    _draw_header(axes, topography, columns)
+    cells = rows.set_index(["quantity", "origin", "definition", "surface"], drop=False)
+    top = 1
+    for scope in SCOPES:
+        top = _draw_scope(axes, top, scope, lines, cells, columns)
+    _rule(axes, last, 1.0)
+    axes.text(LEFT, last + 0.6, NOTE, fontsize=7, va="center")
+    style.mark_basis(figure, topography)
+    return figure
+
+
+def _published_rows(quantity: _Quantity, surface: str, published: pd.DataFrame) -> list[dict]:
+    chosen = published[(published["surface"] == surface) & (published["quantity"] == quantity.name)]
+    return [
+        {
+            **_named(quantity, surface),
+            "origin": "published",
+            "definition": "",
+            "value": row.value,
+            "uncertainty": row.uncertainty,
+            "calibrated": False,
+        }
+        for row in chosen.itertuples()
+    ]
+
+
+def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict]:
+    """Return a row for each definition of the quantity."""
+    calibrated = quantity.name in _calibrated_to(of_surface)
+    rows = []
+    for place, (variable, definition) in enumerate(quantity.definitions.items()):
+        value, uncertainty = _moments(of_surface, variable)
+        rows.append(
+            {
+                **_named(quantity, of_surface["surface"].item()),
+                "origin": "computed",
+                "definition": definition,
+                "value": value,
+                "uncertainty": uncertainty,
+                "calibrated": calibrated and place == 0,
+            }
+        )
+    return rows
+
+
+def _named(quantity: _Quantity, surface: str) -> dict:
+    return {
+        "scope": quantity.scope,
+        "quantity": quantity.name,
+        "surface": surface,
+        "unit": quantity.unit,
+    }
+
+
+def _calibrated_to(of_surface: xr.Dataset) -> list[str]:
+    return [name.strip() for name in of_surface["calibrated_to_table1"].item().split(",")]
+
+
+def _moments(of_surface: xr.Dataset, variable: str) -> tuple[float, float]:
+    """Return mean and standard deviation over scans, or the one value of the joined spectrum."""
+    if f"{variable}_mean" in of_surface:
+        return of_surface[f"{variable}_mean"].item(), of_surface[f"{variable}_std"].item()
+    return of_surface[variable].item(), np.nan
+
+
+def _draw_header(axes: Axes, topography: xr.Dataset, columns: list[str]) -> None:
+    """Write the surfaces' names in their colours over the columns."""
+    colours = style.colours(columns, topography.attrs["sphere_surface"])
+    _rule(axes, 0, 1.0)
+    for place, surface in enumerate(columns):
+        label = str(topography["label"].sel(surface=surface).item())
+        axes.text(
+            place + 0.5,
+            0.5,
+            label,
+            color=colours[surface],
+            weight="bold",
+            fontsize=8,
+            ha="center",
+            va="center",
+        )
+
+
+def _draw_scope(
+    axes: Axes, top: int, scope: str, lines: pd.DataFrame, cells: pd.DataFrame, columns: list[str]
+) -> int:
+    """Write the quantities of one scope downwards from `top` and return where they end."""
+    _rule(axes, top, 1.0)
+    axes.text(LEFT, top + 0.5, SCOPES[scope], style="italic", fontsize=7, va="center")
+    top += 1
+    for quantity in QUANTITIES:
+        if quantity.scope == scope:
+            of_quantity = lines[lines["quantity"] == quantity.name]
+            _draw_quantity(axes, top, quantity, of_quantity, cells, columns)
+            top += len(of_quantity)
+    return top
+
+
+def _draw_quantity(
+    axes: Axes,
+    top: int,
+    quantity: _Quantity,
+    lines: pd.DataFrame,
+    cells: pd.DataFrame,
+    columns: list[str],
+) -> None:
+    """Write the lines of one quantity, downwards from `top`, under a thin rule."""
+    _rule(axes, top, 0.4)
+    axes.text(LEFT, top + 0.5, quantity.title, weight="bold", fontsize=7, va="center")
+    for height, line in enumerate(lines.itertuples(), start=top):
+        name = f"{line.origin}, {line.definition}" if line.definition else line.origin
+        axes.text(-0.05, height + 0.5, name, fontsize=7, ha="right", va="center")
+        for place, surface in enumerate(columns):
+            key = (quantity.name, line.origin, line.definition, surface)
+            text = _print_cell(cells.loc[key], quantity) if key in cells.index else "–"
+            axes.text(place + 0.5, height + 0.5, text, fontsize=7, ha="center", va="center")
+
+
+def _print_cell(cell: pd.Series, quantity: _Quantity) -> str:
+    """Return value and uncertainty in the printed unit, with the mark of a calibrated row."""
+    value, uncertainty = (cell[name] / quantity.printed_unit for name in ("value", "uncertainty"))
+    if not np.isfinite(value):
+        return "–"
+    mark = f" {CALIBRATED}" if cell["calibrated"] else ""
+    if not np.isfinite(uncertainty):
+        return f"{value:.3g}{mark}"
+    published = cell["origin"] == "published"
+    decimals = _published_decimals(value, uncertainty) if published else _decimals(uncertainty)
+    return f"{value:.{decimals}f} ± {uncertainty:.{decimals}f}{mark}"
+
+
+def _decimals(uncertainty: float) -> int:
+    """Return how many decimals show two significant digits of the uncertainty."""
+    return max(0, 1 - math.floor(math.log10(uncertainty))) if uncertainty > 0 else 2
+
+
+def _published_decimals(value: float, uncertainty: float) -> int:
+    """Return the decimals of whichever of the two was published with more."""
+    return max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
+
+
+def _rule(axes: Axes, height: float, width: float) -> None:
+    axes.plot(axes.get_xlim(), [height, height], color="black", lw=width, clip_on=False)

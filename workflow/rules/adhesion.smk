@@ -1,0 +1,98 @@
+# Adhesion: rigid and plastic pull-off for every pair of substrate and sphere scan.
+
+
+rule compute_pull_off:
+    input:
+        substrate=STORE + "/stitched/{surface}/scan-{scan}-flat.nc",
+        sphere=STORE + "/stitched/" + SPHERE + "/scan-{sphere_scan}-sphere-{radius}.nc",
+        code=code("compute_pull_off.py"),
+    output:
+        STORE + "/pull_off/{radius}/{load}/{surface}/scan-{scan}/sphere-scan-{sphere_scan}.nc",
+    params:
+        canonical=canonical(
+            {
+                "contact": STUDY["contact"],
+                "ranges": STUDY["adhesion"]["ranges"],
+                "reference_range": STUDY["scales"]["range"],
+                "radius": STUDY["sphere"]["radius"],
+            }
+        ),
+    log:
+        STORE + "/logs/compute_pull_off/{radius}-{load}-{surface}-{scan}-{sphere_scan}.log",
+    benchmark:
+        STORE + "/benchmarks/compute_pull_off/{radius}-{load}-{surface}-{scan}-{sphere_scan}.tsv"
+    resources:
+        mem_mb=1000,
+    script:
+        "../scripts/compute_pull_off.py"
+
+
+PAIRS = [
+    (surface, scan, sphere_scan)
+    for surface in SUBSTRATES
+    for scan in scans_of(surface)
+    for sphere_scan in scans_of(SPHERE)
+]
+
+
+rule aggregate_adhesion:
+    input:
+        pairs=[
+            f"{STORE}/pull_off/{RADIUS}/{LOAD}/{surface}/scan-{scan}/sphere-scan-{sphere_scan}.nc"
+            for surface, scan, sphere_scan in PAIRS
+        ],
+        code=code("aggregate_adhesion.py"),
+    output:
+        RESULTS + "/adhesion.nc",
+    params:
+        canonical=canonical(
+            {
+                "pairs": PAIRS,
+                "labels": LABELS,
+                "basis": BASIS,
+                "sphere_radius": STUDY["sphere"]["radius"],
+                "reference_rho": STUDY["scales"]["range"],
+            }
+        ),
+    log:
+        RESULTS + "/logs/aggregate_adhesion.log",
+    benchmark:
+        RESULTS + "/benchmarks/aggregate_adhesion.tsv"
+    script:
+        "../scripts/aggregate_adhesion.py"
+
+
+TRACED = STUDY["adhesion"]["traced_contact"]
+
+
+rule trace_contact:
+    # gap, adhesive pressure and force-separation curve of one contact
+    input:
+        substrate=stitched(TRACED["surface"], TRACED["scan"]),
+        sphere=stitched(SPHERE, TRACED["sphere_scan"]),
+        published="resources/paper/parameters.csv",
+        code=code("trace_contact.py"),
+    output:
+        RESULTS + "/contact.nc",
+    params:
+        canonical=canonical(
+            {
+                **TRACED,
+                "contacts": STUDY["contact"],
+                "radius": STUDY["sphere"]["radius"],
+                "label": LABELS[TRACED["surface"]],
+                "basis": BASIS[TRACED["surface"]],
+            }
+        ),
+    log:
+        RESULTS + "/logs/trace_contact.log",
+    benchmark:
+        RESULTS + "/benchmarks/trace_contact.tsv"
+    script:
+        "../scripts/trace_contact.py"
+
+
+rule adhesion:
+    input:
+        rules.aggregate_adhesion.output,
+        rules.trace_contact.output,

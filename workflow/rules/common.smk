@@ -1,0 +1,108 @@
+# The study's configuration, its paths, and the code that each script really uses.
+
+import ast
+
+import pandas as pd
+from snakemake.settings.types import ExecMode
+
+from hardcontact import study as studies
+from hardcontact.dataset import canonical
+from hardcontact.units import token
+
+
+def refuse(error):
+    """End with one clear line, before any job starts."""
+    sys.exit(f"error: {error}")
+
+
+def read_schema(name):
+    return yaml.safe_load(Path(workflow.basedir, "workflow/schemas", name).read_text())
+
+
+try:
+    STUDY = studies.configuration(config, read_schema("config.schema.yaml"))
+    SCANS = studies.selected_scans(
+        studies.surface_table(STUDY["surfaces"], read_schema("surfaces.schema.yaml")),
+        STUDY["scans"],
+    )
+    if workflow.exec_mode == ExecMode.DEFAULT:
+        studies.check(STUDY, SCANS)
+except ValueError as error:
+    refuse(error)
+
+STORE = STUDY["store"]
+RESULTS = f"results/{STUDY['study']}"
+SPHERE = STUDY["sphere"]["surface"]
+SURFACES = list(SCANS.surface.unique())
+SUBSTRATES = [surface for surface in SURFACES if surface != SPHERE]
+LABELS = dict(zip(SCANS.surface, SCANS.label))
+BASIS = dict(zip(SCANS.surface, SCANS.source))
+MEASURED = [surface for surface in SURFACES if BASIS[surface] == "measured"]
+SUBSTITUTES = [surface for surface in SURFACES if BASIS[surface] == "substitute"]
+REALIZATIONS = range(1, STUDY["scales"]["realizations"] + 1)
+
+# What people sweep stands in the path.
+RADIUS = f"R{token(config['sphere']['radius'], 'um')}"
+LOAD = (
+    f"H{token(config['contact']['hardness'], 'GPa')}-F{token(config['contact']['preload'], 'uN')}"
+)
+RANGE = f"rho{token(config['scales']['range'], 'nm')}"
+
+
+def scans_of(surface):
+    return SCANS.scan[SCANS.surface == surface].tolist()
+
+
+def row_of(surface, scan):
+    return SCANS[(SCANS.surface == surface) & (SCANS.scan == int(scan))].iloc[0]
+
+
+def shape_of(surface):
+    """What a surface is before its roughness: flat, or the sphere."""
+    return f"sphere-{RADIUS}" if surface == SPHERE else "flat"
+
+
+def one_of(names):
+    """A wildcard constraint; one that nothing meets where there are no names."""
+    return "|".join(names) or "none(?!)"
+
+
+def cutoff_tokens(side):
+    return [token(cutoff, "nm") for cutoff in config["scales"][side]["cutoffs"]]
+
+
+def code(script):
+    """The library's modules that a script imports, directly or not, and the pinned packages."""
+    folder = Path(workflow.basedir, "workflow/hardcontact")
+    found, pending = set(), [Path(workflow.basedir, "workflow/scripts", script)]
+    while pending:
+        for module in imported(ast.parse(pending.pop().read_text())):
+            path = folder.joinpath(*module.split(".")[1:])
+            path = path.with_suffix(".py") if not path.is_dir() else path / "__init__.py"
+            if path.is_file() and path not in found:
+                found.add(path)
+                pending.append(path)
+    return sorted(os.path.relpath(path) for path in found) + ["environment.txt"]
+
+
+def imported(tree):
+    """Names under hardcontact that a syntax tree imports."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("hardcontact"):
+            yield node.module
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.Import):
+            yield from (a.name for a in node.names if a.name.startswith("hardcontact"))
+
+
+wildcard_constraints:
+    surface=one_of(SURFACES),
+    scan=r"\d+",
+    sphere_scan=r"\d+",
+    realization=r"\d+",
+    side="small|large",
+    shape=r"flat|sphere-R[0-9.e+-]+um",
+    cutoff=r"none|[0-9.e+-]+nm",
+    load=r"H[0-9.e+-]+GPa-F[0-9.e+-]+uN",
+    radius=r"R[0-9.e+-]+um",
+    range=r"rho[0-9.e+-]+nm",

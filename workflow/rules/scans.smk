@@ -1,0 +1,128 @@
+# Scans: substitutes where none was measured, then one door for both.
+
+
+def description_of(w):
+    return row_of(w.surface, scans_of(w.surface)[0]).path
+
+
+def tables_of(w):
+    """The tables of measured points that a description names."""
+    names = pd.read_csv(description_of(w)).table.dropna().unique()
+    return [os.path.relpath(Path(description_of(w)).parent / name) for name in names]
+
+
+rule calibrate_spectrum:
+    # C_iso of a substitute, from its description and Table 1
+    input:
+        description=description_of,
+        tables=tables_of,
+        heights="resources/spectra/height_distribution.csv",
+        table1="resources/paper/table1.csv",
+        code=code("calibrate_spectrum.py"),
+    output:
+        STORE + "/spectra/{surface}-substitute.nc",
+    params:
+        canonical=lambda w: canonical(
+            {"surface": w.surface, "scan": STUDY["scan"], "seed": STUDY["seed"]}
+        ),
+    log:
+        STORE + "/logs/calibrate_spectrum/{surface}.log",
+    benchmark:
+        STORE + "/benchmarks/calibrate_spectrum/{surface}.tsv"
+    resources:
+        mem_mb=1000,
+    script:
+        "../scripts/calibrate_spectrum.py"
+
+
+rule extrapolate_spectrum:
+    # C_iso of a measured surface, from its own scans
+    input:
+        scans=lambda w: expand(
+            STORE + "/topography/{surface}/scan-{scan}-{shape}.nc",
+            surface=w.surface,
+            scan=scans_of(w.surface),
+            shape=shape_of(w.surface),
+        ),
+        code=code("extrapolate_spectrum.py"),
+    output:
+        STORE + "/spectra/{surface}-measured.nc",
+    params:
+        canonical=canonical({}),
+    log:
+        STORE + "/logs/extrapolate_spectrum/{surface}.log",
+    benchmark:
+        STORE + "/benchmarks/extrapolate_spectrum/{surface}.tsv"
+    script:
+        "../scripts/extrapolate_spectrum.py"
+
+
+def spectrum_of(surface):
+    return f"{STORE}/spectra/{surface}-{BASIS[surface]}.nc"
+
+
+rule synthesize_scan:
+    # a substitute scan, in a format that microscopes' files share
+    input:
+        spectrum=lambda w: spectrum_of(w.surface),
+        code=code("synthesize_scan.py"),
+    output:
+        STORE + "/substitutes/{surface}/scan-{scan}-{shape}.nc",
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "number": int(w.scan),
+                "scan": STUDY["scan"],
+                "seed": STUDY["seed"],
+                "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
+            }
+        ),
+    log:
+        STORE + "/logs/synthesize_scan/{surface}-{scan}-{shape}.log",
+    benchmark:
+        STORE + "/benchmarks/synthesize_scan/{surface}-{scan}-{shape}.tsv"
+    resources:
+        mem_mb=1000,
+    script:
+        "../scripts/synthesize_scan.py"
+
+
+def scan_file(surface, scan):
+    """The file a scan is read from: measured, or its substitute."""
+    if BASIS[surface] == "measured":
+        return row_of(surface, scan).path
+    return f"{STORE}/substitutes/{surface}/scan-{scan}-{shape_of(surface)}.nc"
+
+
+rule prepare_scan:
+    # the plane removed, from the sphere's scans the sphere too; then mirror-stitched
+    input:
+        scan=lambda w: scan_file(w.surface, w.scan),
+        code=code("prepare_scan.py"),
+    output:
+        scan=STORE + "/scans/{surface}/scan-{scan}-{shape}.nc",
+        stitched=STORE + "/stitched/{surface}/scan-{scan}-{shape}.nc",
+    params:
+        canonical=lambda w: canonical(
+            {
+                "source": BASIS[w.surface],
+                "dataset": row_of(w.surface, w.scan).dataset,
+                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
+            }
+        ),
+    log:
+        STORE + "/logs/prepare_scan/{surface}-{scan}-{shape}.log",
+    benchmark:
+        STORE + "/benchmarks/prepare_scan/{surface}-{scan}-{shape}.tsv"
+    script:
+        "../scripts/prepare_scan.py"
+
+
+def levelled(surface, scan):
+    return f"{STORE}/scans/{surface}/scan-{scan}-{shape_of(surface)}.nc"
+
+
+def stitched(surface, scan):
+    return f"{STORE}/stitched/{surface}/scan-{scan}-{shape_of(surface)}.nc"

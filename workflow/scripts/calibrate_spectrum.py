@@ -1,0 +1,57 @@
+"""C_iso of a substitute surface, from its description and the published Table 1."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact import dataset, log, spectrum, synthesis
+
+log.start(snakemake.log[0])
+parameters = json.loads(snakemake.params.canonical)
+surface, scan = parameters["surface"], parameters["scan"]
+pixel_size = scan["size"] / scan["pixels"]
+
+published = pd.read_csv(snakemake.input.table1)
+table1 = published[published.surface == surface].set_index("quantity")
+weights = spectrum.transfer_weights(scan["realization_pixels"], pixel_size, scan["pixels"])
+density, bands, calibrated = spectrum.from_description(snakemake.input.description, table1, weights)
+
+shapes = pd.read_csv(snakemake.input.heights).set_index("description").skewness
+height = table1.loc[["afm_rms_height"]] if "afm_rms_height" in table1.index else None
+spread = (
+    0.0
+    if height is None
+    else synthesis.scan_to_scan_spread(
+        synthesis.generator(parameters["seed"], surface, "scan-to-scan spread"),
+        scan["realization_pixels"],
+        pixel_size,
+        scan["pixels"],
+        lambda q: spectrum.at(q, spectrum.WAVEVECTORS, density),
+        float((height.uncertainty / height.value).iloc[0]),
+    )
+)
+
+dataset.write(
+    xr.Dataset(
+        {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
+        {"wavevector": ("wavevector", spectrum.WAVEVECTORS, {"units": "rad nm-1"})},
+        {
+            "basis": "substitute",
+            "calibrated_to_table1": ",".join(calibrated),
+            "bands": bands.to_csv(index=False),
+            "skewness": float(shapes.get(Path(snakemake.input.description).stem, 0.0)),
+            "spread": spread,
+            "expected_scan_moments": np.asarray(
+                spectrum.expected_moments(spectrum.WAVEVECTORS, density, weights)
+            ),
+        },
+    ),
+    snakemake.output[0],
+    title=f"power spectral density of the substitute for {surface}",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
+)

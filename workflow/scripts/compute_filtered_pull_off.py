@@ -1,0 +1,74 @@
+"""Plastic pull-off at every contact of a master without the scales beyond one cutoff."""
+
+import json
+
+import numpy as np
+import xarray as xr
+
+from hardcontact import adhesion, contact, dataset, fourier, log, sphere
+
+log.start(snakemake.log[0])
+parameters = json.loads(snakemake.params.canonical)
+settings, radius, rho = parameters["contact"], parameters["radius"], parameters["rho"]
+pixels, cutoff, work = parameters["pixels"], parameters["cutoff"], 1.0
+
+master = dataset.read(snakemake.input.master)
+heights, master_pixel = master.heights.values, dataset.pixel_size(master)
+pixel_size = heights.shape[0] * master_pixel / pixels
+if cutoff is not None and parameters["side"] == "small":
+    heights, _ = fourier.lowpass(heights, master_pixel, cutoff)
+elif cutoff is not None:
+    heights = fourier.highpass(heights, master_pixel, cutoff)
+if heights.shape[0] != pixels:
+    heights = fourier.interpolate(heights, pixels)
+
+positions = sphere.contact_positions(pixels, settings["count"])
+window = sphere.window_pixels(settings["window"], pixel_size)
+touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
+if snakemake.input.sphere:
+    rough = dataset.read(snakemake.input.sphere)
+    heights, roughness, pixel_size, _ = sphere.common_pixels(
+        heights, pixel_size, rough.heights.values, dataset.pixel_size(rough)
+    )
+    contacts = contact.all_lowest_gaps(
+        heights, positions, pixel_size, radius, window, touching, roughness
+    )
+    total = (
+        touching
+        + adhesion.rough_sphere_sums(
+            heights, roughness, positions, contacts, pixel_size, radius, window, [rho]
+        )[0]
+    )
+else:
+    contacts = contact.all_lowest_gaps(heights, positions, pixel_size, radius, window, touching)
+    sums, h_max = adhesion.smooth_sphere_sums(
+        heights, positions, pixel_size, radius, window, rho, snakemake.threads
+    )
+    total = np.array(
+        [
+            adhesion.plastic_total(sums[place], h_max, gaps, rho)
+            for place, (gaps, _) in contacts.items()
+        ]
+    ).reshape(sums.shape)
+
+dataset.write(
+    xr.Dataset(
+        {
+            "pull_off_force": (
+                ("contact_y", "contact_x"),
+                adhesion.pull_off_force(total, rho, pixel_size, work),
+                {"units": "N", "long_name": "pull-off force at W = 1 J/m2"},
+            )
+        },
+        {
+            axis: (axis, positions * pixel_size, {"units": "nm"})
+            for axis in ("contact_y", "contact_x")
+        },
+        {"work_of_adhesion": work, "rho": rho, "touching_pixels": touching},
+    ),
+    snakemake.output[0],
+    title=f"plastic pull-off of a {parameters['side']}-scale master, cutoff {cutoff} nm",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
+)

@@ -1,0 +1,12 @@
+"""Each quantitative statement of the paper beside what was computed, with its verdict."""
+
+from hardcontact import claims, dataset, log
+
+log.start(snakemake.log[0])
+datasets = {
+    name: dataset.read(snakemake.input[name])
+    for name in ("topography", "adhesion", "scales", "inference")
+}
+evaluated = claims.evaluate(claims.read_claims(snakemake.input.claims), datasets)
+with dataset.atomic_path(snakemake.output[0]) as path:
+    evaluated.to_csv(path, index=False)
