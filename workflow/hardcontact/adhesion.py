@@ -65,7 +65,7 @@ def force_separation(pull_off, rho, separation):
 
 
 def _folded(positions, pixels, pixel_size, radius, window, rho):
-    """exp(-s/rho) along one axis, summed over the periodic images in the window: (contact, pixel)."""
+    """exp(-s/rho) along one axis, summed over periodic images in the window: (contact, n)."""
     offset = np.arange(window) - window // 2
     weight = np.exp(-paraboloid(offset, pixel_size, radius) / rho)
     return np.array(

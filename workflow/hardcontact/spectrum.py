@@ -61,6 +61,11 @@ def self_affine(wavevector, plateau, rolloff, hurst):
     return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
 
 
+def self_affine_height(plateau, rolloff, hurst):
+    """rms height (nm) of `self_affine` over all scales: C_0 q_r² (1 + 1/H)/(4 pi) is its square."""
+    return np.sqrt(plateau * (2 * np.pi / rolloff) ** 2 * (1 + 1 / hurst) / (4 * np.pi))
+
+
 def smooth_rolloff(wavevector, plateau, rolloff, hurst):
     """C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
     return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
@@ -154,7 +159,7 @@ def calibrate_self_affine(table1, weights):
     def mismatch(parameters):
         shape = np.exp(parameters[0]), np.exp(parameters[1]), parameters[2]
         scan = np.sqrt(factors @ self_affine(wavevector, *shape))
-        height = all_scales_moments(WAVEVECTORS, self_affine(WAVEVECTORS, *shape))[0]
+        height = self_affine_height(*shape)
         return np.log(np.append(scan, height) / value) / error
 
     start = (2 * np.log(value[0] * 1000), np.log(1000), 0.9)
@@ -169,7 +174,7 @@ def calibrate_self_affine(table1, weights):
 
 
 def all_scales_moments(wavevector, density):
-    """rms height (nm), gradient, half-Laplacian (1/nm) of an isotropic C_iso over all its scales."""
+    """rms height (nm), gradient, half-Laplacian (1/nm) of an isotropic C_iso, all scales."""
     powers = (density * wavevector**n for n in (1, 3, 5))
     height, gradient, laplacian = (np.trapezoid(p * wavevector, np.log(wavevector)) for p in powers)
     return np.sqrt(np.array([height, gradient, laplacian / 4]) / (2 * np.pi))
@@ -208,6 +213,10 @@ def calibrate_tail(joined, start, level, gradient, half_laplacian):
     return float(fit.x[0]), float(2 * np.pi / np.exp(fit.x[1]))
 
 
+#: Columns of a description that hold numbers.
+PARAMETERS = ("longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst")
+
+
 def from_description(path, table1, weights):
     """C_iso on WAVEVECTORS from the description of a surface, and what it was calibrated to.
 
@@ -219,7 +228,7 @@ def from_description(path, table1, weights):
 
     Raises ValueError naming the file and the band if one cannot be made.
     """
-    bands = pd.read_csv(path)
+    bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
     density, calibrated = np.zeros_like(WAVEVECTORS), []
     for i, band in bands.iterrows():
         try:

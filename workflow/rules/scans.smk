@@ -18,12 +18,13 @@ rule calibrate_spectrum:
         tables=tables_of,
         heights="resources/spectra/height_distribution.csv",
         table1="resources/paper/table1.csv",
+        published="resources/paper/parameters.csv",
         code=code("calibrate_spectrum.py"),
     output:
         STORE + "/spectra/{surface}-substitute.nc",
     params:
         canonical=lambda w: canonical(
-            {"surface": w.surface, "scan": STUDY["scan"], "seed": STUDY["seed"]}
+            {"surface": w.surface, "seed": STUDY["seed"]}
         ),
     log:
         STORE + "/logs/calibrate_spectrum/{surface}.log",

@@ -29,7 +29,7 @@ joined = np.array(
     ]
 )
 scans = scans.assign(
-    topography.averages(scans, parameters["confidence"]),
+    **topography.averages(scans, parameters["confidence"]),
     psd_profile_mean=scans.psd_profile.mean("scan", keep_attrs=True),
     psd_isotropic_mean=scans.psd_isotropic.mean("scan", keep_attrs=True),
     spectrum=(("surface", "wavevector"), density, {"units": "nm4"}),

@@ -11,12 +11,16 @@ from hardcontact import dataset, log, spectrum, synthesis
 
 log.start(snakemake.log[0])
 parameters = json.loads(snakemake.params.canonical)
-surface, scan = parameters["surface"], parameters["scan"]
-pixel_size = scan["size"] / scan["pixels"]
+surface = parameters["surface"]
+
+# Table 1 holds for the paper's scans, whatever this study's substitutes look like.
+constants = pd.read_csv(snakemake.input.published).set_index("quantity").value
+window = int(constants["scan_pixels"])
+pixel_size, pixels = constants["scan_size"] / window, 4 * window
 
 published = pd.read_csv(snakemake.input.table1)
 table1 = published[published.surface == surface].set_index("quantity")
-weights = spectrum.transfer_weights(scan["realization_pixels"], pixel_size, scan["pixels"])
+weights = spectrum.transfer_weights(pixels, pixel_size, window)
 density, bands, calibrated = spectrum.from_description(snakemake.input.description, table1, weights)
 
 shapes = pd.read_csv(snakemake.input.heights).set_index("description").skewness
@@ -26,9 +30,9 @@ spread = (
     if height is None
     else synthesis.scan_to_scan_spread(
         synthesis.generator(parameters["seed"], surface, "scan-to-scan spread"),
-        scan["realization_pixels"],
+        pixels,
         pixel_size,
-        scan["pixels"],
+        window,
         lambda q: spectrum.at(q, spectrum.WAVEVECTORS, density),
         float((height.uncertainty / height.value).iloc[0]),
     )
