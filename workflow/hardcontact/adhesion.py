@@ -50,7 +50,8 @@ def plastic_total(everywhere, h_max, gaps, rho):
     """Sum of exp(-gap/rho) at plastic closest approach of a smooth sphere.
 
     everywhere: what `smooth_sphere_sums` returned for one contact; gaps: (count,) nm of the
-    touching pixels, ascending. Each touching pixel counts as gap zero, not as its penetration.
+    touching pixels, ascending. Each touching pixel counts as gap zero, not as its penetration;
+    taking the difference off costs as many digits as exp(penetration/rho) has.
     """
     approach = gaps[-1]
     return np.exp((approach + h_max) / rho) * everywhere - np.expm1((approach - gaps) / rho).sum()

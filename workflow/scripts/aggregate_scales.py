@@ -11,7 +11,14 @@ parts = {
     for key, path in zip(parameters["filters"], snakemake.input.filtered, strict=True)
 }
 count = range(next(iter(parts.values())).sizes["contact_y"])
-parts = {key: part.assign_coords(contact_y=count, contact_x=count) for key, part in parts.items()}
+parts = {
+    (*key, side, cutoff): part.assign_coords(contact_y=count, contact_x=count).assign(
+        unfiltered_wavelength=part.attrs[
+            "shortest_wavelength" if side == "small" else "longest_wavelength"
+        ]
+    )
+    for (*key, side, cutoff), part in parts.items()
+}
 surfaces = list(dict.fromkeys(surface for surface, *_ in parts))
 dimensions = ["surface", "realization", "side"]
 
@@ -20,7 +27,7 @@ unfiltered = dataset.stack(
 )
 filtered = dataset.stack(
     {
-        (*key, float(cutoff.removesuffix("nm"))): part
+        (*key, float(cutoff.removesuffix("nm"))): part[["pull_off_force"]]
         for (*key, cutoff), part in parts.items()
         if cutoff != "none"
     },
@@ -29,6 +36,7 @@ filtered = dataset.stack(
 contacts = ["contact_y", "contact_x"]
 scales = filtered.assign(
     unfiltered_pull_off_force=unfiltered.pull_off_force,
+    unfiltered_wavelength=unfiltered.unfiltered_wavelength.isel(realization=0, drop=True),
     ratio=filtered.pull_off_force.mean(contacts) / unfiltered.pull_off_force.mean(contacts),
     label=("surface", [parameters["labels"][surface] for surface in surfaces]),
     basis=("surface", [parameters["basis"][surface] for surface in surfaces]),

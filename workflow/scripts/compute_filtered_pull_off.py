@@ -64,7 +64,13 @@ dataset.write(
             axis: (axis, positions * pixel_size, {"units": "nm"})
             for axis in ("contact_y", "contact_x")
         },
-        {"work_of_adhesion": work, "rho": rho, "touching_pixels": touching},
+        {
+            "work_of_adhesion": work,
+            "rho": rho,
+            "touching_pixels": touching,
+            "shortest_wavelength": 2 * pixel_size,
+            "longest_wavelength": pixels * pixel_size,
+        },
     ),
     snakemake.output[0],
     title=f"plastic pull-off of a {parameters['side']}-scale master, cutoff {cutoff} nm",
