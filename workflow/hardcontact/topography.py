@@ -13,7 +13,7 @@ import yaml
 from scipy.stats import kurtosis, skew
 from scipy.stats import t as student_t
 from SurfaceTopography import Topography, open_topography
-from SurfaceTopography.Exceptions import MetadataAlreadyFixedByFile
+from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
 from SurfaceTopography.Support.UnitConversion import get_unit_conversion_factor
 
 __all__ = [
@@ -57,8 +57,13 @@ def read_scan(path, dataset="", undefined_pixels="refuse"):
         topography = _open(Path(path), dataset)
     except _Refused as error:
         raise ValueError(f"{path}: {error}") from None
+    except CannotDetectFileFormat:
+        raise ValueError(
+            f"{path}: expected a whole file in a format that SurfaceTopography reads, "
+            "found one that none of its readers takes"
+        ) from None
     except Exception as error:  # a reader meets damaged bytes in any way it likes
-        reason = " ".join(str(error).split())[:200] or type(error).__name__
+        reason = " ".join(f"{type(error).__name__}: {error}".split())[:200]
         raise ValueError(f"{path}: expected a readable scan, found: {reason}") from None
     return _checked(topography, path, undefined_pixels)
 
@@ -70,13 +75,22 @@ class _Refused(Exception):
 def _open(path, dataset):
     if not path.is_file():
         raise _Refused("expected a scan, found no such file")
+    if path.stat().st_size == 0:
+        raise _Refused("expected a scan, found an empty file")
     if zipfile.is_zipfile(path) and "meta.yml" in (names := zipfile.ZipFile(path).namelist()):
         return _open_member(path, dataset, names)
     if dataset:
-        raise _Refused(f"expected a container with a dataset {dataset!r}, found a single file")
+        raise _Refused(f"expected a whole container with a dataset {dataset!r}, found none")
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        return open_topography(str(path)).topography()
+        return _topography(open_topography(str(path)), {})
+
+
+def _topography(reader, stated):
+    """The height map of a reader; stated: what is known beside the file."""
+    if reader.default_channel.physical_sizes is None and "physical_sizes" not in stated:
+        raise _Refused("expected a file that states the physical size of the scan, found none")
+    return reader.topography(**stated)
 
 
 class _MetaLoader(yaml.SafeLoader):
@@ -90,16 +104,7 @@ def _open_member(path, dataset, names):
     """The named scan of a contact.engineering container, read in memory."""
     with zipfile.ZipFile(path) as container:
         meta = yaml.load(container.read("meta.yml"), Loader=_MetaLoader)
-        entries = {
-            key: entry
-            for surface in meta["surfaces"]
-            for entry in surface["topographies"]
-            for key in (entry["datafile"]["original"], entry["name"])
-        }
-        if dataset not in entries:
-            known = ", ".join(sorted({entry["name"] for entry in entries.values()}))
-            raise _Refused(f"expected the column dataset to name one of {known}; found {dataset!r}")
-        entry = entries[dataset]
+        entry = _entry_of(meta, dataset)
         member = entry["datafile"]["original"]
         if member not in names or container.getinfo(member).file_size > MEMBER_LIMIT:
             raise _Refused(f"expected the data file {member} of at most {MEMBER_LIMIT} bytes")
@@ -114,11 +119,26 @@ def _open_member(path, dataset, names):
     ):
         try:
             if value is not None:
-                reader.topography(**{key: value})
+                _topography(reader, kept | {key: value})
                 kept[key] = value
         except MetadataAlreadyFixedByFile:
             pass
-    return reader.topography(**kept)
+    return _topography(reader, kept)
+
+
+def _entry_of(meta, dataset):
+    """What a container's meta.yml says of the one scan of this name or data file."""
+    entries = [entry for surface in meta["surfaces"] for entry in surface["topographies"]]
+    chosen = [
+        entry for entry in entries if dataset in (entry["datafile"]["original"], entry["name"])
+    ]
+    if not chosen:
+        known = ", ".join(sorted({entry["name"] for entry in entries}))
+        raise _Refused(f"expected the column dataset to name one of {known}; found {dataset!r}")
+    if len(chosen) > 1:
+        files = ", ".join(entry["datafile"]["original"] for entry in chosen)
+        raise _Refused(f"expected one scan {dataset!r}, found {files}; name one of these instead")
+    return chosen[0]
 
 
 def _checked(topography, path, undefined_pixels):
@@ -129,9 +149,10 @@ def _checked(topography, path, undefined_pixels):
             f"{path}: expected a physical size and a unit, "
             f"found size {topography.physical_sizes}, unit {topography.unit}"
         )
-    factor = get_unit_conversion_factor(topography.unit, "nm")
-    if factor is None:
-        raise ValueError(f"{path}: expected a unit of length, found {topography.unit!r}")
+    try:
+        factor = get_unit_conversion_factor(topography.unit, "nm")
+    except ValueError:
+        raise ValueError(f"{path}: expected a unit of length, found {topography.unit!r}") from None
     if topography.has_undefined_data:
         topography = _filled(topography, path, undefined_pixels)
     heights = np.asarray(topography.heights(), dtype=float).T * factor

@@ -231,9 +231,11 @@ def _draw_logarithmic(
             lw=1.0,
             label=f"{origin} log-normal",
         )
-    lowest = _density(forces, edges)
+    bars = _density(forces, edges)
+    bars = bars[bars > 0] * MICRONEWTON
     axes.set(xscale="log", yscale="log", xlim=np.divide(ends, MICRONEWTON))
-    axes.set_ylim(bottom=lowest[lowest > 0].min() * MICRONEWTON / 3)
+    # The bars set the scale: the log-normals fall without end, and a narrow one towers.
+    axes.set_ylim(bars.min() / 3, bars.max() * 10)
     _shade_floor(axes, ends[0], floor)
 
 
