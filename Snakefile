@@ -14,6 +14,8 @@ os.environ["PYTHONPATH"] = os.pathsep.join(
 
 configfile: "config/config.yaml"
 
+report: "workflow/report/workflow.rst"
+
 container: "docker://python:3.11-slim"
 
 include: "workflow/rules/common.smk"

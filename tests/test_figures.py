@@ -4,8 +4,9 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from hardcontact.figures import fig1, fig3, fig4, fig6, style, table1
 from matplotlib.colors import same_color
+
+from hardcontact.figures import fig1, fig3, fig4, fig6, style, table1
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]

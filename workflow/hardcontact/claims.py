@@ -1,8 +1,7 @@
 """Each statement of the paper against what was computed.
 
 A claim names a number by dataset, quantity and selection, and a rule that turns the number, its
-95 % interval and the published limits into a verdict. Numbers travel as datasets of three
-variables, `value`, `low` and `high`; `low` and `high` are NaN where no interval is known.
+95 % interval and the published limits into a verdict.
 """
 
 from itertools import chain, pairwise
@@ -11,24 +10,14 @@ from pathlib import Path
 import numpy as np
 import pandas as pd
 import xarray as xr
-from scipy import stats
+
+from hardcontact.estimates import attribute, estimate, interval
 
 __all__ = [
     "VERDICTS",
     "accepted_range",
-    "change_outside_band",
-    "critical_over_interaction_radius",
     "evaluate",
-    "flat_limit_fraction",
-    "force_at_plastic_fit",
-    "force_decades",
-    "force_slope",
-    "interaction_radius",
-    "lognormal_misfit",
-    "mean_over_median",
-    "ratio_at_fit",
     "read_claims",
-    "smoothest_ratio",
     "summary",
     "verdict",
 ]
@@ -51,10 +40,6 @@ TABLE1_ROWS = {
     "all_scales_rms_gradient": "all_rms_slope",
     "all_scales_rms_half_laplacian": "all_rms_curvature",
 }
-CRITICAL_BAND = (43.0, 1800.0)  # nm, Fig. 6
-
-
-# --- the claims -----------------------------------------------------------------------------
 
 
 def read_claims(path: str | Path) -> pd.DataFrame:
@@ -139,8 +124,8 @@ def _evaluate_claim(claim, datasets: dict[str, xr.Dataset]) -> dict | None:
         selection = _parse_selection(claim.select)
         if not _has_labels(dataset, selection):
             return None
-        estimate = _worst(_pick(_estimate(dataset, claim.quantity), selection), claim.rule)
-        computed, low, high = (float(estimate[name]) for name in ("value", "low", "high"))
+        found = _worst(_pick(estimate(dataset, claim.quantity), selection), claim.rule)
+        computed, low, high = (float(found[name]) for name in ("value", "low", "high"))
         limits = claim.published_low, claim.published_high
         judged = verdict(claim.rule, computed, low, high, *limits)
         substitutes = _substitutes(claim.dataset, dataset, selection, topography)
@@ -163,9 +148,6 @@ def _first_sentence(error: Exception) -> str:
     return str(error.args[0]).partition(". ")[0].splitlines()[0]
 
 
-# --- which surfaces a claim touches -----------------------------------------------------------
-
-
 def _substitutes(
     name: str, dataset: xr.Dataset, selection: dict, topography: xr.Dataset
 ) -> list[str]:
@@ -178,7 +160,7 @@ def _substitutes(
     selected = [label for groups in selection.values() for label in chain.from_iterable(groups)]
     touched = [label for label in selected if label in known] or list(dataset["surface"].values)
     if name != "topography":
-        touched.append(_attribute(topography, "sphere_surface"))
+        touched.append(attribute(topography, "sphere_surface"))
     basis = topography["basis"].sel(surface=touched)
     return [str(surface) for surface in basis["surface"].values[basis.values == "substitute"]]
 
@@ -195,19 +177,10 @@ def _untestable(claim, substitutes: list[str], topography: xr.Dataset) -> str:
     return ""
 
 
-# --- from a claim to a number -----------------------------------------------------------------
-
-
 def _dataset(datasets: dict[str, xr.Dataset], name: str) -> xr.Dataset:
     if name not in datasets:
         raise KeyError(f"no dataset named {name!r}")
     return datasets[name]
-
-
-def _attribute(dataset: xr.Dataset, name: str):
-    if name not in dataset.attrs:
-        raise KeyError(f"no attribute named {name!r}")
-    return dataset.attrs[name]
 
 
 def _parse_selection(select: str) -> dict[str, list[list[str]]]:
@@ -224,25 +197,12 @@ def _has_labels(dataset: xr.Dataset, selection: dict[str, list[list[str]]]) -> b
     )
 
 
-def _estimate(dataset: xr.Dataset, quantity: str) -> xr.Dataset:
-    """Value, low and high of a variable of the dataset or of a derived quantity."""
-    if quantity in DERIVED:
-        return DERIVED[quantity](dataset)
-    value = dataset[quantity]
-    if f"{quantity}_low" in dataset:
-        return _interval(value, dataset[f"{quantity}_low"], dataset[f"{quantity}_high"])
-    metric = quantity.removesuffix("_mean")
-    if quantity.endswith("_mean") and f"{metric}_std" in dataset:
-        return _student(value, dataset[f"{metric}_std"], dataset[metric].count("scan"))
-    return _interval(value, np.nan, np.nan)
-
-
-def _pick(estimate: xr.Dataset, selection: dict[str, list[list[str]]]) -> xr.Dataset:
+def _pick(found: xr.Dataset, selection: dict[str, list[list[str]]]) -> xr.Dataset:
     """Apply the selection; a chain of groups becomes its weakest link."""
     for dim, groups in selection.items():
-        members = [estimate.sel({dim: group}) for group in groups]
-        estimate = _weakest_link(members, dim) if len(members) > 1 else members[0]
-    return estimate
+        members = [found.sel({dim: group}) for group in groups]
+        found = _weakest_link(members, dim) if len(members) > 1 else members[0]
+    return found
 
 
 def _weakest_link(groups: list[xr.Dataset], dim: str) -> xr.Dataset:
@@ -254,7 +214,7 @@ def _weakest_link(groups: list[xr.Dataset], dim: str) -> xr.Dataset:
     for upper, lower in pairwise(groups):
         upper, lower = upper.min(dim, skipna=False), lower.max(dim, skipna=False)
         links.append(
-            _interval(
+            interval(
                 upper["value"] / lower["value"],
                 upper["low"] / lower["high"],
                 upper["high"] / lower["low"],
@@ -263,167 +223,12 @@ def _weakest_link(groups: list[xr.Dataset], dim: str) -> xr.Dataset:
     return xr.concat(links, dim="link").min("link", skipna=False)
 
 
-def _worst(estimate: xr.Dataset, rule: str) -> xr.Dataset:
+def _worst(found: xr.Dataset, rule: str) -> xr.Dataset:
     """Reduce what the selection leaves open to the value that keeps the rule least."""
-    if estimate["value"].size == 1:
-        return estimate.squeeze(drop=True)
+    if found["value"].size == 1:
+        return found.squeeze(drop=True)
     if rule == "below":
-        return estimate.max()
+        return found.max()
     if rule in ONE_SIDED:
-        return estimate.min()
-    raise ValueError(f"rule {rule!r} needs one number, open: {', '.join(estimate['value'].dims)}")
-
-
-def _interval(value: xr.DataArray, low, high) -> xr.Dataset:
-    """Bundle a value with the ends of its interval: arrays of its shape, or NaN for none."""
-    broadcast = xr.zeros_like(value)
-    return xr.Dataset({"value": value, "low": low + broadcast, "high": high + broadcast})
-
-
-def _student(mean: xr.DataArray, std: xr.DataArray, count: xr.DataArray) -> xr.Dataset:
-    """95 % interval of a mean by Student's t; NaN for fewer than two samples."""
-    half = xr.apply_ufunc(stats.t.ppf, 0.975, count - 1) * std / np.sqrt(count)
-    return _interval(mean, mean - half, mean + half)
-
-
-# --- derived quantities -----------------------------------------------------------------------
-
-
-def mean_over_median(inference: xr.Dataset) -> xr.Dataset:
-    """Mean over median of the fitted pull-off forces (contact_model, surface)."""
-    mean, median = "force_mean", "force_median"
-    return _interval(
-        inference[mean] / inference[median],
-        inference[f"{mean}_low"] / inference[f"{median}_high"],
-        inference[f"{mean}_high"] / inference[f"{median}_low"],
-    )
-
-
-def ratio_at_fit(inference: xr.Dataset) -> xr.Dataset:
-    """Force relative to the reference surface at the fitted range (contact_model, surface)."""
-    return _at_range(inference, "ratio", inference["range_of_adhesion"])
-
-
-def force_at_plastic_fit(inference: xr.Dataset) -> xr.Dataset:
-    """Mean force in N of each contact model at the plastic fit (contact_model, surface)."""
-    plastic = inference.sel(contact_model="plastic", drop=True)
-    force = _at_range(inference, "mean_force", plastic["range_of_adhesion"])
-    return plastic["work_of_adhesion"] * force
-
-
-def _at_range(inference: xr.Dataset, name: str, rho: xr.DataArray) -> xr.Dataset:
-    """A variable of `rho` and its interval, linearly interpolated to the range rho in nm."""
-    names = {name: "value", f"{name}_low": "low", f"{name}_high": "high"}
-    return inference[list(names)].interp(rho=rho).drop_vars("rho").rename(names)
-
-
-def interaction_radius(inference: xr.Dataset) -> xr.Dataset:
-    """Radius sqrt(D rho) in nm of the disk a sphere interacts with (contact_model)."""
-    diameter = 2 * _attribute(inference, "sphere_radius")
-    return np.sqrt(diameter * _estimate(inference, "range_of_adhesion"))
-
-
-def critical_over_interaction_radius(inference: xr.Dataset) -> xr.Dataset:
-    """Critical wavelength over the interaction radius (side, group, contact_model)."""
-    critical = _estimate(inference, "critical_wavelength")
-    radius = interaction_radius(inference)
-    return _interval(
-        critical["value"] / radius["value"],
-        critical["low"] / radius["high"],
-        critical["high"] / radius["low"],
-    )
-
-
-def change_outside_band(inference: xr.Dataset) -> xr.Dataset:
-    """Largest change of the force by cutoffs outside the published band (side, group).
-
-    Cutoffs up to 43 nm count for the small side, from 1.8 µm for the large one.
-    """
-    shortest, longest = CRITICAL_BAND
-    cutoff = inference["cutoff_wavelength"]
-    outside = xr.where(inference["side"] == "small", cutoff <= shortest, cutoff >= longest)
-    excess = (_estimate(inference, "scale_ratio") - 1).where(outside)
-    nearest = np.maximum(np.maximum(excess["low"], -excess["high"]), 0)
-    farthest = np.maximum(excess["high"], -excess["low"])
-    return _interval(np.abs(excess["value"]), nearest, farthest).max("cutoff_wavelength")
-
-
-def smoothest_ratio(inference: xr.Dataset) -> xr.Dataset:
-    """Force over the unfiltered force at the largest short-wavelength cutoff (group)."""
-    ratio = _estimate(inference, "scale_ratio").sel(side="small", drop=True)
-    ratio = ratio.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
-    return ratio.isel(cutoff_wavelength=-1, drop=True)
-
-
-def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
-    """Force at the largest short-wavelength cutoff over 2 pi R W of a flat plane (surface)."""
-    force = scales["pull_off_force"].sel(side="small").mean(["contact_y", "contact_x"])
-    force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
-    radius = 1e-9 * _attribute(scales, "sphere_radius")  # m; the forces are those at W = 1 J/m2
-    return _over(force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius), "realization")
-
-
-def force_slope(adhesion: xr.Dataset) -> xr.Dataset:
-    """Slope d ln F / d ln rho of the mean force at the reference range (surface, contact_model).
-
-    The slope is taken scan by scan, the interval is that of its mean over the scans.
-    """
-    mean = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
-    logarithm = np.log(mean).assign_coords(rho=np.log(mean["rho"]))
-    slope = logarithm.differentiate("rho")
-    reference = np.log(_attribute(adhesion, "reference_rho"))
-    return _over(slope.sel(rho=reference, method="nearest", drop=True), "scan")
-
-
-def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:
-    """Kolmogorov distance of the forces to their log-normal fit (surface, contact_model)."""
-    return _interval(_over_forces(adhesion, _kolmogorov_distance), np.nan, np.nan)
-
-
-def force_decades(adhesion: xr.Dataset) -> xr.Dataset:
-    """Decades between the smallest and the largest force (surface, contact_model)."""
-    decades = _over_forces(adhesion, lambda logarithms: np.ptp(logarithms) / np.log(10))
-    return _interval(decades, np.nan, np.nan)
-
-
-def _over(values: xr.DataArray, dim: str) -> xr.Dataset:
-    """Mean along a dimension with its 95 % interval."""
-    return _student(values.mean(dim), values.std(dim, ddof=1), values.count(dim))
-
-
-def _over_forces(adhesion: xr.Dataset, statistic) -> xr.DataArray:
-    """A statistic of the logarithms of all forces at the reference range of adhesion."""
-    forces = adhesion["pull_off_force"].sel(
-        rho=_attribute(adhesion, "reference_rho"), method="nearest", drop=True
-    )
-    samples = np.log(forces).stack(sample=["scan", "sphere_scan", "contact_y", "contact_x"])
-    return xr.apply_ufunc(
-        lambda row: statistic(row[np.isfinite(row)]),
-        samples,
-        input_core_dims=[["sample"]],
-        vectorize=True,
-    )
-
-
-def _kolmogorov_distance(logarithms: np.ndarray) -> float:
-    """Largest distance between the cumulative distribution and the normal one of its moments."""
-    standardised = (logarithms - logarithms.mean()) / logarithms.std(ddof=1)
-    return stats.kstest(standardised, "norm").statistic
-
-
-DERIVED = {
-    function.__name__: function
-    for function in (
-        mean_over_median,
-        ratio_at_fit,
-        force_at_plastic_fit,
-        interaction_radius,
-        critical_over_interaction_radius,
-        change_outside_band,
-        smoothest_ratio,
-        flat_limit_fraction,
-        force_slope,
-        lognormal_misfit,
-        force_decades,
-    )
-}
+        return found.min()
+    raise ValueError(f"rule {rule!r} needs one number, open: {', '.join(found['value'].dims)}")

@@ -142,8 +142,8 @@ def infer(forces, published, reference, rng, samples, confidence, threshold):
     """Range and work of adhesion of one contact model, with what leads to them.
 
     forces: DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x), N at 1 J/m², NaN
-    where a scan is missing; published: (surface,) mean forces in N; reference: index of the
-    surface that ratios are taken to. Intervals resample substrate and sphere scans. Returns a
+    where a scan is missing; published: (surface,) mean forces in N, NaN where there is none: such
+    surfaces do not enter the fit; reference: index of the surface that ratios are taken to. Intervals resample substrate and sphere scans. Returns a
     Dataset over surface, rho, rho_fine, work and sample.
     """
     rhos = forces.rho.values
@@ -156,13 +156,15 @@ def infer(forces, published, reference, rng, samples, confidence, threshold):
     means = resampled_means(pairs, scans[None].astype(float), once)[0]
     sampled = resampled_means(pairs, drawn, drawn_spheres)
 
-    curve = on_fine_grid(means, rhos, fine)
-    sampled_curves = on_fine_grid(sampled, rhos, fine)
-    best, work, error = fit(curve, published)
-    sampled_best, sampled_work, _ = fit(sampled_curves, published)
-    best_ratio, ratio_error = fit_ratios(curve, published, reference)
-    sampled_ratio, _ = fit_ratios(sampled_curves, published, reference)
-    errors = mean_relative_error(curve, published, WORK)
+    known = np.isfinite(published)
+    target, base = published[known], int(known[:reference].sum())
+    curve = on_fine_grid(means[known], rhos, fine)
+    sampled_curves = on_fine_grid(sampled[:, known], rhos, fine)
+    best, work, error = fit(curve, target)
+    sampled_best, sampled_work, _ = fit(sampled_curves, target)
+    best_ratio, ratio_error = fit_ratios(curve, target, base)
+    sampled_ratio, _ = fit_ratios(sampled_curves, target, base)
+    errors = mean_relative_error(curve, target, WORK)
     spread = forces.std(["scan", "sphere_scan", "contact_y", "contact_x"]).values
     low, high = interval(fine[sampled_best], confidence)
 

@@ -4,6 +4,7 @@ All faults are ValueErrors of one line: the key or row, what was expected, what 
 """
 
 import math
+from itertools import pairwise
 from pathlib import Path
 
 import jsonschema
@@ -15,6 +16,21 @@ from hardcontact.topography import read_scan
 from hardcontact.units import magnitude
 
 __all__ = ["check", "configuration", "selected_scans", "surface_table"]
+
+#: What a keyword of a schema expects.
+EXPECTED = {
+    "const": "{}",
+    "enum": "one of {}",
+    "exclusiveMaximum": "less than {}",
+    "exclusiveMinimum": "more than {}",
+    "maxItems": "at most {} entries",
+    "minItems": "at least {} entries",
+    "minLength": "at least {} characters",
+    "minimum": "at least {}",
+    "pattern": "text that matches {}",
+    "type": "{}",
+    "uniqueItems": "each entry once",
+}
 
 
 def configuration(config, schema):
@@ -50,9 +66,13 @@ def _said(fault):
         unknown = ", ".join(sorted(set(fault.instance) - set(fault.schema["properties"])))
         return f"expected one of {known}; found {unknown}"
     if fault.validator == "required":
-        return f"expected all of {', '.join(fault.schema['required'])}; {fault.message}"
-    if fault.validator == "type":
-        return f"expected {fault.validator_value}, found {fault.instance!r}"
+        missing = ", ".join(sorted(set(fault.schema["required"]) - set(fault.instance)))
+        return f"expected all of {', '.join(fault.schema['required'])}; found no {missing}"
+    if fault.validator == "oneOf":
+        return "; or ".join(_said(choice) for choice in fault.context)
+    if fault.validator in EXPECTED:
+        expected = EXPECTED[fault.validator].format(fault.validator_value)
+        return f"expected {expected}, found {fault.instance!r}"
     return fault.message
 
 
@@ -77,7 +97,8 @@ def surface_table(path, schema):
     try:
         table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False, comment="#")
     except (OSError, ValueError) as error:
-        raise ValueError(f"{path}: expected a table of surfaces, found: {error}") from None
+        reason = " ".join(str(error).split())
+        raise ValueError(f"{path}: expected a table of surfaces, found: {reason}") from None
     validator = jsonschema.Draft202012Validator(schema)
     for row, record in enumerate(table.to_dict("records"), start=2):
         for fault in validator.iter_errors(record):
@@ -116,19 +137,38 @@ def _refuse_repeated(path, table, columns):
 
 
 def selected_scans(table, scans):
-    """The rows of the table whose scan number is in `scans`, or all of them."""
-    return table if scans == "all" else table[table.scan.isin(scans)]
+    """The rows of the table whose scan number is in `scans`, or all of them.
+
+    Raises ValueError naming a number that no surface has a scan of.
+    """
+    if scans == "all":
+        return table
+    known = sorted(set(table.scan))
+    if unknown := sorted(set(scans) - set(known)):
+        raise ValueError(
+            f"config key scans: expected numbers of scans in the table {known}, found {unknown}"
+        )
+    return table[table.scan.isin(scans)]
 
 
-def check(config, table):
+def check(config, table, published):
     """Refuse what could only fail later: dangling names, unusable scans, cutoffs out of range.
 
-    config: numbers, as `configuration` returns it; table: the selected scans. Measured scans are
-    read. Raises ValueError.
+    config: numbers, as `configuration` returns it; table: the selected scans; published: surfaces
+    with a published pull-off force. Measured scans are read. Raises ValueError.
     """
     sphere, contact = config["sphere"]["surface"], config["contact"]
     traced = config["adhesion"]["traced_contact"]
     _refuse_dangling(config, table, sphere, traced)
+    _refuse_disorder("adhesion.ranges", config["adhesion"]["ranges"])
+    for side in ("small", "large"):
+        _refuse_disorder(f"scales.{side}.cutoffs", config["scales"][side]["cutoffs"])
+    if config["reference_surface"] not in published:
+        raise ValueError(
+            "config key reference_surface: expected a surface with a published "
+            f"pull-off force ({', '.join(published)}), "
+            f"found {config['reference_surface']}"
+        )
     if max(traced["contact"]) >= contact["count"]:
         raise ValueError(
             "config key adhesion.traced_contact.contact: expected indices below "
@@ -145,6 +185,16 @@ def check(config, table):
         if surface != sphere:
             for side in ("small", "large"):
                 _check_side(config, surface, side, pixels, pixel_size)
+
+
+def _refuse_disorder(key, lengths):
+    """Lengths (nm) that repeat, perhaps in another unit, or do not ascend."""
+    for shorter, longer in pairwise(lengths):
+        if shorter >= longer:
+            raise ValueError(
+                f"config key {key}: expected ascending lengths, "
+                f"found {longer:.12g} nm after {shorter:.12g} nm"
+            )
 
 
 def _refuse_dangling(config, table, sphere, traced):
@@ -197,6 +247,11 @@ def _check_contact(config, surface, pixels, pixel_size):
         raise ValueError(
             f"config key contact.preload: expected a load that {available} pixels of "
             f"{surface} can carry, found one that needs {needed}"
+        )
+    if contact["count"] > 2 * pixels:
+        raise ValueError(
+            f"config key contact.count: expected at most the {2 * pixels} pixels along the "
+            f"stitched scan of {surface}, found {contact['count']}"
         )
     least = min(config["adhesion"]["ranges"] + [config["scales"]["range"]])
     reach = math.sqrt(2 * radius * least)

@@ -26,7 +26,7 @@ try:
         STUDY["scans"],
     )
     if workflow.exec_mode == ExecMode.DEFAULT:
-        studies.check(STUDY, SCANS)
+        studies.check(STUDY, SCANS, pd.read_csv("resources/paper/pull_off.csv").surface.unique())
 except ValueError as error:
     refuse(error)
 

@@ -7,8 +7,8 @@ def scan_of_realization(w):
     return stitched(w.surface, scans[(int(w.realization) - 1) % len(scans)])
 
 
-def master_parameters(side):
-    settings = {key: STUDY["scales"][side][key] for key in STUDY["scales"][side] if key != "cutoffs"}
+def master_parameters(side, *keys):
+    settings = {key: STUDY["scales"][side][key] for key in keys}
     return lambda w: canonical(
         {
             "surface": w.surface,
@@ -27,7 +27,7 @@ rule synthesize_small_scale_master:
     output:
         STORE + "/masters/{surface}/realization-{realization}/small.nc",
     params:
-        canonical=master_parameters("small"),
+        canonical=master_parameters("small", "pixels", "transition"),
     log:
         STORE + "/logs/synthesize_small_scale_master/{surface}-{realization}.log",
     benchmark:
@@ -46,7 +46,7 @@ rule synthesize_large_scale_master:
     output:
         STORE + "/masters/{surface}/realization-{realization}/large.nc",
     params:
-        canonical=master_parameters("large"),
+        canonical=master_parameters("large", "tiles", "transition"),
     log:
         STORE + "/logs/synthesize_large_scale_master/{surface}-{realization}.log",
     benchmark:

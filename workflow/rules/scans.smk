@@ -74,7 +74,7 @@ rule synthesize_scan:
             {
                 "surface": w.surface,
                 "number": int(w.scan),
-                "scan": STUDY["scan"],
+                "scan": {key: STUDY["scan"][key] for key in ("pixels", "size", "realization_pixels")},
                 "seed": STUDY["seed"],
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }

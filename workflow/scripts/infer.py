@@ -16,7 +16,7 @@ surfaces = adhesion.surface.values.tolist()
 published = pd.read_csv(snakemake.input.pull_off).pivot(
     index="surface", columns="quantity", values="value"
 )
-published = published.loc[surfaces]
+published = published.reindex(surfaces)
 constants = pd.read_csv(snakemake.input.published).set_index("quantity")
 
 
