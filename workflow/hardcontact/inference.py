@@ -143,8 +143,9 @@ def infer(forces, published, reference, rng, samples, confidence, threshold):
 
     forces: DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x), N at 1 J/m², NaN
     where a scan is missing; published: (surface,) mean forces in N, NaN where there is none: such
-    surfaces do not enter the fit; reference: index of the surface that ratios are taken to. Intervals resample substrate and sphere scans. Returns a
-    Dataset over surface, rho, rho_fine, work and sample.
+    surfaces do not enter the fit; reference: index of the surface that ratios are taken to.
+    Intervals resample substrate and sphere scans. Returns a Dataset over surface, rho, rho_fine,
+    work and sample.
     """
     rhos = forces.rho.values
     fine = np.geomspace(rhos[0], rhos[-1], 401)
