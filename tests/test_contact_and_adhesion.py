@@ -158,3 +158,8 @@ def test_common_pixels_interpolates_the_coarser_map():
     assert pixel_size == 10.0 and stretch < 1e-12
     np.testing.assert_allclose(substrate[::3, ::3], coarse, atol=1e-5)
     np.testing.assert_array_equal(roughness, fine)
+
+
+def test_a_sum_out_of_range_is_an_error_not_a_number():
+    with pytest.raises(ValueError, match="too small"):
+        adhesion.pull_off_force(np.array([1.0, np.nan]), 0.01, 5.0, 1.0)

@@ -1,5 +1,7 @@
 """The figures: their tables repeat the datasets, substitutes are named, saving is repeatable."""
 
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -330,7 +332,7 @@ def test_figures_take_other_surfaces(datasets, tmp_path):
 def test_nothing_is_written_when_saving_fails(topography, tmp_path):
     class Broken(pd.DataFrame):
         def to_csv(self, path, **_):
-            path.write_text("half")
+            Path(path).write_text("half")
             raise OSError("disk full")
 
     paths = [tmp_path / name for name in ("f.pdf", "f.png", "f.csv")]

@@ -31,8 +31,15 @@ ROWS = 64  # rows a block: small enough for the cache, and the same for any numb
 def pull_off_force(total, rho, pixel_size, work_of_adhesion):
     """Pull-off force (N), positive, from the sum of exp(-gap/rho) at closest approach: Eq. 3.
 
-    total: any shape; rho, pixel_size: nm; work_of_adhesion: J/m².
+    total: any shape; rho, pixel_size: nm; work_of_adhesion: J/m². Raises ValueError if a sum left
+    the range of numbers, which it does where the highest point outside the window stands many
+    hundred rho above the contact.
     """
+    if not np.isfinite(total).all():
+        raise ValueError(
+            "expected a range of adhesion that resolves the relief of the surface, "
+            f"found rho = {np.min(rho):g} nm, too small for it"
+        )
     return work_of_adhesion / rho * pixel_size**2 * NEWTON_PER_JOULE_M2_NM * total
 
 

@@ -1,8 +1,7 @@
 """What every figure shares: print style, the surfaces' colours, the mark of substitutes, saving."""
 
-import os
-from collections.abc import Iterable, Iterator, Mapping
-from contextlib import ExitStack, contextmanager
+from collections.abc import Iterable, Mapping
+from contextlib import ExitStack
 from pathlib import Path
 
 import matplotlib as mpl
@@ -13,6 +12,8 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+from hardcontact.dataset import atomic_path
 
 __all__ = [
     "FOOTER",
@@ -133,7 +134,7 @@ def save(
     _freeze_layout(figure)
     with ExitStack() as stack:
         pdf_part, png_part, csv_part = (
-            stack.enter_context(_replacing(Path(path))) for path in (pdf, png, csv)
+            stack.enter_context(atomic_path(path)) for path in (pdf, png, csv)
         )
         table.to_csv(csv_part, index=False, float_format="%.8g", lineterminator="\n")
         figure.savefig(
@@ -154,14 +155,3 @@ def _freeze_layout(figure: Figure) -> None:
     for axes in figure.axes:
         bounds = axes.get_position(original=True).bounds
         axes.set_position([round(bound, 6) for bound in bounds])
-
-
-@contextmanager
-def _replacing(path: Path) -> Iterator[Path]:
-    """Yield a name beside `path` that takes its place if all goes well and is removed otherwise."""
-    part = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        yield part
-        os.replace(part, path)
-    finally:
-        part.unlink(missing_ok=True)
