@@ -367,10 +367,11 @@ def test_force_slope_is_the_exponent():
     np.testing.assert_allclose(slope, [0.9, 0.6, 0.3, 0.2])
 
 
-def test_force_at_plastic_fit_is_interpolated():
-    force = estimates.force_at_plastic_fit(make_inference())["value"]
-    np.testing.assert_allclose(force.sel(contact_model="plastic"), MEAN_FORCE)
-    np.testing.assert_allclose(force.sel(contact_model="rigid"), 0.5 * MEAN_FORCE)
+def test_plastic_over_rigid():
+    ratio = estimates.plastic_over_rigid(make_adhesion())["value"]
+    adhesion = make_adhesion()["pull_off_force"].sel(rho=5.6).mean(["contact_y", "contact_x"])
+    expected = adhesion.sel(contact_model="plastic") / adhesion.sel(contact_model="rigid")
+    np.testing.assert_allclose(ratio, expected.mean(["scan", "sphere_scan"]), rtol=0.05)
 
 
 def test_ratio_at_fit_interpolates_each_contact_model_at_its_own_range():

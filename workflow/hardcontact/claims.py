@@ -208,7 +208,8 @@ def _pick(found: xr.Dataset, selection: dict[str, list[list[str]]]) -> xr.Datase
 def _weakest_link(groups: list[xr.Dataset], dim: str) -> xr.Dataset:
     """Smallest ratio of a member of a group to one of the next; the numbers are positive.
 
-    The interval divides the ends of the members' intervals: it is wider than 95 %.
+    The interval divides the ends of the members' intervals, none of which reaches below zero: it
+    is wider than 95 %.
     """
     links = []
     for upper, lower in pairwise(groups):
@@ -216,8 +217,8 @@ def _weakest_link(groups: list[xr.Dataset], dim: str) -> xr.Dataset:
         links.append(
             interval(
                 upper["value"] / lower["value"],
-                upper["low"] / lower["high"],
-                upper["high"] / lower["low"],
+                upper["low"].clip(0) / lower["high"],
+                upper["high"] / lower["low"].clip(0),
             )
         )
     return xr.concat(links, dim="link").min("link", skipna=False)

@@ -14,13 +14,13 @@ __all__ = [
     "critical_over_interaction_radius",
     "estimate",
     "flat_limit_fraction",
-    "force_at_plastic_fit",
     "force_decades",
     "force_slope",
     "interaction_radius",
     "interval",
     "lognormal_misfit",
     "mean_over_median",
+    "plastic_over_rigid",
     "ratio_at_fit",
     "smoothest_ratio",
 ]
@@ -69,11 +69,15 @@ def ratio_at_fit(inference: xr.Dataset) -> xr.Dataset:
     return _at_range(inference, "ratio", inference["range_of_adhesion"])
 
 
-def force_at_plastic_fit(inference: xr.Dataset) -> xr.Dataset:
-    """Mean force in N of each contact model at the plastic fit (contact_model, surface)."""
-    plastic = inference.sel(contact_model="plastic", drop=True)
-    force = _at_range(inference, "mean_force", plastic["range_of_adhesion"])
-    return plastic["work_of_adhesion"] * force
+def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
+    """Plastic over rigid mean force at the reference range, scan by scan (surface)."""
+    rho = attribute(adhesion, "reference_rho")
+    mean = adhesion["pull_off_force"].sel(rho=rho, method="nearest", drop=True)
+    mean = mean.mean(["sphere_scan", "contact_y", "contact_x"])
+    ratio = mean.sel(contact_model="plastic", drop=True) / mean.sel(
+        contact_model="rigid", drop=True
+    )
+    return _over(ratio, "scan")
 
 
 def _at_range(inference: xr.Dataset, name: str, rho: xr.DataArray) -> xr.Dataset:
@@ -181,7 +185,7 @@ DERIVED = {
     for function in (
         mean_over_median,
         ratio_at_fit,
-        force_at_plastic_fit,
+        plastic_over_rigid,
         interaction_radius,
         critical_over_interaction_radius,
         change_outside_band,
