@@ -3,11 +3,11 @@
 
 rule compute_pull_off:
     input:
-        substrate=STORE + "/stitched/{surface}/scan-{scan}-flat.nc",
-        sphere=STORE + "/stitched/" + SPHERE + "/scan-{sphere_scan}-sphere-{radius}.nc",
+        substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
+        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
         code=code("compute_pull_off.py"),
     output:
-        STORE + "/pull_off/{radius}/{load}/{surface}/scan-{scan}/sphere-scan-{sphere_scan}.nc",
+        f"{STORE}/pull_off/{{radius}}/{{load}}/{{surface}}/scan-{{scan}}/sphere-scan-{{sphere_scan}}.nc",
     params:
         canonical=canonical(
             {
@@ -18,9 +18,9 @@ rule compute_pull_off:
             }
         ),
     log:
-        STORE + "/logs/compute_pull_off/{radius}-{load}-{surface}-{scan}-{sphere_scan}.log",
+        f"{STORE}/logs/compute_pull_off/{{radius}}-{{load}}-{{surface}}-{{scan}}-{{sphere_scan}}.log",
     benchmark:
-        STORE + "/benchmarks/compute_pull_off/{radius}-{load}-{surface}-{scan}-{sphere_scan}.tsv"
+        f"{STORE}/benchmarks/compute_pull_off/{{radius}}-{{load}}-{{surface}}-{{scan}}-{{sphere_scan}}.tsv"
     resources:
         mem_mb=1000,
     script:
@@ -43,7 +43,7 @@ rule aggregate_adhesion:
         ],
         code=code("aggregate_adhesion.py"),
     output:
-        RESULTS + "/adhesion.nc",
+        f"{RESULTS}/adhesion.nc",
     params:
         canonical=canonical(
             {
@@ -55,9 +55,9 @@ rule aggregate_adhesion:
             }
         ),
     log:
-        RESULTS + "/logs/aggregate_adhesion.log",
+        f"{RESULTS}/logs/aggregate_adhesion.log",
     benchmark:
-        RESULTS + "/benchmarks/aggregate_adhesion.tsv"
+        f"{RESULTS}/benchmarks/aggregate_adhesion.tsv"
     script:
         "../scripts/aggregate_adhesion.py"
 
@@ -73,7 +73,7 @@ rule trace_contact:
         published="resources/paper/parameters.csv",
         code=code("trace_contact.py"),
     output:
-        RESULTS + "/contact.nc",
+        f"{RESULTS}/contact.nc",
     params:
         canonical=canonical(
             {
@@ -85,9 +85,9 @@ rule trace_contact:
             }
         ),
     log:
-        RESULTS + "/logs/trace_contact.log",
+        f"{RESULTS}/logs/trace_contact.log",
     benchmark:
-        RESULTS + "/benchmarks/trace_contact.tsv"
+        f"{RESULTS}/benchmarks/trace_contact.tsv"
     script:
         "../scripts/trace_contact.py"
 

@@ -10,13 +10,13 @@ rule evaluate_claims:
         claims="resources/paper/claims.csv",
         code=code("evaluate_claims.py"),
     output:
-        RESULTS + "/claims.csv",
+        f"{RESULTS}/claims.csv",
     params:
         canonical=canonical({}),
     log:
-        RESULTS + "/logs/evaluate_claims.log",
+        f"{RESULTS}/logs/evaluate_claims.log",
     benchmark:
-        RESULTS + "/benchmarks/evaluate_claims.tsv"
+        f"{RESULTS}/benchmarks/evaluate_claims.tsv"
     script:
         "../scripts/evaluate_claims.py"
 

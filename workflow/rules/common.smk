@@ -72,9 +72,13 @@ def cutoff_tokens(side):
 
 
 def code(script):
-    """The library's modules that a script imports, directly or not, and the pinned packages."""
+    """A script, the library's modules that it imports, directly or not, and the pinned packages.
+
+    As inputs they are compared by content; of a script alone Snakemake would watch the time.
+    """
     folder = Path(workflow.basedir, "workflow/hardcontact")
-    found, pending = set(), [Path(workflow.basedir, "workflow/scripts", script)]
+    pending = [Path(workflow.basedir, "workflow/scripts", script)]
+    found = set(pending)
     while pending:
         for module in imported(ast.parse(pending.pop().read_text())):
             path = folder.joinpath(*module.split(".")[1:])

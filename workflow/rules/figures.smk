@@ -20,9 +20,9 @@ rule draw_fig1:
     params:
         canonical=canonical({}),
     log:
-        RESULTS + "/logs/draw_fig1.log",
+        f"{RESULTS}/logs/draw_fig1.log",
     benchmark:
-        RESULTS + "/benchmarks/draw_fig1.tsv"
+        f"{RESULTS}/benchmarks/draw_fig1.tsv"
     script:
         "../scripts/draw_fig1.py"
 
@@ -37,9 +37,9 @@ rule draw_fig3:
     params:
         canonical=canonical({}),
     log:
-        RESULTS + "/logs/draw_fig3.log",
+        f"{RESULTS}/logs/draw_fig3.log",
     benchmark:
-        RESULTS + "/benchmarks/draw_fig3.tsv"
+        f"{RESULTS}/benchmarks/draw_fig3.tsv"
     script:
         "../scripts/draw_fig3.py"
 
@@ -54,9 +54,9 @@ rule draw_fig4:
     params:
         canonical=canonical({}),
     log:
-        RESULTS + "/logs/draw_fig4.log",
+        f"{RESULTS}/logs/draw_fig4.log",
     benchmark:
-        RESULTS + "/benchmarks/draw_fig4.tsv"
+        f"{RESULTS}/benchmarks/draw_fig4.tsv"
     script:
         "../scripts/draw_fig4.py"
 
@@ -71,9 +71,9 @@ rule draw_fig6:
     params:
         canonical=canonical({}),
     log:
-        RESULTS + "/logs/draw_fig6.log",
+        f"{RESULTS}/logs/draw_fig6.log",
     benchmark:
-        RESULTS + "/benchmarks/draw_fig6.tsv"
+        f"{RESULTS}/benchmarks/draw_fig6.tsv"
     script:
         "../scripts/draw_fig6.py"
 
@@ -88,9 +88,9 @@ rule draw_table1:
     params:
         canonical=canonical({}),
     log:
-        RESULTS + "/logs/draw_table1.log",
+        f"{RESULTS}/logs/draw_table1.log",
     benchmark:
-        RESULTS + "/benchmarks/draw_table1.tsv"
+        f"{RESULTS}/benchmarks/draw_table1.tsv"
     script:
         "../scripts/draw_table1.py"
 

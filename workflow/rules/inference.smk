@@ -9,7 +9,7 @@ rule infer:
         published="resources/paper/parameters.csv",
         code=code("infer.py"),
     output:
-        RESULTS + "/inference.nc",
+        f"{RESULTS}/inference.nc",
     params:
         canonical=canonical(
             {
@@ -20,9 +20,9 @@ rule infer:
             }
         ),
     log:
-        RESULTS + "/logs/infer.log",
+        f"{RESULTS}/logs/infer.log",
     benchmark:
-        RESULTS + "/benchmarks/infer.tsv"
+        f"{RESULTS}/benchmarks/infer.tsv"
     resources:
         mem_mb=2000,
     script:

@@ -25,13 +25,13 @@ rule synthesize_small_scale_master:
         spectrum=lambda w: spectrum_of(w.surface),
         code=code("synthesize_small_scale_master.py"),
     output:
-        STORE + "/masters/{surface}/realization-{realization}/small.nc",
+        f"{STORE}/masters/{{surface}}/realization-{{realization}}/small.nc",
     params:
         canonical=master_parameters("small", "pixels", "transition"),
     log:
-        STORE + "/logs/synthesize_small_scale_master/{surface}-{realization}.log",
+        f"{STORE}/logs/synthesize_small_scale_master/{{surface}}-{{realization}}.log",
     benchmark:
-        STORE + "/benchmarks/synthesize_small_scale_master/{surface}-{realization}.tsv"
+        f"{STORE}/benchmarks/synthesize_small_scale_master/{{surface}}-{{realization}}.tsv"
     resources:
         mem_mb=3000,
     script:
@@ -44,32 +44,32 @@ rule synthesize_large_scale_master:
         spectrum=lambda w: spectrum_of(w.surface),
         code=code("synthesize_large_scale_master.py"),
     output:
-        STORE + "/masters/{surface}/realization-{realization}/large.nc",
+        f"{STORE}/masters/{{surface}}/realization-{{realization}}/large.nc",
     params:
         canonical=master_parameters("large", "tiles", "transition"),
     log:
-        STORE + "/logs/synthesize_large_scale_master/{surface}-{realization}.log",
+        f"{STORE}/logs/synthesize_large_scale_master/{{surface}}-{{realization}}.log",
     benchmark:
-        STORE + "/benchmarks/synthesize_large_scale_master/{surface}-{realization}.tsv"
+        f"{STORE}/benchmarks/synthesize_large_scale_master/{{surface}}-{{realization}}.tsv"
     resources:
         mem_mb=2000,
     script:
         "../scripts/synthesize_large_scale_master.py"
 
 
-FILTERED = "/scales/{radius}/{load}/{range}/{surface}/realization-{realization}/{side}/cutoff-{cutoff}"
+FILTERED = "{radius}/{load}/{range}/{surface}/realization-{realization}/{side}/cutoff-{cutoff}"
 
 
 rule compute_filtered_pull_off:
     # one cutoff of one master; cutoff none is the unfiltered surface
     input:
-        master=STORE + "/masters/{surface}/realization-{realization}/{side}.nc",
+        master=f"{STORE}/masters/{{surface}}/realization-{{realization}}/{{side}}.nc",
         sphere=(
             stitched(SPHERE, scans_of(SPHERE)[0]) if STUDY["scales"]["sphere_roughness"] else []
         ),
         code=code("compute_filtered_pull_off.py"),
     output:
-        STORE + FILTERED + ".nc",
+        f"{STORE}/scales/{FILTERED}.nc",
     params:
         canonical=lambda w: canonical(
             {
@@ -82,9 +82,9 @@ rule compute_filtered_pull_off:
             }
         ),
     log:
-        STORE + "/logs/compute_filtered_pull_off" + FILTERED + ".log",
+        f"{STORE}/logs/compute_filtered_pull_off/{FILTERED}.log",
     benchmark:
-        STORE + "/benchmarks/compute_filtered_pull_off" + FILTERED + ".tsv"
+        f"{STORE}/benchmarks/compute_filtered_pull_off/{FILTERED}.tsv"
     resources:
         mem_mb=3000,
     script:
@@ -103,8 +103,7 @@ FILTERS = [
 rule aggregate_scales:
     input:
         filtered=[
-            STORE
-            + FILTERED.format(
+            rules.compute_filtered_pull_off.output[0].format(
                 radius=RADIUS,
                 load=LOAD,
                 range=RANGE,
@@ -113,12 +112,11 @@ rule aggregate_scales:
                 side=side,
                 cutoff=cutoff,
             )
-            + ".nc"
             for surface, realization, side, cutoff in FILTERS
         ],
         code=code("aggregate_scales.py"),
     output:
-        RESULTS + "/scales.nc",
+        f"{RESULTS}/scales.nc",
     params:
         canonical=canonical(
             {
@@ -130,9 +128,9 @@ rule aggregate_scales:
             }
         ),
     log:
-        RESULTS + "/logs/aggregate_scales.log",
+        f"{RESULTS}/logs/aggregate_scales.log",
     benchmark:
-        RESULTS + "/benchmarks/aggregate_scales.tsv"
+        f"{RESULTS}/benchmarks/aggregate_scales.tsv"
     script:
         "../scripts/aggregate_scales.py"
 

@@ -21,15 +21,15 @@ rule calibrate_spectrum:
         published="resources/paper/parameters.csv",
         code=code("calibrate_spectrum.py"),
     output:
-        STORE + "/spectra/{surface}-substitute.nc",
+        f"{STORE}/spectra/{{surface}}-substitute.nc",
     params:
         canonical=lambda w: canonical(
             {"surface": w.surface, "seed": STUDY["seed"]}
         ),
     log:
-        STORE + "/logs/calibrate_spectrum/{surface}.log",
+        f"{STORE}/logs/calibrate_spectrum/{{surface}}.log",
     benchmark:
-        STORE + "/benchmarks/calibrate_spectrum/{surface}.tsv"
+        f"{STORE}/benchmarks/calibrate_spectrum/{{surface}}.tsv"
     resources:
         mem_mb=1000,
     script:
@@ -40,20 +40,20 @@ rule extrapolate_spectrum:
     # C_iso of a measured surface, from its own scans
     input:
         scans=lambda w: expand(
-            STORE + "/topography/{surface}/scan-{scan}-{shape}.nc",
+            f"{STORE}/topography/{{surface}}/scan-{{scan}}-{{shape}}.nc",
             surface=w.surface,
             scan=scans_of(w.surface),
             shape=shape_of(w.surface),
         ),
         code=code("extrapolate_spectrum.py"),
     output:
-        STORE + "/spectra/{surface}-measured.nc",
+        f"{STORE}/spectra/{{surface}}-measured.nc",
     params:
         canonical=canonical({}),
     log:
-        STORE + "/logs/extrapolate_spectrum/{surface}.log",
+        f"{STORE}/logs/extrapolate_spectrum/{{surface}}.log",
     benchmark:
-        STORE + "/benchmarks/extrapolate_spectrum/{surface}.tsv"
+        f"{STORE}/benchmarks/extrapolate_spectrum/{{surface}}.tsv"
     script:
         "../scripts/extrapolate_spectrum.py"
 
@@ -68,7 +68,7 @@ rule synthesize_scan:
         spectrum=lambda w: spectrum_of(w.surface),
         code=code("synthesize_scan.py"),
     output:
-        STORE + "/substitutes/{surface}/scan-{scan}-{shape}.nc",
+        f"{STORE}/substitutes/{{surface}}/scan-{{scan}}-{{shape}}.nc",
     params:
         canonical=lambda w: canonical(
             {
@@ -80,9 +80,9 @@ rule synthesize_scan:
             }
         ),
     log:
-        STORE + "/logs/synthesize_scan/{surface}-{scan}-{shape}.log",
+        f"{STORE}/logs/synthesize_scan/{{surface}}-{{scan}}-{{shape}}.log",
     benchmark:
-        STORE + "/benchmarks/synthesize_scan/{surface}-{scan}-{shape}.tsv"
+        f"{STORE}/benchmarks/synthesize_scan/{{surface}}-{{scan}}-{{shape}}.tsv"
     resources:
         mem_mb=1000,
     script:
@@ -102,8 +102,8 @@ rule prepare_scan:
         scan=lambda w: scan_file(w.surface, w.scan),
         code=code("prepare_scan.py"),
     output:
-        scan=STORE + "/scans/{surface}/scan-{scan}-{shape}.nc",
-        stitched=STORE + "/stitched/{surface}/scan-{scan}-{shape}.nc",
+        scan=f"{STORE}/scans/{{surface}}/scan-{{scan}}-{{shape}}.nc",
+        stitched=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-{{shape}}.nc",
     params:
         canonical=lambda w: canonical(
             {
@@ -114,9 +114,9 @@ rule prepare_scan:
             }
         ),
     log:
-        STORE + "/logs/prepare_scan/{surface}-{scan}-{shape}.log",
+        f"{STORE}/logs/prepare_scan/{{surface}}-{{scan}}-{{shape}}.log",
     benchmark:
-        STORE + "/benchmarks/prepare_scan/{surface}-{scan}-{shape}.tsv"
+        f"{STORE}/benchmarks/prepare_scan/{{surface}}-{{scan}}-{{shape}}.tsv"
     script:
         "../scripts/prepare_scan.py"
 

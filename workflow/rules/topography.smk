@@ -3,16 +3,16 @@
 
 rule measure_topography:
     input:
-        scan=STORE + "/scans/{surface}/scan-{scan}-{shape}.nc",
+        scan=f"{STORE}/scans/{{surface}}/scan-{{scan}}-{{shape}}.nc",
         code=code("measure_topography.py"),
     output:
-        STORE + "/topography/{surface}/scan-{scan}-{shape}.nc",
+        f"{STORE}/topography/{{surface}}/scan-{{scan}}-{{shape}}.nc",
     params:
         canonical=canonical({}),
     log:
-        STORE + "/logs/measure_topography/{surface}-{scan}-{shape}.log",
+        f"{STORE}/logs/measure_topography/{{surface}}-{{scan}}-{{shape}}.log",
     benchmark:
-        STORE + "/benchmarks/measure_topography/{surface}-{scan}-{shape}.tsv"
+        f"{STORE}/benchmarks/measure_topography/{{surface}}-{{scan}}-{{shape}}.tsv"
     script:
         "../scripts/measure_topography.py"
 
@@ -29,7 +29,7 @@ rule aggregate_topography:
         sphere=scan_file(SPHERE, scans_of(SPHERE)[0]),
         code=code("aggregate_topography.py"),
     output:
-        RESULTS + "/topography.nc",
+        f"{RESULTS}/topography.nc",
     params:
         canonical=canonical(
             {
@@ -44,9 +44,9 @@ rule aggregate_topography:
             }
         ),
     log:
-        RESULTS + "/logs/aggregate_topography.log",
+        f"{RESULTS}/logs/aggregate_topography.log",
     benchmark:
-        RESULTS + "/benchmarks/aggregate_topography.tsv"
+        f"{RESULTS}/benchmarks/aggregate_topography.tsv"
     script:
         "../scripts/aggregate_topography.py"
 

@@ -42,6 +42,7 @@ scales = filtered.assign(
     basis=("surface", [parameters["basis"][surface] for surface in surfaces]),
 )
 scales.ratio.attrs = {"units": "1", "long_name": "mean pull-off force over that unfiltered"}
+scales.unfiltered_wavelength.attrs = {"units": "nm", "long_name": "end of the unfiltered spectrum"}
 scales.cutoff_wavelength.attrs = {"units": "nm", "long_name": "cutoff wavelength"}
 
 dataset.write(

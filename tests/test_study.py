@@ -1,0 +1,474 @@
+"""Bad input: one line that names the file or key, what was expected and what was found."""
+
+import zipfile
+from functools import reduce
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+import yaml
+from conftest import QUICK, ROOT, copy_repository, run_snakemake
+from SurfaceTopography import Topography, UniformLineScan
+
+from hardcontact import dataset, study, topography
+
+SCHEMAS = {
+    name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text())
+    for name in ("config", "surfaces")
+}
+PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
+PUBLISHED = ["polished_uncd", "uncd", "ncd", "mcd"]
+ROWS = (ROOT / "config/surfaces.tsv").read_text()
+MISSING = object()
+
+
+def changed(*values):
+    """The paper's configuration with other values: key, value, key, value, ..."""
+    config = yaml.safe_load(yaml.safe_dump(PAPER))
+    for key, value in zip(values[::2], values[1::2], strict=True):
+        *path, last = key.split(".")
+        place = reduce(dict.get, path, config)
+        if value is MISSING:
+            del place[last]
+        else:
+            place[last] = value
+    return config
+
+
+def numbers(*values):
+    return study.configuration(changed(*values), SCHEMAS["config"])
+
+
+def surfaces(text, folder):
+    """Read a table of surfaces of this text, with paths relative to the repository's root."""
+    path = folder / "surfaces.tsv"
+    path.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return study.surface_table(path, SCHEMAS["surfaces"])
+
+
+def selected(config, folder):
+    return study.selected_scans(surfaces(ROWS, folder), config["scans"])
+
+
+@pytest.fixture
+def at_root(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+def refusal(call, *arguments):
+    """The one line with which a call refuses its input."""
+    with pytest.raises(ValueError) as caught:
+        call(*arguments)
+    message = str(caught.value)
+    assert len(message.splitlines()) == 1, message
+    return message
+
+
+def assert_says(message, *parts):
+    for part in parts:
+        assert part in message, message
+
+
+# Scans
+
+
+def heights(*shape):
+    return np.random.default_rng(1).standard_normal(shape or (32, 32))
+
+
+def scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
+    """Write a scan of 10 nm a pixel, or of other sizes; first axis x."""
+    Topography(heights() if values is None else values, sizes, unit=unit).to_netcdf(str(path))
+    return path
+
+
+def container(path, entries, files):
+    """A container with these entries of meta.yml and these files: name -> path."""
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("meta.yml", yaml.safe_dump({"surfaces": [{"topographies": entries}]}))
+        for name, file in files.items():
+            archive.write(file, name)
+    return path
+
+
+def test_a_good_scan_is_read_in_nm_with_rows_along_y(tmp_path):
+    values = heights(32, 32)
+    found, pixel_size = topography.read_scan(scan(tmp_path / "a.nc", values, (0.32, 0.32), "µm"))
+    assert pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(found, 1000 * values.T, rtol=1e-6)
+
+
+def test_missing_scan(tmp_path):
+    message = refusal(topography.read_scan, tmp_path / "none.nc")
+    assert_says(message, "none.nc", "expected a scan", "found no such file")
+
+
+def cut(path, share):
+    """Keep the first share of a file's bytes."""
+    content = path.read_bytes()
+    path.write_bytes(content[: int(share * len(content))])
+    return path
+
+
+@pytest.mark.parametrize("name", ["a.nc", "a.di", "a.txt", "a.zip", "a.sur"])
+@pytest.mark.parametrize(
+    "content", [b"hello\nno scan\n", b"", bytes(range(256)) * 8, b"CDF\x02", b"PK\x03\x04abc"]
+)
+def test_unreadable_scan(tmp_path, name, content):
+    (tmp_path / name).write_bytes(content)
+    message = refusal(topography.read_scan, tmp_path / name)
+    assert_says(message, name, "expected", "found")
+    assert "None" not in message
+
+
+@pytest.mark.parametrize("share", [0.01, 0.3, 0.7, 0.999])
+def test_truncated_scan(tmp_path, share):
+    message = refusal(topography.read_scan, cut(scan(tmp_path / "a.nc"), share))
+    assert_says(message, "a.nc", "expected a whole file", "found")
+
+
+def test_scan_without_physical_size(tmp_path):
+    np.save(tmp_path / "a.npy", heights())
+    np.savetxt(tmp_path / "a.txt", heights())
+    for name in ("a.npy", "a.txt"):
+        message = refusal(topography.read_scan, tmp_path / name)
+        assert_says(message, name, "expected", "physical size", "found none")
+
+
+def test_scan_without_unit(tmp_path):
+    message = refusal(topography.read_scan, scan(tmp_path / "a.nc", unit=None))
+    assert_says(message, "a.nc", "expected a physical size and a unit", "unit None")
+
+
+def test_scan_in_a_unit_that_is_no_length(tmp_path):
+    np.savetxt(tmp_path / "a.txt", heights())
+    entry = {"name": "a", "datafile": {"original": "a.txt"}, "size": [320, 320], "unit": "V"}
+    path = container(tmp_path / "a.zip", [entry], {"a.txt": tmp_path / "a.txt"})
+    assert_says(refusal(topography.read_scan, path, "a"), "a.zip", "unit", "V")
+
+
+def test_undefined_pixels_are_counted_and_filled_on_demand(tmp_path):
+    values = np.ma.masked_array(heights(), False)
+    values[3, 4:9] = np.ma.masked
+    path = scan(tmp_path / "a.nc", values)
+    message = refusal(topography.read_scan, path)
+    assert_says(message, "a.nc", "found 5", "scan.undefined_pixels: harmonic")
+    filled, _ = topography.read_scan(path, "", "harmonic")
+    assert np.isfinite(filled).all()
+    defined = ~values.mask.T
+    np.testing.assert_array_equal(filled[defined], values.data.T[defined])
+    around = values.data[2:5, 3:10]
+    assert around.min() <= filled.T[3, 4:9].min() <= filled.T[3, 4:9].max() <= around.max()
+
+
+def test_nothing_but_undefined_pixels(tmp_path):
+    path = scan(tmp_path / "a.nc", np.ma.masked_all((32, 32)))
+    assert_says(refusal(topography.read_scan, path, "", "harmonic"), "a.nc", "1024 undefined")
+
+
+def test_scan_that_is_not_square(tmp_path):
+    path = scan(tmp_path / "a.nc", heights(32, 16), (320.0, 160.0))
+    assert_says(refusal(topography.read_scan, path), "a.nc", "square scan", "32 x 16 pixels")
+
+
+def test_pixels_that_are_not_square(tmp_path):
+    path = scan(tmp_path / "a.nc", sizes=(320.0, 160.0))
+    assert_says(refusal(topography.read_scan, path), "square pixels", "10 nm x 5 nm")
+
+
+def test_line_scan(tmp_path):
+    UniformLineScan(heights(32), 320.0, unit="nm").to_netcdf(str(tmp_path / "a.nc"))
+    message = refusal(topography.read_scan, tmp_path / "a.nc")
+    assert_says(message, "a.nc", "expected a height map", "found a line scan")
+
+
+def test_dataset_of_a_single_file(tmp_path):
+    message = refusal(topography.read_scan, scan(tmp_path / "a.nc"), "first")
+    assert_says(message, "a.nc", "container", "'first'")
+
+
+def text_entry(name, file):
+    return {"name": name, "datafile": {"original": file}, "size": [320, 320], "unit": "nm"}
+
+
+def test_container_without_the_dataset(tmp_path):
+    path = container(tmp_path / "a.zip", [text_entry("one", "1.txt"), text_entry("two", "2")], {})
+    for dataset_name in ("three", ""):
+        message = refusal(topography.read_scan, path, dataset_name)
+        assert_says(message, "a.zip", "column dataset", "one, two", f"found {dataset_name!r}")
+    assert_says(refusal(topography.read_scan, path, "one"), "a.zip", "the data file 1.txt")
+
+
+def test_container_with_two_datasets_of_one_name(tmp_path):
+    np.savetxt(tmp_path / "a.txt", heights())
+    entries = [text_entry("one", "1.txt"), text_entry("one", "2.txt")]
+    files = dict.fromkeys(("1.txt", "2.txt"), tmp_path / "a.txt")
+    path = container(tmp_path / "a.zip", entries, files)
+    message = refusal(topography.read_scan, path, "one")
+    assert_says(message, "expected one scan 'one'", "found 1.txt, 2.txt")
+    assert topography.read_scan(path, "2.txt")[1] == pytest.approx(10.0)
+
+
+def test_container_says_what_its_data_file_does_not(tmp_path):
+    values = heights()
+    np.savetxt(tmp_path / "a.txt", values)
+    entry = text_entry("one", "a.txt") | {"height_scale": 2.5}
+    path = container(tmp_path / "a.zip", [entry], {"a.txt": tmp_path / "a.txt"})
+    found, pixel_size = topography.read_scan(path, "one")
+    assert pixel_size == pytest.approx(10.0)
+    assert found.std() == pytest.approx(2.5 * values.std())
+
+
+# Keys
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "parts"),
+    [
+        ("studdy", "a", ["found studdy"]),
+        ("scan.pixel", 5, ["config key scan:", "pixels", "found pixel"]),
+        ("seed", MISSING, ["found no seed"]),
+        ("scales.small.cutoffs", MISSING, ["config key scales.small:", "found no cutoffs"]),
+        ("sphere.radius", "250 N", ["config key sphere.radius:", "nm", "'250 N'"]),
+        ("contact.hardness", "25 GPa m", ["config key contact.hardness:", "Pa", "'25 GPa m'"]),
+        ("contact.hardness", "25 foo", ["config key contact.hardness:", "'25 foo'"]),
+        ("sphere.radius", "-250 um", ["config key sphere.radius:", "more than zero", "-250 um"]),
+        ("sphere.radius", "0 um", ["config key sphere.radius:", "more than zero", "0 um"]),
+        ("inference.force_floor", "0 nN", ["inference.force_floor:", "more than zero"]),
+        ("contact.preload", 1.0e-5, ["config key contact.preload:", "string", "1e-05"]),
+        ("contact.preload", "10", ["config key contact.preload:", "unit", "'10'"]),
+        ("contact.preload", "ten uN", ["config key contact.preload:", "'ten uN'"]),
+        ("contact.preload", "nan uN", ["config key contact.preload:", "'nan uN'"]),
+        ("contact.preload", "inf uN", ["config key contact.preload:", "'inf uN'"]),
+        ("contact.preload", "9**9**9 uN", ["config key contact.preload:", "'9**9**9 uN'"]),
+        ("contact.count", 0, ["config key contact.count:", "at least 1", "found 0"]),
+        ("contact.count", "20", ["config key contact.count:", "integer", "found '20'"]),
+        ("contact.count", 2.5, ["config key contact.count:", "integer", "found 2.5"]),
+        ("scales.sphere_roughness", "yes", ["boolean", "found 'yes'"]),
+        ("scales.small.cutoffs", [5], ["config key scales.small.cutoffs.0:", "string", "5"]),
+        ("scales.small.cutoffs", [], ["config key scales.small.cutoffs:", "at least 1 entries"]),
+        ("scan.undefined_pixels", "fill", ["scan.undefined_pixels:", "harmonic", "'fill'"]),
+        ("scans", "some", ["config key scans:", "expected all", "array", "'some'"]),
+        ("study", "../a", ["config key study:", "expected text", "'../a'"]),
+        ("inference.confidence", 95, ["inference.confidence:", "less than 1", "found 95"]),
+        ("sphere", "ruby", ["config key sphere:", "object", "found 'ruby'"]),
+        ("adhesion.traced_contact.contact", [1], ["at least 2 entries", "found [1]"]),
+    ],
+)
+def test_key_refused(key, value, parts):
+    assert_says(refusal(numbers, key, value), "config key", "expected", *parts)
+
+
+def test_quantities_become_numbers():
+    config = numbers("sphere.radius", "0.25 mm", "contact.preload", "1.0e-5 N")
+    assert config["sphere"]["radius"] == 250e3
+    assert config["contact"]["preload"] == 1e-5
+    assert config["scales"]["small"]["cutoffs"][0] == 5.0
+
+
+@pytest.mark.parametrize(
+    ("change", "parts"),
+    [
+        (("scales.small.cutoffs", ["1.2 nm"]), ["scales.small.cutoffs", "1.221 nm", "found 1.2"]),
+        (("scales.small.cutoffs", ["6 um"]), ["scales.small.cutoffs", "5000 nm", "found 6000"]),
+        (("scales.large.cutoffs", ["9 nm"]), ["scales.large.cutoffs", "9.766 nm", "found 9 nm"]),
+        (("scales.large.cutoffs", ["21 um"]), ["scales.large.cutoffs", "20000 nm"]),
+        (("scales.small.cutoffs", ["9 nm", "5 nm"]), ["ascending", "found 5 nm after 9 nm"]),
+        (("adhesion.ranges", ["1 nm", "0.001 um"]), ["ascending", "found 1 nm after 1 nm"]),
+        (("scales.small.transition", "9 nm"), ["scales.small.transition", "found 9 nm"]),
+        (("scales.small.pixels", 512), ["scales.small.pixels", "1024", "found 512"]),
+        (("scales.large.pixels", 512), ["scales.large.pixels", "4096", "found 512"]),
+        (("adhesion.ranges", ["0.1 pm", "1 nm"]), ["adhesion.ranges", "9.766", "found 7.071 nm"]),
+        (("contact.preload", "1 N"), ["contact.preload", "1048576 pixels", "1677722"]),
+        (("contact.window", "10 nm"), ["contact.preload", "4 pixels", "needs 17"]),
+        (("contact.count", 5000), ["contact.count", "1024", "found 5000"]),
+        (("sphere.surface", "glass"), ["sphere.surface", "ruby", "found glass"]),
+        (("reference_surface", "glass"), ["reference_surface", "mcd", "found glass"]),
+        (("reference_surface", "ruby"), ["reference_surface", "mcd", "found ruby"]),
+        (("adhesion.traced_contact.surface", "ruby"), ["traced_contact.surface", "found ruby"]),
+        (("adhesion.traced_contact.scan", 9), ["traced_contact.scan", "uncd [1, 2", "found 9"]),
+        (("adhesion.traced_contact.sphere_scan", 9), ["traced_contact.sphere_scan", "found 9"]),
+        (("adhesion.traced_contact.contact", [20, 0]), ["contact.count = 20", "found [20, 0]"]),
+        (("scan.realization_pixels", 256), ["scan.realization_pixels", "512", "found 256"]),
+        (("scans", [1, 7]), ["config key scans", "[1, 2, 3, 4, 5]", "found [7]"]),
+    ],
+)
+def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):
+    def check():
+        config = numbers(*change)
+        study.check(config, selected(config, tmp_path), PUBLISHED)
+
+    assert_says(refusal(check), "config key", "expected", "found", *parts)
+
+
+def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):
+    quick = yaml.safe_load((ROOT / QUICK).read_text())
+    for overlay in ({}, quick):
+        config = study.configuration(merged(PAPER, overlay), SCHEMAS["config"])
+        study.check(config, selected(config, tmp_path), PUBLISHED)
+
+
+def merged(base, overlay):
+    """Deeply, as Snakemake merges configuration files."""
+    return base | {
+        key: merged(base[key], value) if isinstance(value, dict) else value
+        for key, value in overlay.items()
+    }
+
+
+# The table of surfaces
+
+
+FIRST = ROWS.splitlines()[1]
+
+
+def with_description(name, count=-1):
+    """The paper's table with another description of UNCD in the first rows."""
+    return ROWS.replace("spectra/uncd.csv", f"spectra/{name}", count)
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        (ROWS + FIRST + "\n", ["line 27", "once", "polished_uncd 1"]),
+        (with_description("no.csv"), ["line 7", "spectra/no.csv", "no such file"]),
+        (ROWS.replace("label", "name", 1), ["line 2", "label", "found name"]),
+        (ROWS.replace("\tdataset", "").replace("csv\t", "csv"), ["line 2", "found no dataset"]),
+        (ROWS.replace("2\tsubstitute", "2\tmeasured", 1), ["polished_uncd", "one source"]),
+        (ROWS.replace("UNCD\t2", "U\t2", 1), ["polished_uncd", "one label", "polished U"]),
+        (with_description("mcd.csv", 1), ["surface uncd", "one description", "mcd.csv"]),
+        (ROWS.replace("UNCD\t1", "UNCD\tone", 1), ["line 2", "scan", "found 'one'"]),
+        (ROWS.replace("substitute", "guess", 1), ["line 2", "source", "found 'guess'"]),
+        (ROWS.replace("\t", ","), ["line 2", "expected one of surface, label"]),
+        (ROWS + "\t".join("abcdefgh") + "\n", ["expected a table", "line 27"]),
+        ("", ["expected a table of surfaces"]),
+        (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
+    ],
+)
+def test_table_refused(tmp_path, at_root, text, parts):
+    assert_says(refusal(surfaces, text, tmp_path), "surfaces.tsv", "expected", *parts)
+
+
+def test_no_table(tmp_path):
+    message = refusal(study.surface_table, tmp_path / "none.tsv", SCHEMAS["surfaces"])
+    assert_says(message, "none.tsv", "expected a table of surfaces", "found")
+
+
+def own_scans(folder, *paths):
+    """The paper's table with measured scans in place of UNCD's."""
+    rows = [row for row in ROWS.splitlines() if not row.startswith("uncd\t")]
+    rows += [f"uncd\tUNCD\t{k}\tmeasured\t{path}\t" for k, path in enumerate(paths, start=1)]
+    return surfaces("\n".join(rows) + "\n", folder)
+
+
+def test_one_file_twice(tmp_path, at_root):
+    path = scan(tmp_path / "a.nc")
+    message = refusal(own_scans, tmp_path, path, path)
+    assert_says(message, "surfaces.tsv", "path and dataset once", "a.nc")
+
+
+def test_scans_of_one_surface_that_differ(tmp_path, at_root):
+    first = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
+    others = {
+        "found 256 of 9.766 nm": scan(tmp_path / "b.nc", heights(256, 256), (2500.0, 2500.0)),
+        "found 512 of 9.766 nm": scan(tmp_path / "c.nc", heights(512, 512), (5000.0, 5000.0)),
+    }
+    for found, second in others.items():
+        table = own_scans(tmp_path, first, second)
+        message = refusal(study.check, numbers(), table, PUBLISHED)
+        assert_says(message, second.name, "512 pixels of 4.883 nm", found)
+
+
+def test_measured_scan_of_constant_height(tmp_path, at_root):
+    table = own_scans(tmp_path, scan(tmp_path / "a.nc", np.ones((32, 32))))
+    assert_says(
+        refusal(study.check, numbers(), table, PUBLISHED), "a.nc", "rough", "constant height"
+    )
+
+
+# Damaged intermediates
+
+
+@pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 0.9, 0.999])
+def test_damaged_dataset(tmp_path, share):
+    path = tmp_path / "a.nc"
+    values = xr.Dataset({"heights": (("y", "x"), heights(64, 64))})
+    dataset.write(values, path, title="a", parameters="{}", inputs=[], code=[])
+    assert dataset.read(path).heights.shape == (64, 64)
+    message = refusal(dataset.read, cut(path, share))
+    assert_says(message, "a.nc", "expected a complete netCDF file", "found")
+
+
+def test_missing_dataset(tmp_path):
+    assert_says(refusal(dataset.read, tmp_path / "a.nc"), "a.nc", "expected", "found")
+
+
+def test_a_failing_write_leaves_nothing(tmp_path):
+    for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
+        with pytest.raises(RuntimeError), dataset.atomic_path(target) as temporary:
+            Path(temporary).write_text("half")
+            raise RuntimeError
+    assert list(tmp_path.iterdir()) == []
+
+
+# The command line
+
+
+@pytest.fixture(scope="module")
+def repository(tmp_path_factory):
+    return copy_repository(tmp_path_factory.mktemp("repository") / "study")
+
+
+def own_table(folder, path):
+    """Write the paper's table with one measured scan; returns its overlay."""
+    rows = [row for row in ROWS.splitlines() if not row.startswith("uncd\t")]
+    rows.append(f"uncd\tUNCD\t1\tmeasured\t{path}\t")
+    Path(folder, "own.tsv").write_text("\n".join(rows) + "\n")
+    return {"surfaces": "own.tsv"}
+
+
+def truncated_scan(folder):
+    return own_table(folder, cut(scan(Path(folder, "own.nc")), 0.5).name)
+
+
+def scan_with_holes(folder):
+    values = np.ma.masked_array(heights(), False)
+    values[:7, 0] = np.ma.masked
+    return own_table(folder, scan(Path(folder, "own.nc"), values).name)
+
+
+def missing_scan(folder):
+    return own_table(folder, "none.nc")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "overlay", "parts"),
+    [
+        ([], {"studdy": 1}, ["studdy"]),
+        ([], {"contact": {"preload": 10}}, ["config key contact.preload", "found 10"]),
+        (["-n"], {"scales": {"small": {"cutoffs": ["1 nm"]}}}, ["scales.small.cutoffs"]),
+        ([], missing_scan, ["own.tsv", "none.nc", "no such file"]),
+        ([], truncated_scan, ["own.nc", "expected a whole file"]),
+        (["-n"], scan_with_holes, ["own.nc", "found 7", "scan.undefined_pixels"]),
+    ],
+)
+def test_command_line_refuses_in_one_line(repository, arguments, overlay, parts):
+    overlay = overlay(repository) if callable(overlay) else overlay
+    run = run_snakemake(repository, *arguments, overlays=[overlay])
+    assert run.returncode != 0
+    errors = [line for line in run.stdout.splitlines() if line.startswith("error:")]
+    assert len(errors) == 1, run.stdout
+    assert_says(errors[0], "expected", "found", *parts)
+    assert "Traceback" not in run.stdout and "rule " not in run.stdout
+    assert not Path(repository, "results").exists()
+
+
+def test_damaged_intermediate_fails_its_job_in_one_line(finished_copy):
+    damaged = "results/store-quick/scans/uncd/scan-1-flat.nc"
+    cut(finished_copy / damaged, 0.5)
+    run = run_snakemake(finished_copy, "topography")
+    assert run.returncode != 0
+    errors = [line for line in run.stdout.splitlines() if line.startswith("error:")]
+    assert len(errors) == 1, run.stdout
+    assert_says(errors[0], damaged, "expected a complete netCDF file", "found", "delete it")
