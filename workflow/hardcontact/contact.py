@@ -59,11 +59,53 @@ class Tiles:
 
         Such a square meets at most three tiles along an axis where the last one is not full.
         """
-        rows, columns = self.maxima, self.maxima
         rows = np.maximum.reduce([np.roll(self.maxima, -i, axis=0) for i in range(3)])
         columns = np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(3)])
         y, x = (offset % self.pixels // TILE for offset in (offset_y, offset_x))
         return columns[np.ix_(y, x)]
+
+
+class _View:
+    """The tiles of the substrate that one contact sees, and how close each could come.
+
+    bound: (tiles,) nm, no gap of the tile is smaller.
+    """
+
+    def __init__(self, substrate, position, pixel_size, radius, window, roughness):
+        self.substrate, self.roughness = substrate, roughness
+        self.geometry = pixel_size, radius
+        self.window = window
+        (first_y, self.tile_y), (first_x, self.tile_x) = (
+            substrate.around(index, window) for index in position
+        )
+        self.offset_y, self.offset_x = first_y - position[0], first_x - position[1]
+        bound = (
+            _nearest(self.offset_y, *self.geometry)[:, None]
+            + _nearest(self.offset_x, *self.geometry)
+            - substrate.maxima[np.ix_(self.tile_y, self.tile_x)]
+        )
+        if roughness is not None:
+            bound -= roughness.highest_from(self.offset_y, self.offset_x)
+        self.shape, self.bound = bound.shape, bound.ravel()
+
+    def offsets(self, tiles):
+        """Offsets from the apex of the rows and of the columns of tiles: two (tiles, TILE)."""
+        row, column = np.unravel_index(tiles, self.shape)
+        place = np.arange(TILE)
+        return self.offset_y[row][:, None] + place, self.offset_x[column][:, None] + place
+
+    def gaps(self, tiles):
+        """Gaps (tiles, TILE, TILE) in nm, infinite outside the window."""
+        row, column = np.unravel_index(tiles, self.shape)
+        y, x = self.offsets(tiles)
+        gaps = (
+            _within(y, self.window, *self.geometry)[:, :, None]
+            + _within(x, self.window, *self.geometry)[:, None, :]
+            - self.substrate.blocks[self.tile_y[row], :, self.tile_x[column], :]
+        )
+        if self.roughness is not None:
+            gaps -= _periodic(self.roughness, y[:, :, None], x[:, None, :])
+        return gaps
 
 
 def lowest_gaps(substrate, position, pixel_size, radius, window, count, roughness=None):
@@ -76,51 +118,33 @@ def lowest_gaps(substrate, position, pixel_size, radius, window, count, roughnes
     Returns gaps (count,) in nm and offsets (count, 2) of the pixels from the apex. Only tiles
     whose highest point could reach into the contact are read: an order statistic, not a scan.
     """
-    (origin_y, tile_y), (origin_x, tile_x) = (substrate.around(p, window) for p in position)
-    bound = (
-        _nearest(origin_y - position[0], pixel_size, radius)[:, None]
-        + _nearest(origin_x - position[1], pixel_size, radius)
-        - substrate.maxima[np.ix_(tile_y, tile_x)]
-    )
-    if roughness is not None:
-        bound = bound - roughness.highest_from(origin_y - position[0], origin_x - position[1])
-    flat = bound.ravel()
+    view = _View(substrate, position, pixel_size, radius, window, roughness)
+    # The lowest gaps of the most promising tile bound those of all; this leaves few tiles to read.
+    first = view.gaps(np.array([view.bound.argmin()])).ravel()
+    reach = np.partition(first, count - 1)[count - 1] if first.size >= count else np.inf
+    candidates = np.flatnonzero(view.bound <= reach)
+    candidates = candidates[np.argsort(view.bound[candidates])]
+    gaps, offsets, batch = np.empty(0), np.empty((0, 2), int), 8
+    while len(candidates) and (len(gaps) < count or view.bound[candidates[0]] <= reach):
+        more = _within_reach(view, candidates[:batch], reach)
+        gaps, offsets = _lowest(np.append(gaps, more[0]), np.concatenate([offsets, more[1]]), count)
+        reach = gaps[-1] if len(gaps) == count else reach
+        candidates, batch = candidates[batch:], 2 * batch
+    return gaps, offsets
 
-    def read(tiles):
-        row, column = np.unravel_index(tiles, bound.shape)
-        heights = substrate.blocks[tile_y[row], :, tile_x[column], :]
-        u = (origin_y[row] - position[0])[:, None] + np.arange(TILE)
-        v = (origin_x[column] - position[1])[:, None] + np.arange(TILE)
-        gaps = (
-            _within(u, window, pixel_size, radius)[:, :, None]
-            + _within(v, window, pixel_size, radius)[:, None, :]
-            - heights
-        )
-        if roughness is not None:
-            gaps -= _periodic(roughness, u[:, :, None], v[:, None, :])
-        return gaps.ravel(), tiles
 
-    best = np.array([flat.argmin()])
-    gaps = read(best)[0]
-    reach = np.partition(gaps, count - 1)[count - 1] if gaps.size >= count else np.inf
-    candidates = np.flatnonzero(flat <= reach)
-    candidates = candidates[np.argsort(flat[candidates])]
-    found, offsets, start, batch = np.empty(0), np.empty((0, 2), int), 0, 8
-    while start < len(candidates) and (len(found) < count or flat[candidates[start]] <= reach):
-        tiles = candidates[start : start + batch]
-        gaps, _ = read(tiles)
-        chosen = np.flatnonzero(gaps <= reach)
-        if len(chosen) > count:
-            chosen = chosen[np.argpartition(gaps[chosen], count - 1)[:count]]
-        tile, y, x = np.unravel_index(chosen, (len(tiles), TILE, TILE))
-        row, column = np.unravel_index(tiles[tile], bound.shape)
-        places = np.stack([origin_y[row] - position[0] + y, origin_x[column] - position[1] + x], 1)
-        found, offsets = np.append(found, gaps[chosen]), np.concatenate([offsets, places])
-        order = np.lexsort((offsets[:, 1], offsets[:, 0], found))[:count]
-        found, offsets = found[order], offsets[order]
-        reach = found[-1] if len(found) == count else reach
-        start, batch = start + batch, 2 * batch
-    return found, offsets
+def _within_reach(view, tiles, reach):
+    """Gaps (k,) of tiles that are at most `reach`, and the offsets (k, 2) of their pixels."""
+    gaps = view.gaps(tiles)
+    tile, y, x = np.nonzero(gaps <= reach)
+    rows, columns = view.offsets(tiles)
+    return gaps[tile, y, x], np.stack([rows[tile, y], columns[tile, x]], axis=1)
+
+
+def _lowest(gaps, offsets, count):
+    """The `count` smallest gaps, ascending; equal ones in the order of their offsets."""
+    order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:count]
+    return gaps[order], offsets[order]
 
 
 def _nearest(offset, pixel_size, radius):

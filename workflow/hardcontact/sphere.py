@@ -34,10 +34,12 @@ def contact_positions(pixels, count):
 
 
 def common_pixels(substrate, substrate_pixel, roughness, roughness_pixel):
-    """Substrate and sphere roughness, both periodic, on the smaller of the two pixel sizes.
+    """Substrate and sphere roughness, both mirror-stitched, on the smaller of the two pixel sizes.
 
     The coarser is Fourier interpolated to the whole number of pixels nearest to its period; what
     that changes of its period is returned as `stretch` (relative, at most half a pixel a period).
+    The apex of the sphere is put into the middle of its scan: at the origin of the stitched map
+    lies a corner, about which it would be symmetric.
     Returns substrate, roughness (float64), the pixel size (nm) and the stretch.
     """
     fine = min(substrate_pixel, roughness_pixel)
@@ -47,4 +49,5 @@ def common_pixels(substrate, substrate_pixel, roughness, roughness_pixel):
         stretch = max(stretch, abs(pixels * fine / (heights.shape[0] * pixel) - 1))
         same = pixels == heights.shape[0]
         maps.append(np.asarray(heights if same else interpolate(heights, pixels), float))
-    return maps[0], maps[1], fine, stretch
+    middle = maps[1].shape[0] // 4
+    return maps[0], np.roll(maps[1], (-middle, -middle), axis=(0, 1)), fine, stretch

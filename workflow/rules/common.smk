@@ -37,8 +37,6 @@ SURFACES = list(SCANS.surface.unique())
 SUBSTRATES = [surface for surface in SURFACES if surface != SPHERE]
 LABELS = dict(zip(SCANS.surface, SCANS.label))
 BASIS = dict(zip(SCANS.surface, SCANS.source))
-MEASURED = [surface for surface in SURFACES if BASIS[surface] == "measured"]
-SUBSTITUTES = [surface for surface in SURFACES if BASIS[surface] == "substitute"]
 REALIZATIONS = range(1, STUDY["scales"]["realizations"] + 1)
 
 # What people sweep stands in the path.
