@@ -1,5 +1,6 @@
 """The figures: their tables repeat the datasets, substitutes are named, saving is repeatable."""
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import xarray as xr
 from matplotlib.colors import same_color
 
 from hardcontact.figures import fig1, fig3, fig4, fig6, style, table1
+from hardcontact.topography import table1_variables
 
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]
@@ -65,9 +67,16 @@ def topography(rng):
     data["all_scales_rms_height"] = "surface", [4.2, 17.4, 97.2, 101.2, np.nan]
     data["all_scales_rms_gradient"] = "surface", [0.31, 1.17, 0.92, 0.85, np.nan]
     data["all_scales_rms_half_laplacian"] = "surface", [1.99, 6.32, 5.91, 5.04, np.nan]
+    data["all_scales_rms_profile_slope"] = data["all_scales_rms_gradient"] / np.sqrt(2)
+    data["all_scales_rms_laplacian"] = data["all_scales_rms_half_laplacian"] * 2
     rows = "afm_rms_height,afm_rms_slope,afm_rms_curvature"
     data["calibrated_to_table1"] = "surface", [rows] * 4 + [""]
-    data.attrs = {"sphere_surface": "ruby", "reference_surface": "uncd"}
+    names = json.dumps(table1_variables("gradient", "half_laplacian"))
+    data.attrs = {
+        "sphere_surface": "ruby",
+        "reference_surface": "uncd",
+        "table1_variables": names,
+    }
     return data
 
 

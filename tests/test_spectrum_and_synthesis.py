@@ -235,3 +235,15 @@ def test_scan_to_scan_spread_fills_up_to_the_published_one():
     wide = synthesis.scan_to_scan_spread(synthesis.generator(3), *arguments, 0.5)
     assert natural == 0
     assert 0 < wide < np.sqrt(np.log1p(0.25))
+
+
+def test_table1_is_turned_into_gradient_and_half_laplacian():
+    rows = pd.DataFrame(
+        {"value": [2.0, 3.0, 4.0], "uncertainty": [0.2, 0.3, 0.4]},
+        index=["afm_rms_height", "afm_rms_slope", "all_rms_curvature"],
+    )
+    same = spectrum.as_gradient_and_half_laplacian(rows, "gradient", "half_laplacian")
+    pd.testing.assert_frame_equal(same, rows)
+    other = spectrum.as_gradient_and_half_laplacian(rows, "profile", "laplacian")
+    np.testing.assert_allclose(other.value, [2, 3 * 2**0.5, 2])
+    np.testing.assert_allclose(other.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])

@@ -31,16 +31,6 @@ COLUMNS = (
 )  # fmt: skip
 NUMBERS = ("published", "published_low", "published_high")
 
-# Topography variable -> the row of Table 1 a substitute scan may have been calibrated to.
-TABLE1_ROWS = {
-    "rms_height_mean": "afm_rms_height",
-    "rms_gradient_mean": "afm_rms_slope",
-    "rms_half_laplacian_mean": "afm_rms_curvature",
-    "all_scales_rms_height": "all_rms_height",
-    "all_scales_rms_gradient": "all_rms_slope",
-    "all_scales_rms_half_laplacian": "all_rms_curvature",
-}
-
 
 def read_claims(path: str | Path) -> pd.DataFrame:
     """Read a table of claims: numbers as float (NaN where blank), everything else as text."""
@@ -169,10 +159,9 @@ def _untestable(claim, substitutes: list[str], topography: xr.Dataset) -> str:
     """Why substitute scans cannot test the claim; empty when they can."""
     if claim.needs == "measured" and substitutes:
         return "The substitute scans assume this."
-    row = TABLE1_ROWS.get(claim.quantity) if claim.dataset == "topography" else None
     for surface in substitutes:
         calibrated = str(topography["calibrated_to_table1"].sel(surface=surface).item())
-        if row in [name.strip() for name in calibrated.split(",")]:
+        if claim.quantity in [name.strip() for name in calibrated.split(",")]:
             return "The substitute scans are calibrated to this."
     return ""
 

@@ -4,6 +4,8 @@ A number travels as a dataset of three variables, `value`, `low` and `high`; `lo
 ends of its 95 % interval, are NaN where no interval is known.
 """
 
+import json
+
 import numpy as np
 import xarray as xr
 from scipy import stats
@@ -33,7 +35,11 @@ def attribute(dataset: xr.Dataset, name: str):
 
 
 def estimate(dataset: xr.Dataset, quantity: str) -> xr.Dataset:
-    """Value, low and high of a variable of the dataset or of a derived quantity."""
+    """Value, low and high of a variable of the dataset or of a derived quantity.
+
+    A row of Table 1 is the variable that the dataset's attribute `table1_variables` names.
+    """
+    quantity = json.loads(dataset.attrs.get("table1_variables", "{}")).get(quantity, quantity)
     if quantity in DERIVED:
         return DERIVED[quantity](dataset)
     value = dataset[quantity]

@@ -16,6 +16,7 @@ from SurfaceTopography import Topography
 __all__ = [
     "WAVEVECTORS",
     "all_scales_moments",
+    "as_gradient_and_half_laplacian",
     "at",
     "expected_moments",
     "from_description",
@@ -142,6 +143,21 @@ def expected_moments(table_wavevector, table_density, weights):
 #: Rows of Table 1 that fix a self-affine spectrum, and those that fix the tail below it.
 SELF_AFFINE_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature", "all_rms_height")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
+
+
+def as_gradient_and_half_laplacian(table1, slope, curvature):
+    """Rows of Table 1 with slopes as rms gradients and curvatures as half rms Laplacians.
+
+    table1: DataFrame indexed by quantity with value and uncertainty; slope: "gradient" or
+    "profile", curvature: "half_laplacian" or "laplacian", what the rows are taken to be. On an
+    isotropic surface the gradient is sqrt(2) times the slope of profiles.
+    """
+    factor = {
+        "slope": {"gradient": 1.0, "profile": np.sqrt(2)}[slope],
+        "curvature": {"half_laplacian": 1.0, "laplacian": 0.5}[curvature],
+    }
+    factors = [factor.get(quantity.rsplit("_", 1)[-1], 1.0) for quantity in table1.index]
+    return table1.assign(value=table1.value * factors, uncertainty=table1.uncertainty * factors)
 
 
 def calibrate_self_affine(table1, weights):

@@ -24,6 +24,7 @@ __all__ = [
     "mirror_stitch",
     "read_scan",
     "subtract_sphere",
+    "table1_variables",
     "thinned",
 ]
 
@@ -37,6 +38,14 @@ METRICS = {
     "skewness": ("1", "skewness of heights"),
     "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
     "peak_to_valley": ("nm", "peak to valley"),
+}
+
+#: What slope and curvature of Table 1 may be.
+DEFINITIONS = {
+    "gradient": "rms_gradient",
+    "profile": "rms_profile_slope",
+    "half_laplacian": "rms_half_laplacian",
+    "laplacian": "rms_laplacian",
 }
 
 #: The largest member of a container that is read, in bytes.
@@ -261,6 +270,21 @@ def averages(scans, confidence):
     return {
         key: value.assign_attrs(scans[key.split("_mean")[0].removesuffix("_std")].attrs)
         for key, value in found.items()
+    }
+
+
+def table1_variables(slope, curvature):
+    """Which variable of the topography dataset is which row of Table 1, by the row's name.
+
+    slope, curvature: keys of DEFINITIONS.
+    """
+    metrics = {
+        "height": "rms_height",
+        "slope": DEFINITIONS[slope],
+        "curvature": DEFINITIONS[curvature],
+    }
+    return {f"afm_rms_{row}": f"{metric}_mean" for row, metric in metrics.items()} | {
+        f"all_rms_{row}": f"all_scales_{metric}" for row, metric in metrics.items()
     }
 
 

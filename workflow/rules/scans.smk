@@ -24,7 +24,7 @@ rule calibrate_spectrum:
         f"{STORE}/spectra/{{surface}}-substitute.nc",
     params:
         canonical=lambda w: canonical(
-            {"surface": w.surface, "seed": STUDY["seed"]}
+            {"surface": w.surface, "seed": STUDY["seed"], "table1": STUDY["topography"]}
         ),
     log:
         f"{STORE}/logs/calibrate_spectrum/{{surface}}.log",

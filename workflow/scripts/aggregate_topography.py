@@ -35,7 +35,9 @@ scans = scans.assign(
     spectrum=(("surface", "wavevector"), density, {"units": "nm4"}),
     all_scales_rms_height=("surface", joined[:, 0], {"units": "nm"}),
     all_scales_rms_gradient=("surface", joined[:, 1], {"units": "1"}),
+    all_scales_rms_profile_slope=("surface", joined[:, 1] / np.sqrt(2), {"units": "1"}),
     all_scales_rms_half_laplacian=("surface", joined[:, 2], {"units": "nm-1"}),
+    all_scales_rms_laplacian=("surface", 2 * joined[:, 2], {"units": "nm-1"}),
     label=("surface", [parameters["labels"][surface] for surface in surfaces]),
     basis=("surface", [parameters["basis"][surface] for surface in surfaces]),
     calibrated_to_table1=(
@@ -66,6 +68,7 @@ dataset.write(
     scans.assign_attrs(
         sphere_surface=parameters["sphere_surface"],
         reference_surface=parameters["reference_surface"],
+        table1_variables=dataset.canonical(topography.table1_variables(**parameters["table1"])),
     ),
     snakemake.output[0],
     title="topography of all surfaces: rms metrics and power spectral densities",

@@ -19,7 +19,9 @@ window = int(constants["scan_pixels"])
 pixel_size, pixels = constants["scan_size"] / window, 4 * window
 
 published = pd.read_csv(snakemake.input.table1)
-table1 = published[published.surface == surface].set_index("quantity")
+table1 = spectrum.as_gradient_and_half_laplacian(
+    published[published.surface == surface].set_index("quantity"), **parameters["table1"]
+)
 weights = spectrum.transfer_weights(pixels, pixel_size, window)
 density, bands, calibrated = spectrum.from_description(snakemake.input.description, table1, weights)
 

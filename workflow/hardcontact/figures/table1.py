@@ -1,5 +1,6 @@
 """Table 1: rms height, slope and curvature of the surfaces, published and computed."""
 
+import json
 import math
 from typing import NamedTuple
 
@@ -31,10 +32,11 @@ class _Quantity(NamedTuple):
     title: str
     unit: str
     printed_unit: float  # the unit printed, in `unit`
-    definitions: dict[str, str]  # variable: definition; the first is what substitutes calibrate to
+    definitions: dict[str, str]  # variable: definition
 
 
-HALF_LAPLACIAN, GRADIENT = "half the Laplacian", "gradient"
+GRADIENT, PROFILE = "gradient", "slope of profiles"
+HALF_LAPLACIAN, LAPLACIAN = "half the Laplacian", "Laplacian"
 QUANTITIES = (
     _Quantity("afm_rms_height", "AFM scans", "rms height (nm)", "nm", 1, {"rms_height": ""}),
     _Quantity(
@@ -43,7 +45,7 @@ QUANTITIES = (
         "rms slope",
         "1",
         1,
-        {"rms_gradient": GRADIENT, "rms_profile_slope": "slope of profiles"},
+        {"rms_gradient": GRADIENT, "rms_profile_slope": PROFILE},
     ),
     _Quantity(
         "afm_rms_curvature",
@@ -51,13 +53,18 @@ QUANTITIES = (
         "rms curvature (10⁻³ nm⁻¹)",
         "nm-1",
         1e-3,
-        {"rms_half_laplacian": HALF_LAPLACIAN, "rms_laplacian": "Laplacian"},
+        {"rms_half_laplacian": HALF_LAPLACIAN, "rms_laplacian": LAPLACIAN},
     ),
     _Quantity(
         "all_rms_height", "all scales", "rms height (nm)", "nm", 1, {"all_scales_rms_height": ""}
     ),
     _Quantity(
-        "all_rms_slope", "all scales", "rms slope", "1", 1, {"all_scales_rms_gradient": GRADIENT}
+        "all_rms_slope",
+        "all scales",
+        "rms slope",
+        "1",
+        1,
+        {"all_scales_rms_gradient": GRADIENT, "all_scales_rms_profile_slope": PROFILE},
     ),
     _Quantity(
         "all_rms_curvature",
@@ -65,7 +72,10 @@ QUANTITIES = (
         "rms curvature (nm⁻¹)",
         "nm-1",
         1,
-        {"all_scales_rms_half_laplacian": HALF_LAPLACIAN},
+        {
+            "all_scales_rms_half_laplacian": HALF_LAPLACIAN,
+            "all_scales_rms_laplacian": LAPLACIAN,
+        },
     ),
 )
 
@@ -75,7 +85,7 @@ def table(topography: xr.Dataset, table1_published: pd.DataFrame) -> pd.DataFram
 
     Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the standard
     deviation over the scans (none for the moments of the joined spectrum). `calibrated` says that a
-    substitute was made to meet the published value, which the first definition then repeats.
+    substitute was made to meet the published value under this definition.
     """
     rows = [
         row
@@ -145,8 +155,9 @@ def _published_rows(quantity: _Quantity, surface: str, published: pd.DataFrame) 
 def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict]:
     """Return a row for each definition of the quantity."""
     calibrated = quantity.name in _calibrated_to(of_surface)
+    taken = json.loads(of_surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
     rows = []
-    for place, (variable, definition) in enumerate(quantity.definitions.items()):
+    for variable, definition in quantity.definitions.items():
         value, uncertainty = _moments(of_surface, variable)
         rows.append(
             {
@@ -155,7 +166,7 @@ def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict]:
                 "definition": definition,
                 "value": value,
                 "uncertainty": uncertainty,
-                "calibrated": calibrated and place == 0,
+                "calibrated": calibrated and variable == taken,
             }
         )
     return rows
