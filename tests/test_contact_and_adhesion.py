@@ -91,7 +91,7 @@ def test_touching_image_pixels_are_counted_once_each():
     substrate = np.zeros((64, 64))
     substrate[10, 10] = 1000.0
     flat, touching, rho = np.zeros((64, 64)), 3, 2.0
-    positions = np.array([42, 40])
+    positions = np.array([42, 0])
     arguments = (40.0, RADIUS, 256)
     contacts = contact.all_lowest_gaps(substrate, positions, *arguments, touching, flat)
     outside = adhesion.rough_sphere_sums(substrate, flat, positions, contacts, *arguments, [rho])

@@ -6,6 +6,7 @@ exponential of the gap g = s - t - h factorizes, which is what makes the sum che
 """
 
 from concurrent.futures import ThreadPoolExecutor
+from itertools import product
 
 import numpy as np
 from threadpoolctl import threadpool_limits
@@ -94,20 +95,24 @@ def smooth_sphere_sums(substrate, positions, pixel_size, radius, window, rho, th
 
     def block(start):
         rows = slice(start, start + ROWS)
-        attraction = np.subtract(substrate[rows], h_max, dtype=float)
-        attraction /= rho
-        np.exp(attraction, out=attraction)
-        return fold[:, rows] @ (attraction @ columns)
+        return fold[:, rows] @ (_attraction(substrate[rows], h_max, rho) @ columns)
 
     with threadpool_limits(1, "blas"), ThreadPoolExecutor(threads) as pool:
         return sum(pool.map(block, range(0, substrate.shape[0], ROWS))), h_max
 
 
+def _attraction(heights, highest, rho):
+    """exp((heights - highest)/rho) in float64; heights in nm, of any precision."""
+    attraction = np.subtract(heights, highest, dtype=float)
+    attraction /= rho
+    return np.exp(attraction, out=attraction)
+
+
 def rough_sphere_sums(substrate, roughness, positions, contacts, pixel_size, radius, window, rhos):
     """Sum of exp(-(g + d)/rho) over pixels outside plastic contact, for an array of contacts.
 
-    substrate: h (n, n), roughness: t (m, m), float64 in nm, periodic, on the same pixels;
-    positions: (contact,) pixels along either axis; contacts: dict (i, j) -> (gaps, offsets) of
+    substrate: h (n, n), roughness: t (m, m), in nm, periodic, on the same pixels; positions:
+    (contact,) pixels along either axis; contacts: dict (i, j) -> (gaps, offsets) of
     `contact.lowest_gaps`; d is minus the last of these gaps; rhos: (rho,) in nm.
     Returns (rho, contact, contact).
 
@@ -125,38 +130,36 @@ def rough_sphere_sums(substrate, roughness, positions, contacts, pixel_size, rad
     }
     outside = np.empty((len(rhos), len(positions), len(positions)))
     for k, rho in enumerate(rhos):
-        attraction = np.exp((substrate - h_max) / rho)
-        kernel = _kernel(pixels, roughness - t_max, pixel_size, radius, window, rho)
-        for (i, j), (gaps, offsets) in contacts.items():
-            approach = gaps[-1]
-            y, x = ((positions[[i, j]] + offsets) % pixels).T
-            kept = attraction[y, x]
-            attraction[y, x] = 0.0
-            total = _shifted_dot(attraction, kernel, positions[i], positions[j])
-            attraction[y, x] = kept
-            outside[k, i, j] = (
-                np.exp((approach + h_max + t_max) / rho) * total
-                + np.exp((approach - images[i, j]) / rho).sum()
-            )
+        kernel = _kernel(pixels, roughness, t_max, pixel_size, radius, window, rho)
+        attraction = _attraction(substrate, h_max, rho)
+        for j, column in enumerate(positions):
+            at_column = np.roll(kernel, column, axis=1)
+            for i, row in enumerate(positions):
+                gaps, offsets = contacts[i, j]
+                y, x = (([row, column] + offsets) % pixels).T
+                kept = attraction[y, x]
+                attraction[y, x] = 0.0
+                total = _shifted_dot(attraction, at_column, row)
+                attraction[y, x] = kept
+                outside[k, i, j] = (
+                    np.exp((gaps[-1] + h_max + t_max) / rho) * total
+                    + np.exp((gaps[-1] - images[i, j]) / rho).sum()
+                )
     return outside
 
 
-def _kernel(pixels, roughness, pixel_size, radius, window, rho):
-    """exp((t - s)/rho) on (n, n) offsets from the apex, summed over the images in the window.
-
-    Twice along x, which spares `_shifted_dot` the wrap along that axis.
-    """
-    attraction = np.exp(roughness / rho)
+def _kernel(pixels, roughness, t_max, pixel_size, radius, window, rho):
+    """exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
+    attraction = _attraction(roughness, t_max, rho)
     period = roughness.shape[0]
     folded = _folded_by_shift(pixels, period, pixel_size, radius, window, rho)
-    place = np.arange(pixels)
-    kernel = sum(
-        (weight_y[:, None] * weight_x)
-        * attraction[np.ix_((place + shift_y) % period, (place + shift_x) % period)]
-        for shift_y, weight_y in folded.items()
-        for shift_x, weight_x in folded.items()
-    )
-    return np.concatenate([kernel, kernel], axis=1)
+    kernel, place = np.zeros((pixels, pixels)), np.arange(pixels)
+    for start in range(0, pixels, ROWS):
+        rows = place[start : start + ROWS]
+        for (shift_y, weight_y), (shift_x, weight_x) in product(folded.items(), repeat=2):
+            seen = attraction[np.ix_((rows + shift_y) % period, (place + shift_x) % period)]
+            kernel[rows] += weight_y[rows, None] * weight_x * seen
+    return kernel
 
 
 def _folded_by_shift(pixels, period, pixel_size, radius, window, rho):
@@ -175,13 +178,12 @@ def _folded_by_shift(pixels, period, pixel_size, radius, window, rho):
     return folded
 
 
-def _shifted_dot(attraction, kernel, y, x):
-    """Sum of attraction * kernel with the kernel's origin moved, periodically, to pixel (y, x)."""
-    pixels = attraction.shape[0]
-    columns = slice(pixels - x, 2 * pixels - x)
+def _shifted_dot(attraction, kernel, row):
+    """Sum of attraction * kernel with the kernel's first row moved, periodically, to `row`."""
+    rest = len(kernel) - row
     return (
-        np.vecdot(attraction[:y], kernel[pixels - y :, columns]).sum()
-        + np.vecdot(attraction[y:], kernel[: pixels - y, columns]).sum()
+        np.vecdot(attraction[:row], kernel[rest:]).sum()
+        + np.vecdot(attraction[row:], kernel[:rest]).sum()
     )
 
 

@@ -40,7 +40,7 @@ def common_pixels(substrate, substrate_pixel, roughness, roughness_pixel):
     that changes of its period is returned as `stretch` (relative, at most half a pixel a period).
     The apex of the sphere is put into the middle of its scan: at the origin of the stitched map
     lies a corner, about which it would be symmetric.
-    Returns substrate, roughness (float64), the pixel size (nm) and the stretch.
+    Returns substrate, roughness, the pixel size (nm) and the stretch.
     """
     fine = min(substrate_pixel, roughness_pixel)
     maps, stretch = [], 0.0
@@ -48,6 +48,6 @@ def common_pixels(substrate, substrate_pixel, roughness, roughness_pixel):
         pixels = max(round(heights.shape[0] * pixel / fine), heights.shape[0])
         stretch = max(stretch, abs(pixels * fine / (heights.shape[0] * pixel) - 1))
         same = pixels == heights.shape[0]
-        maps.append(np.asarray(heights if same else interpolate(heights, pixels), float))
+        maps.append(heights if same else interpolate(heights, pixels))
     middle = maps[1].shape[0] // 4
     return maps[0], np.roll(maps[1], (-middle, -middle), axis=(0, 1)), fine, stretch

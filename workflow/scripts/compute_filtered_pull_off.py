@@ -22,14 +22,15 @@ elif cutoff is not None:
 if heights.shape[0] != pixels:
     heights = fourier.interpolate(heights, pixels)
 
-positions = sphere.contact_positions(pixels, settings["count"])
-window = sphere.window_pixels(settings["window"], pixel_size)
-touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
 if snakemake.input.sphere:
     rough = dataset.read(snakemake.input.sphere)
     heights, roughness, pixel_size, _ = sphere.common_pixels(
         heights, pixel_size, rough.heights.values, dataset.pixel_size(rough)
     )
+positions = sphere.contact_positions(heights.shape[0], settings["count"])
+window = sphere.window_pixels(settings["window"], pixel_size)
+touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
+if snakemake.input.sphere:
     contacts = contact.all_lowest_gaps(
         heights, positions, pixel_size, radius, window, touching, roughness
     )
@@ -69,7 +70,7 @@ dataset.write(
             "rho": rho,
             "touching_pixels": touching,
             "shortest_wavelength": 2 * pixel_size,
-            "longest_wavelength": pixels * pixel_size,
+            "longest_wavelength": heights.shape[0] * pixel_size,
         },
     ),
     snakemake.output[0],
