@@ -149,14 +149,7 @@ def infer(forces, published, reference, rng, samples, confidence, threshold):
     """
     rhos = forces.rho.values
     fine = np.geomspace(rhos[0], rhos[-1], 401)
-    pairs = forces.mean(["contact_y", "contact_x"]).values
-    scans = np.isfinite(pairs).any(axis=(2, 3))
-    drawn = np.stack([resampling_counts(rng, known, samples) for known in scans], axis=1)
-    drawn_spheres = resampling_counts(rng, np.isfinite(pairs).any(axis=(0, 1, 3)), samples)
-    once = np.ones((1, pairs.shape[2]))
-    means = resampled_means(pairs, scans[None].astype(float), once)[0]
-    sampled = resampled_means(pairs, drawn, drawn_spheres)
-
+    means, sampled = _means(forces, rng, samples)
     known = np.isfinite(published)
     target, base = published[known], int(known[:reference].sum())
     curve = on_fine_grid(means[known], rhos, fine)
@@ -165,46 +158,53 @@ def infer(forces, published, reference, rng, samples, confidence, threshold):
     sampled_best, sampled_work, _ = fit(sampled_curves, target)
     best_ratio, ratio_error = fit_ratios(curve, target, base)
     sampled_ratio, _ = fit_ratios(sampled_curves, target, base)
-    errors = mean_relative_error(curve, target, WORK)
-    spread = forces.std(["scan", "sphere_scan", "contact_y", "contact_x"]).values
     low, high = interval(fine[sampled_best], confidence)
 
-    per_surface, nm, energy = ("surface", "rho"), {"units": "nm"}, {"units": "J m-2"}
-    region = error_region(errors, fine, WORK, threshold)
+    per_surface, newton, one = ("surface", "rho"), {"units": "N"}, {"units": "1"}
+    nm, energy = {"units": "nm"}, {"units": "J m-2"}
+    ratio, sampled_ratios = means / means[reference], sampled / sampled[:, [reference]]
+    spread = forces.std(["scan", "sphere_scan", "contact_y", "contact_x"]).values
     variables = {
-        "contact_spread": (per_surface, spread, {"units": "N"}),
-        "ratio_contact_spread": (per_surface, spread / means[reference], {"units": "1"}),
-        "ratio_error": ("rho_fine", ratio_error, {"units": "1"}),
-        "mean_relative_error": (("rho_fine", "work"), errors, {"units": "1"}),
-        "best_error": ((), error, {"units": "1"}),
+        "contact_spread": (per_surface, spread, newton),
+        "ratio_contact_spread": (per_surface, spread / means[reference], one),
+        "ratio_error": ("rho_fine", ratio_error, one),
+        "best_error": ((), error, one),
         "bootstrap_range": ("sample", fine[sampled_best], nm),
         "bootstrap_work": ("sample", sampled_work, energy),
-        "region_range_low": ((), region[0], nm),
-        "region_range_high": ((), region[1], nm),
-        "region_work_low": ((), region[2], energy),
-        "region_work_high": ((), region[3], energy),
         "undecided": ((), undecided(error, threshold, low, high, rhos)),
-    }
+    } | _error_map(curve, target, fine, threshold)
     for name, dimensions, value, values, attributes in (
-        ("mean_force", per_surface, means, sampled, {"units": "N"}),
-        (
-            "ratio",
-            per_surface,
-            means / means[reference],
-            sampled / sampled[:, [reference]],
-            {"units": "1"},
-        ),
+        ("mean_force", per_surface, means, sampled, newton),
+        ("ratio", per_surface, ratio, sampled_ratios, one),
         ("range_of_adhesion", (), fine[best], fine[sampled_best], nm),
         ("work_of_adhesion", (), work, sampled_work, energy),
         ("range_from_ratios", (), fine[best_ratio], fine[sampled_ratio], nm),
     ):
         variables |= with_interval(name, dimensions, value, values, confidence, attributes)
-    return xr.Dataset(
-        variables,
-        {
-            "surface": forces.surface,
-            "rho": forces.rho,
-            "rho_fine": ("rho_fine", fine, nm),
-            "work": ("work", WORK, energy),
+    coordinates = {"rho_fine": ("rho_fine", fine, nm), "work": ("work", WORK, energy)}
+    return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
+
+
+def _means(forces, rng, samples):
+    """Mean forces (surface, rho) over all scans, and (sample, surface, rho) over resampled ones."""
+    pairs = forces.mean(["contact_y", "contact_x"]).values
+    scans = np.isfinite(pairs).any(axis=(2, 3))
+    spheres = np.isfinite(pairs).any(axis=(0, 1, 3))
+    drawn = np.stack([resampling_counts(rng, known, samples) for known in scans], axis=1)
+    drawn_spheres = resampling_counts(rng, spheres, samples)
+    once = scans[None].astype(float), spheres[None].astype(float)
+    return resampled_means(pairs, *once)[0], resampled_means(pairs, drawn, drawn_spheres)
+
+
+def _error_map(curve, published, fine, threshold):
+    """The error over range and work of adhesion, and the region where it is below the threshold."""
+    errors = mean_relative_error(curve, published, WORK)
+    names = ("range_low", "range_high", "work_low", "work_high")
+    ends = zip(names, error_region(errors, fine, WORK, threshold), strict=True)
+    return {
+        "mean_relative_error": (("rho_fine", "work"), errors, {"units": "1"}),
+        **{
+            f"region_{name}": ((), end, {"units": "nm" if "range" in name else "J m-2"})
+            for name, end in ends
         },
-    )
+    }
