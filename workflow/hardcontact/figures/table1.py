@@ -21,7 +21,7 @@ SCOPES = {
     "all scales": "all scales (published: stylus, AFM and TEM; computed: the joined spectrum)",
 }
 CALIBRATED = "†"
-NOTE = f"{CALIBRATED} substitute calibrated to this row, by least squares with others: it tests nothing"
+NOTE = f"{CALIBRATED} substitute calibrated to this row, with others: it tests nothing"
 
 
 class _Quantity(NamedTuple):
