@@ -247,3 +247,30 @@ def test_table1_is_turned_into_gradient_and_half_laplacian():
     other = spectrum.as_gradient_and_half_laplacian(rows, "profile", "laplacian")
     np.testing.assert_allclose(other.value, [2, 3 * 2**0.5, 2])
     np.testing.assert_allclose(other.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])
+
+
+def test_empty_bins_are_no_measurement():
+    scan = synthesis.substitute_scan(synthesis.generator(8), 64, 20.0, 128, uncd, 0.0, 0.0)
+    wave, *densities = spectrum.measure(topography.level(scan, 20.0), 20.0)
+    outside = (wave < 2 * np.pi / (64 * 20.0) * 0.8) | (wave > 2 * np.pi / 40.0 * 1.5)
+    for density in densities:
+        assert np.isnan(density[outside]).all()
+        assert (density[np.isfinite(density)] > 0).all()
+
+
+def test_spectrum_of_scans_continues_beyond_their_band():
+    measured = []
+    for k in range(8):
+        rng = synthesis.generator(10, k)
+        scan = synthesis.substitute_scan(rng, 256, PIXEL, 512, uncd, 0.0, 0.0)
+        wave, _, isotropic = spectrum.measure(topography.level(scan, PIXEL), PIXEL)
+        measured.append(isotropic)
+    found = spectrum.from_scans(wave, np.array(measured))
+    assert np.isfinite(found).all() and (found > 0).all()
+    middle = (spectrum.WAVEVECTORS > 0.03) & (spectrum.WAVEVECTORS < 0.3)
+    ratio = found[middle] / uncd(spectrum.WAVEVECTORS[middle])
+    np.testing.assert_allclose(ratio, 1, atol=0.35)
+    # Constant at long wavelengths, and a decade below the pixels within what its slope allows.
+    assert np.ptp(found[spectrum.WAVEVECTORS < 2 * np.pi / 2000]) == 0
+    beyond = spectrum.at(6.0, spectrum.WAVEVECTORS, found)
+    assert 1 / 3 < beyond / uncd(6.0) < 3

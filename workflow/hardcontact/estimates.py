@@ -83,7 +83,7 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
     ratio = mean.sel(contact_model="plastic", drop=True) / mean.sel(
         contact_model="rigid", drop=True
     )
-    return _over(ratio, "scan")
+    return _over(ratio, "scan").clip(0)
 
 
 def _at_range(inference: xr.Dataset, name: str, rho: xr.DataArray) -> xr.Dataset:
@@ -135,7 +135,8 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     force = scales["pull_off_force"].sel(side="small").mean(["contact_y", "contact_x"])
     force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
     radius = 1e-9 * attribute(scales, "sphere_radius")  # m; the forces are those at W = 1 J/m2
-    return _over(force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius), "realization")
+    fraction = force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius)
+    return _over(fraction, "realization").clip(0)
 
 
 def force_slope(adhesion: xr.Dataset) -> xr.Dataset:

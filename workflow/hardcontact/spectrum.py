@@ -35,15 +35,21 @@ BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 def measure(heights, pixel_size):
     """Measured PSDs of a levelled, non-periodic scan (y, x) in nm, Hann window.
 
-    Returns wavevector (bins), C_1D along x in nm³ and C_iso in nm⁴ (bins); NaN outside the band.
+    Returns wavevector (bins), C_1D along x in nm³ and C_iso in nm⁴ (bins); NaN in empty bins.
     """
     sizes = tuple(count * pixel_size for count in heights.T.shape)
     topography = Topography(np.asarray(heights, float).T, sizes, unit="nm")
     centres = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
     options = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
-    profile = topography.power_spectrum_from_profile(**options)[1]
-    isotropic = topography.power_spectrum_from_area(**options)[1]
-    return centres, np.asarray(profile, float), np.asarray(isotropic, float)
+    densities = (
+        np.asarray(density, float)
+        for density in (
+            topography.power_spectrum_from_profile(**options)[1],
+            topography.power_spectrum_from_area(**options)[1],
+        )
+    )
+    # The library gives 0 for a bin without a wavevector; that is no measurement.
+    return centres, *(np.where(density > 0, density, np.nan) for density in densities)
 
 
 def at(wavevector, table_wavevector, table_density):

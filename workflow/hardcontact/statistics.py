@@ -3,6 +3,8 @@
 Uncertainty comes from resampling scans, not contacts: contacts on one scan see the same peaks.
 """
 
+import warnings
+
 import numpy as np
 import xarray as xr
 from scipy.stats import CensoredData, lognorm
@@ -31,7 +33,9 @@ def resampling_counts(rng, available, samples):
 def interval(samples, confidence, axis=0):
     """Low and high end of the central `confidence` interval of bootstrap samples."""
     tail = 50 * (1 - confidence)
-    return np.nanpercentile(samples, [tail, 100 - tail], axis=axis)
+    with warnings.catch_warnings():  # where all samples are missing, so is the interval
+        warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
+        return np.nanpercentile(samples, [tail, 100 - tail], axis=axis)
 
 
 def with_interval(name, dimensions, value, samples, confidence, attributes):

@@ -95,10 +95,15 @@ def surface_table(path, schema):
     Raises ValueError naming the row.
     """
     try:
-        table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False, comment="#")
+        table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
     except (OSError, ValueError) as error:
         reason = " ".join(str(error).split())
         raise ValueError(f"{path}: expected a table of surfaces, found: {reason}") from None
+    if set(table.columns) != set(schema["required"]) or table.empty:
+        raise ValueError(
+            f"{path}: expected the columns {', '.join(schema['required'])}, separated by tabs, and "
+            f"a row a scan; found {', '.join(table.columns)} and {len(table)} rows"
+        )
     validator = jsonschema.Draft202012Validator(schema)
     for row, record in enumerate(table.to_dict("records"), start=2):
         for fault in validator.iter_errors(record):
@@ -270,7 +275,7 @@ def _check_side(config, surface, side, pixels, pixel_size):
     needed = 2 * pixels * tiles
     if settings["pixels"] < needed:
         raise ValueError(
-            f"{key}.pixels: expected at least the {needed} of the stitched scan of "
+            f"{key}.pixels: expected at least the {needed} of {tiles} x {tiles} stitched scans of "
             f"{surface}, found {settings['pixels']}"
         )
     master = size / settings["pixels"] if side == "small" else pixel_size

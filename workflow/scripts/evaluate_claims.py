@@ -9,4 +9,4 @@ datasets = {
 }
 evaluated = claims.evaluate(claims.read_claims(snakemake.input.claims), datasets)
 with dataset.atomic_path(snakemake.output[0]) as path:
-    evaluated.to_csv(path, index=False)
+    evaluated.to_csv(path, index=False, float_format="%.6g")

@@ -156,6 +156,7 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, scales: xr.Dataset) -> None:
         )
     _draw_realizations(axes, scales, _colours(of_side))
     axes.set(xscale="log", yscale="log")
+    style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
     style.label_logarithmic(axes.yaxis)
 
 

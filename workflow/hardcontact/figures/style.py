@@ -96,11 +96,11 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
     axes.set_title(rf"$\mathbf{{{letter}}}$  {title}", loc="left")
 
 
-def label_logarithmic(axis: Axis) -> None:
-    """Label a logarithmic axis by plain numbers at 1, 2, 3 and 5, for ranges of few decades."""
-    axis.set_major_locator(LogLocator(subs=(1, 2, 3, 5)))
+def label_logarithmic(axis: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
+    """Label a logarithmic axis of few decades by plain numbers, at these digits of each decade."""
+    axis.set_major_locator(LogLocator(subs=at))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.set_minor_locator(LogLocator(subs=(4, 6, 7, 8, 9)))
+    axis.set_minor_locator(LogLocator(subs=[digit for digit in range(2, 10) if digit not in at]))
     axis.set_minor_formatter(NullFormatter())
 
 

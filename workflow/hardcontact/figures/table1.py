@@ -254,13 +254,17 @@ def _print_cell(cell: pd.Series, quantity: _Quantity) -> str:
     if not np.isfinite(uncertainty):
         return f"{value:.3g}{mark}"
     published = cell["origin"] == "published"
-    decimals = _published_decimals(value, uncertainty) if published else _decimals(uncertainty)
+    decimals = (
+        _published_decimals(value, uncertainty) if published else _decimals(value, uncertainty)
+    )
     return f"{value:.{decimals}f} ± {uncertainty:.{decimals}f}{mark}"
 
 
-def _decimals(uncertainty: float) -> int:
-    """Return how many decimals show two significant digits of the uncertainty."""
-    return max(0, 1 - math.floor(math.log10(uncertainty))) if uncertainty > 0 else 2
+def _decimals(value: float, uncertainty: float) -> int:
+    """Return the decimals of two digits of the uncertainty, or of three of the value if fewer."""
+    digits = [1 - math.floor(math.log10(uncertainty))] if uncertainty > 0 else []
+    digits += [2 - math.floor(math.log10(abs(value)))] if value else []
+    return max(0, min(digits, default=2))
 
 
 def _published_decimals(value: float, uncertainty: float) -> int:
