@@ -1,4 +1,4 @@
-"""Copies of the repository to run Snakemake in, one of them with a finished quick study."""
+"""Refusals and small scans; copies of the repository, one of them with a finished quick study."""
 
 import os
 import shutil
@@ -6,12 +6,45 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
+from SurfaceTopography import Topography
 
 ROOT = Path(__file__).parents[1]
 PARTS = ["Snakefile", "environment.txt", "workflow", "config", "resources", "profiles"]
 QUICK = "config/quick.yaml"
+
+
+def refusal(call, *arguments):
+    """The one line with which a call refuses its input."""
+    with pytest.raises(ValueError) as caught:
+        call(*arguments)
+    message = str(caught.value)
+    assert len(message.splitlines()) == 1, message
+    return message
+
+
+def assert_says(message, *parts):
+    for part in parts:
+        assert part in message, message
+
+
+def heights(*shape):
+    return np.random.default_rng(1).standard_normal(shape or (32, 32))
+
+
+def scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
+    """Write a scan of 10 nm a pixel, or of other sizes; first axis x."""
+    Topography(heights() if values is None else values, sizes, unit=unit).to_netcdf(str(path))
+    return path
+
+
+def cut(path, share):
+    """Keep the first share of a file's bytes."""
+    content = path.read_bytes()
+    path.write_bytes(content[: int(share * len(content))])
+    return path
 
 
 def copy_repository(target):

@@ -18,6 +18,17 @@ def table(density):
     return spectrum.WAVEVECTORS, density(spectrum.WAVEVECTORS)
 
 
+def measured_spectra(count, seed):
+    """Wavevectors (bins,) and C_iso (scan, bins) of levelled scans of UNCD's spectrum."""
+    isotropic = []
+    for k in range(count):
+        rng = synthesis.generator(seed, k)
+        scan = synthesis.substitute_scan(rng, 256, PIXEL, 512, uncd, 0.0, 0.0)
+        wave, _, density = spectrum.measure(topography.level(scan, PIXEL), PIXEL)
+        isotropic.append(density)
+    return wave, np.array(isotropic)
+
+
 def grid_variance(density, pixels, pixel_size):
     """Variance that a spectrum has on a periodic grid (Parseval), its mean left out."""
     wave = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
@@ -86,12 +97,7 @@ def test_psd_in_is_psd_out_over_the_ensemble():
 
 
 def test_measured_psd_of_scans_is_the_spectrum():
-    isotropic = []
-    for k in range(12):
-        rng = synthesis.generator(3, k)
-        scan = synthesis.substitute_scan(rng, 256, PIXEL, 512, uncd, 0.0, 0.0)
-        wave, profile, area = spectrum.measure(topography.level(scan, PIXEL), PIXEL)
-        isotropic.append(area)
+    wave, isotropic = measured_spectra(12, seed=3)
     middle = (wave > 0.03) & (wave < 0.3)
     ratio = np.nanmean(isotropic, axis=0)[middle] / uncd(wave[middle])
     np.testing.assert_allclose(ratio, 1, atol=0.15)
@@ -259,13 +265,7 @@ def test_empty_bins_are_no_measurement():
 
 
 def test_spectrum_of_scans_continues_beyond_their_band():
-    measured = []
-    for k in range(8):
-        rng = synthesis.generator(10, k)
-        scan = synthesis.substitute_scan(rng, 256, PIXEL, 512, uncd, 0.0, 0.0)
-        wave, _, isotropic = spectrum.measure(topography.level(scan, PIXEL), PIXEL)
-        measured.append(isotropic)
-    found = spectrum.from_scans(wave, np.array(measured))
+    found = spectrum.from_scans(*measured_spectra(8, seed=10))
     assert np.isfinite(found).all() and (found > 0).all()
     middle = (spectrum.WAVEVECTORS > 0.03) & (spectrum.WAVEVECTORS < 0.3)
     ratio = found[middle] / uncd(spectrum.WAVEVECTORS[middle])

@@ -10,11 +10,6 @@ from hardcontact.dataset import canonical
 from hardcontact.units import token
 
 
-def refuse(error):
-    """End with one clear line, before any job starts."""
-    sys.exit(f"error: {error}")
-
-
 def read_schema(name):
     return yaml.safe_load(Path(workflow.basedir, "workflow/schemas", name).read_text())
 
@@ -28,7 +23,7 @@ try:
     if workflow.exec_mode == ExecMode.DEFAULT:
         studies.check(STUDY, SCANS, pd.read_csv("resources/paper/pull_off.csv").surface.unique())
 except ValueError as error:
-    refuse(error)
+    sys.exit(f"error: {error}")  # one clear line, before any job starts
 
 STORE = STUDY["store"]
 RESULTS = f"results/{STUDY['study']}"
