@@ -22,8 +22,13 @@ include: "workflow/rules/common.smk"
 include: "workflow/rules/scans.smk"
 include: "workflow/rules/topography.smk"
 include: "workflow/rules/adhesion.smk"
+include: "workflow/rules/elastic.smk"
+include: "workflow/rules/plasticity.smk"
+include: "workflow/rules/asperities.smk"
 include: "workflow/rules/scales.smk"
 include: "workflow/rules/inference.smk"
+include: "workflow/rules/classical.smk"
+include: "workflow/rules/robustness.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
 
@@ -33,6 +38,11 @@ rule all:
     input:
         rules.topography.input,
         rules.adhesion.input,
+        rules.elastic.input,
+        rules.plasticity.input,
+        rules.asperities.input,
         rules.scales.input,
+        rules.classical.input,
+        rules.robustness.input,
         rules.claims.input,
         rules.figures.input,

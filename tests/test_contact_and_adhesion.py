@@ -66,7 +66,7 @@ def test_rough_sphere_force_is_the_direct_sum(case, touching):
             assert outside[k, i, j] + touching == pytest.approx(
                 direct(*args, touching, rho)[0], rel=1e-9
             )
-            assert adhesion.rigid_total(outside[k, i, j], gaps, rho) == pytest.approx(
+            assert adhesion.rough_total(outside[k, i, j], gaps, 1, rho) == pytest.approx(
                 direct(*args, 1, rho)[0], rel=1e-9
             )
 

@@ -11,15 +11,17 @@ from itertools import product
 import numpy as np
 from threadpoolctl import threadpool_limits
 
+from hardcontact.contact import all_lowest_gaps
 from hardcontact.sphere import paraboloid
 
 __all__ = [
     "direct_sum",
     "force_separation",
     "plastic_total",
+    "plastic_totals",
     "pull_off_force",
-    "rigid_total",
     "rough_sphere_sums",
+    "rough_total",
     "smooth_sphere_sums",
 ]
 
@@ -44,14 +46,16 @@ def pull_off_force(total, rho, pixel_size, work_of_adhesion):
     return work_of_adhesion / rho * pixel_size**2 * NEWTON_PER_JOULE_M2_NM * total
 
 
-def rigid_total(outside, gaps, rho):
-    """Sum of exp(-gap/rho) at rigid closest approach, from that outside plastic contact.
+def rough_total(outside, gaps, count, rho):
+    """Sum of exp(-gap/rho) at the approach where `count` pixels touch a rough sphere.
 
-    outside: sum over pixels that do not touch, at plastic closest approach; gaps: (count,) nm of
-    those that touch, ascending. Back at rigid contact every gap is larger by the penetration.
+    outside: what `rough_sphere_sums` returned for one contact, at an approach where all of `gaps`
+    (k,) nm, ascending, touch; count: from 1 (rigid contact) to k. Further apart every gap is
+    larger by the same, and those of the pixels that let go come in.
     """
-    touching = np.exp((gaps[-1] - gaps) / rho).sum()
-    return (outside + touching) * np.exp((gaps[0] - gaps[-1]) / rho)
+    approach = gaps[count - 1]
+    let_go = np.exp((approach - gaps[count:]) / rho).sum()
+    return count + let_go + outside * np.exp((approach - gaps[-1]) / rho)
 
 
 def plastic_total(everywhere, h_max, gaps, rho):
@@ -63,6 +67,33 @@ def plastic_total(everywhere, h_max, gaps, rho):
     """
     approach = gaps[-1]
     return np.exp((approach + h_max) / rho) * everywhere - np.expm1((approach - gaps) / rho).sum()
+
+
+def plastic_totals(
+    substrate, roughness, positions, pixel_size, radius, window, counts, rho, threads=1
+):
+    """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact, contact).
+
+    counts: pixels that touch at each load; the other arguments as in `smooth_sphere_sums` and
+    `rough_sphere_sums`; roughness: None for a smooth sphere.
+    """
+    geometry = pixel_size, radius, window
+    contacts = all_lowest_gaps(substrate, positions, *geometry, max(counts), roughness)
+    if roughness is None:
+        everywhere, h_max = smooth_sphere_sums(substrate, positions, *geometry, rho, threads)
+
+        def total(place, gaps, count):
+            return plastic_total(everywhere[place], h_max, gaps[:count], rho)
+    else:
+        outside = rough_sphere_sums(substrate, roughness, positions, contacts, *geometry, [rho])[0]
+
+        def total(place, gaps, count):
+            return rough_total(outside[place], gaps, count, rho)
+
+    totals = [
+        total(place, gaps, count) for count in counts for place, (gaps, _) in contacts.items()
+    ]
+    return np.reshape(totals, (len(counts), len(positions), len(positions)))
 
 
 def force_separation(pull_off, rho, separation):

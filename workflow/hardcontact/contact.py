@@ -10,7 +10,14 @@ import numpy as np
 
 from hardcontact.sphere import paraboloid
 
-__all__ = ["Tiles", "all_lowest_gaps", "contact_pixel_count", "gap_map", "lowest_gaps"]
+__all__ = [
+    "Tiles",
+    "all_lowest_gaps",
+    "around_lowest",
+    "contact_pixel_count",
+    "gap_map",
+    "lowest_gaps",
+]
 
 TILE = 64
 
@@ -195,3 +202,16 @@ def gap_map(substrate, position, pixel_size, radius, window, roughness):
         - roughness[np.ix_(around, around)]
         - substrate[np.ix_(rows, columns)]
     )
+
+
+def around_lowest(gap, pixels):
+    """The square part (pixels, pixels) of a gap map (n, n) about its lowest point.
+
+    Where the lowest point is near an edge of the map the part ends there, not about it.
+    """
+    lowest = np.unravel_index(gap.argmin(), gap.shape)
+    rows, columns = (
+        slice(first, first + pixels)
+        for first in np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
+    )
+    return gap[rows, columns]

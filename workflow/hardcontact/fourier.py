@@ -7,7 +7,7 @@ coarsest grid that represents it exactly, and interpolated when pixels are neede
 import numpy as np
 from scipy import fft
 
-__all__ = ["highpass", "interpolate", "lowpass"]
+__all__ = ["filtered", "highpass", "interpolate", "lowpass"]
 
 ROWS = 512  # rows a block, so that no step holds a second full-size array in double precision
 
@@ -71,3 +71,19 @@ def highpass(heights, pixel_size, cutoff):
     """The part of a surface with wavelengths < cutoff (nm): what `lowpass` leaves, float32."""
     band, _ = lowpass(heights, pixel_size, cutoff)
     return heights - interpolate(band, heights.shape[0])
+
+
+def filtered(heights, pixel_size, side, cutoff, pixels):
+    """A master without the scales beyond a cutoff (nm), on (pixels, pixels), and their size (nm).
+
+    side: "small" removes wavelengths below the cutoff, "large" those above; cutoff: None removes
+    nothing. Raises ValueError if pixels are fewer than the master's.
+    """
+    size = heights.shape[0] * pixel_size
+    if cutoff is not None and side == "small":
+        heights, _ = lowpass(heights, pixel_size, cutoff)
+    elif cutoff is not None:
+        heights = highpass(heights, pixel_size, cutoff)
+    if heights.shape[0] != pixels:
+        heights = interpolate(heights, pixels)
+    return heights, size / pixels

@@ -24,6 +24,7 @@ EXPECTED = {
     "exclusiveMaximum": "less than {}",
     "exclusiveMinimum": "more than {}",
     "maxItems": "at most {} entries",
+    "maximum": "at most {}",
     "minItems": "at least {} entries",
     "minLength": "at least {} characters",
     "minimum": "at least {}",
@@ -165,7 +166,8 @@ def check(config, table, published):
     sphere, contact = config["sphere"]["surface"], config["contact"]
     traced = config["adhesion"]["traced_contact"]
     _refuse_dangling(config, table, sphere, traced)
-    _refuse_disorder("adhesion.ranges", config["adhesion"]["ranges"])
+    for section in ("adhesion", "asperities"):
+        _refuse_disorder(f"{section}.ranges", config[section]["ranges"])
     for side in ("small", "large"):
         _refuse_disorder(f"scales.{side}.cutoffs", config["scales"][side]["cutoffs"])
     if config["reference_surface"] not in published:
@@ -184,12 +186,19 @@ def check(config, table, published):
             "config key scan.realization_pixels: expected at least scan.pixels = "
             f"{config['scan']['pixels']}, found {config['scan']['realization_pixels']}"
         )
+    for section in ("elastic", "asperities"):
+        if config[section]["contacts"] > contact["count"] ** 2:
+            raise ValueError(
+                f"config key {section}.contacts: expected at most contact.count squared = "
+                f"{contact['count'] ** 2}, found {config[section]['contacts']}"
+            )
     for surface, rows in table.groupby("surface", sort=False):
         pixels, pixel_size = _geometry(config, surface, rows)
         _check_contact(config, surface, pixels, pixel_size)
         if surface != sphere:
             for side in ("small", "large"):
                 _check_side(config, surface, side, pixels, pixel_size)
+            _check_robustness(config, surface, pixels, pixel_size)
 
 
 def _refuse_disorder(key, lengths):
@@ -208,6 +217,7 @@ def _refuse_dangling(config, table, sphere, traced):
         ("sphere.surface", sphere, list(table.surface.unique())),
         ("reference_surface", config["reference_surface"], substrates),
         ("adhesion.traced_contact.surface", traced["surface"], substrates),
+        ("indent.surface", config["indent"]["surface"], substrates),
     ):
         if surface not in known:
             raise ValueError(
@@ -245,14 +255,21 @@ def _geometry(config, surface, rows):
 
 def _check_contact(config, surface, pixels, pixel_size):
     contact, radius = config["contact"], config["sphere"]["radius"]
-    needed = contact_pixel_count(contact["preload"], contact["hardness"], pixel_size)
+    varied = config["robustness"]
     window = int(contact["window"] / pixel_size)
     available = min(window, 2 * pixels) ** 2
-    if needed > available:
-        raise ValueError(
-            f"config key contact.preload: expected a load that {available} pixels of "
-            f"{surface} can carry, found one that needs {needed}"
-        )
+    for key, preload, hardness in (
+        ("contact.preload", contact["preload"], contact["hardness"]),
+        ("indent.preloads", max(config["indent"]["preloads"]), contact["hardness"]),
+        *(("robustness.preloads", load, contact["hardness"]) for load in varied["preloads"]),
+        *(("robustness.hardnesses", contact["preload"], hard) for hard in varied["hardnesses"]),
+    ):
+        needed = contact_pixel_count(preload, hardness, pixel_size)
+        if needed > available:
+            raise ValueError(
+                f"config key {key}: expected a load that {available} pixels of "
+                f"{surface} can carry, found one that needs {needed}"
+            )
     if contact["count"] > 2 * pixels:
         raise ValueError(
             f"config key contact.count: expected at most the {2 * pixels} pixels along the "
@@ -287,3 +304,18 @@ def _check_side(config, surface, side, pixels, pixel_size):
                     f"({2 * limit:.4g} nm) and at most the domain ({size:.6g} nm), "
                     f"found {wavelength:.4g} nm"
                 )
+
+
+def _check_robustness(config, surface, pixels, pixel_size):
+    """The pixels of both masters: those of the large one, and two for the shortest cutoff."""
+    size = 2 * pixels * pixel_size
+    needed = max(
+        2 * pixels * config["scales"]["large"]["tiles"],
+        math.floor(2 * size / min(config["scales"]["small"]["cutoffs"])) + 1,
+    )
+    found = config["robustness"]["pixels"]
+    if found < needed:
+        raise ValueError(
+            f"config key robustness.pixels: expected at least {needed}, for the tiles and the "
+            f"cutoffs of scales on {surface}, found {found}"
+        )

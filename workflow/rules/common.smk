@@ -1,6 +1,7 @@
 # The study's configuration, its paths, and the code that each script really uses.
 
 import ast
+import re
 
 import pandas as pd
 from snakemake.settings.types import ExecMode
@@ -42,12 +43,24 @@ LOAD = (
 RANGE = f"rho{token(config['scales']['range'], 'nm')}"
 
 
+# What substitutes can be made with instead, for robustness; uncd.laplacian is a UNCD so made.
+OTHER_CURVATURE = {"half_laplacian": "laplacian", "laplacian": "half_laplacian"}[
+    STUDY["topography"]["curvature"]
+]
+CHOICES = [OTHER_CURVATURE] + [f"skewness-{value:g}" for value in STUDY["robustness"]["skewness"]]
+
+
+def plain(surface):
+    """The surface itself, of a surface made otherwise."""
+    return surface.partition(".")[0]
+
+
 def scans_of(surface):
-    return SCANS.scan[SCANS.surface == surface].tolist()
+    return SCANS.scan[SCANS.surface == plain(surface)].tolist()
 
 
 def row_of(surface, scan):
-    return SCANS[(SCANS.surface == surface) & (SCANS.scan == int(scan))].iloc[0]
+    return SCANS[(SCANS.surface == plain(surface)) & (SCANS.scan == int(scan))].iloc[0]
 
 
 def shape_of(surface):
@@ -57,7 +70,7 @@ def shape_of(surface):
 
 def one_of(names):
     """A wildcard constraint; one that nothing meets where there are no names."""
-    return "|".join(names) or "none(?!)"
+    return "|".join(map(re.escape, names)) or "none(?!)"
 
 
 def cutoff_tokens(side):
@@ -93,7 +106,7 @@ def imported(tree):
 
 
 wildcard_constraints:
-    surface=one_of(SURFACES),
+    surface=rf"(?:{one_of(SURFACES)})(?:\.(?:{one_of(CHOICES)}))?",
     scan=r"\d+",
     sphere_scan=r"\d+",
     realization=r"\d+",

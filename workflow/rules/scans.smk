@@ -1,22 +1,39 @@
 # Scans: substitutes where none was measured, then one door for both.
 
 
-def description_of(w):
-    return row_of(w.surface, scans_of(w.surface)[0]).path
+SKEWNESS = pd.read_csv("resources/spectra/height_distribution.csv").set_index("description").skewness
+
+
+def description_of(surface):
+    return row_of(surface, scans_of(surface)[0]).path
+
+
+def skewness_of(surface):
+    """Skewness of the heights of a substitute: another choice, or its description's."""
+    choice = surface.partition(".")[2]
+    if choice.startswith("skewness-"):
+        return float(choice.removeprefix("skewness-"))
+    return float(SKEWNESS.get(Path(description_of(surface)).stem, 0.0))
+
+
+def definitions_of(surface):
+    """What slope and curvature of Table 1 are read as for a substitute."""
+    other = surface.endswith(f".{OTHER_CURVATURE}")
+    return STUDY["topography"] | ({"curvature": OTHER_CURVATURE} if other else {})
 
 
 def tables_of(w):
     """The tables of measured points that a description names."""
-    names = pd.read_csv(description_of(w)).table.dropna().unique()
-    return [os.path.relpath(Path(description_of(w)).parent / name) for name in names]
+    description = description_of(w.surface)
+    names = pd.read_csv(description).table.dropna().unique()
+    return [os.path.relpath(Path(description).parent / name) for name in names]
 
 
 rule calibrate_spectrum:
     # C_iso of a substitute, from its description and Table 1
     input:
-        description=description_of,
+        description=lambda w: description_of(w.surface),
         tables=tables_of,
-        heights="resources/spectra/height_distribution.csv",
         table1="resources/paper/table1.csv",
         published="resources/paper/parameters.csv",
         code=code("calibrate_spectrum.py"),
@@ -24,7 +41,12 @@ rule calibrate_spectrum:
         f"{STORE}/spectra/{{surface}}-substitute.nc",
     params:
         canonical=lambda w: canonical(
-            {"surface": w.surface, "seed": STUDY["seed"], "table1": STUDY["topography"]}
+            {
+                "surface": plain(w.surface),
+                "seed": STUDY["seed"],
+                "table1": definitions_of(w.surface),
+                "skewness": skewness_of(w.surface),
+            }
         ),
     log:
         f"{STORE}/logs/calibrate_spectrum/{{surface}}.log",
@@ -59,7 +81,7 @@ rule extrapolate_spectrum:
 
 
 def spectrum_of(surface):
-    return f"{STORE}/spectra/{surface}-{BASIS[surface]}.nc"
+    return f"{STORE}/spectra/{surface}-{BASIS[plain(surface)]}.nc"
 
 
 rule synthesize_scan:
@@ -72,7 +94,7 @@ rule synthesize_scan:
     params:
         canonical=lambda w: canonical(
             {
-                "surface": w.surface,
+                "surface": plain(w.surface),
                 "number": int(w.scan),
                 "scan": {key: STUDY["scan"][key] for key in ("pixels", "size", "realization_pixels")},
                 "seed": STUDY["seed"],
@@ -91,7 +113,7 @@ rule synthesize_scan:
 
 def scan_file(surface, scan):
     """The file a scan is read from: measured, or its substitute."""
-    if BASIS[surface] == "measured":
+    if BASIS[plain(surface)] == "measured":
         return row_of(surface, scan).path
     return f"{STORE}/substitutes/{surface}/scan-{scan}-{shape_of(surface)}.nc"
 
@@ -107,7 +129,7 @@ rule prepare_scan:
     params:
         canonical=lambda w: canonical(
             {
-                "source": BASIS[w.surface],
+                "source": BASIS[plain(w.surface)],
                 "dataset": row_of(w.surface, w.scan).dataset,
                 "undefined_pixels": STUDY["scan"]["undefined_pixels"],
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,

@@ -1,7 +1,6 @@
 """C_iso of a substitute surface, from its description and the published Table 1."""
 
 import json
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
@@ -25,7 +24,6 @@ table1 = spectrum.as_gradient_and_half_laplacian(
 weights = spectrum.transfer_weights(pixels, pixel_size, window)
 density, bands, calibrated = spectrum.from_description(snakemake.input.description, table1, weights)
 
-shapes = pd.read_csv(snakemake.input.heights).set_index("description").skewness
 height = table1.loc[["afm_rms_height"]] if "afm_rms_height" in table1.index else None
 spread = (
     0.0
@@ -48,7 +46,7 @@ dataset.write(
             "basis": "substitute",
             "calibrated_to_table1": ",".join(calibrated),
             "bands": bands.to_csv(index=False),
-            "skewness": float(shapes.get(Path(snakemake.input.description).stem, 0.0)),
+            "skewness": parameters["skewness"],
             "spread": spread,
             "expected_scan_moments": np.asarray(
                 spectrum.expected_moments(spectrum.WAVEVECTORS, density, weights)

@@ -2,7 +2,6 @@
 
 import json
 
-import numpy as np
 import xarray as xr
 
 from hardcontact import adhesion, contact, dataset, fourier, log, sphere
@@ -14,14 +13,9 @@ pixels, cutoff, work = parameters["pixels"], parameters["cutoff"], 1.0
 
 master = dataset.read(snakemake.input.master)
 heights, master_pixel = master.heights.values, dataset.pixel_size(master)
-pixel_size = heights.shape[0] * master_pixel / pixels
-if cutoff is not None and parameters["side"] == "small":
-    heights, _ = fourier.lowpass(heights, master_pixel, cutoff)
-elif cutoff is not None:
-    heights = fourier.highpass(heights, master_pixel, cutoff)
-if heights.shape[0] != pixels:
-    heights = fourier.interpolate(heights, pixels)
+heights, pixel_size = fourier.filtered(heights, master_pixel, parameters["side"], cutoff, pixels)
 
+roughness = None
 if snakemake.input.sphere:
     rough = dataset.read(snakemake.input.sphere)
     heights, roughness, pixel_size, _ = sphere.common_pixels(
@@ -30,27 +24,17 @@ if snakemake.input.sphere:
 positions = sphere.contact_positions(heights.shape[0], settings["count"])
 window = sphere.window_pixels(settings["window"], pixel_size)
 touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
-if snakemake.input.sphere:
-    contacts = contact.all_lowest_gaps(
-        heights, positions, pixel_size, radius, window, touching, roughness
-    )
-    total = (
-        touching
-        + adhesion.rough_sphere_sums(
-            heights, roughness, positions, contacts, pixel_size, radius, window, [rho]
-        )[0]
-    )
-else:
-    contacts = contact.all_lowest_gaps(heights, positions, pixel_size, radius, window, touching)
-    sums, h_max = adhesion.smooth_sphere_sums(
-        heights, positions, pixel_size, radius, window, rho, snakemake.threads
-    )
-    total = np.array(
-        [
-            adhesion.plastic_total(sums[place], h_max, gaps, rho)
-            for place, (gaps, _) in contacts.items()
-        ]
-    ).reshape(sums.shape)
+total = adhesion.plastic_totals(
+    heights,
+    roughness,
+    positions,
+    pixel_size,
+    radius,
+    window,
+    [touching],
+    rho,
+    snakemake.threads,
+)[0]
 
 dataset.write(
     xr.Dataset(

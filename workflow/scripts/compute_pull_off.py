@@ -12,12 +12,12 @@ parameters = json.loads(snakemake.params.canonical)
 settings, radius = parameters["contact"], parameters["radius"]
 rhos, work = np.array(parameters["ranges"]), 1.0
 
-maps = [dataset.read(path) for path in (snakemake.input.substrate, snakemake.input.sphere)]
-substrate, roughness, pixel_size, stretch = sphere.common_pixels(
-    *(part for surface in maps for part in (surface.heights.values, dataset.pixel_size(surface)))
+substrate, roughness, positions, pixel_size, window, stretch = sphere.pair(
+    dataset.read(snakemake.input.substrate),
+    dataset.read(snakemake.input.sphere),
+    settings["window"],
+    settings["count"],
 )
-positions = sphere.contact_positions(substrate.shape[0], settings["count"])
-window = sphere.window_pixels(settings["window"], pixel_size)
 touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
 contacts = contact.all_lowest_gaps(
     substrate, positions, pixel_size, radius, window, touching, roughness
@@ -36,7 +36,7 @@ gaps = np.array([gaps for gaps, _ in contacts.values()]).reshape(*shape, touchin
 rigid = np.array(
     [
         [
-            [adhesion.rigid_total(outside[k, i, j], gaps[i, j], rho) for j in range(shape[1])]
+            [adhesion.rough_total(outside[k, i, j], gaps[i, j], 1, rho) for j in range(shape[1])]
             for i in range(shape[0])
         ]
         for k, rho in enumerate(rhos)

@@ -14,13 +14,14 @@ settings, radius = parameters["contacts"], parameters["radius"]
 published = pd.read_csv(snakemake.input.published).set_index("quantity").value
 rho, work = published["range_of_adhesion"], published["work_of_adhesion"]
 
-maps = [dataset.read(path) for path in (snakemake.input.substrate, snakemake.input.sphere)]
-substrate, roughness, pixel_size, _ = sphere.common_pixels(
-    *(part for surface in maps for part in (surface.heights.values, dataset.pixel_size(surface)))
+substrate, roughness, positions, pixel_size, window, _ = sphere.pair(
+    dataset.read(snakemake.input.substrate),
+    dataset.read(snakemake.input.sphere),
+    settings["window"],
+    settings["count"],
 )
-window = sphere.window_pixels(settings["window"], pixel_size)
 touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
-position = sphere.contact_positions(substrate.shape[0], settings["count"])[parameters["contact"]]
+position = positions[parameters["contact"]]
 gap = contact.gap_map(substrate, position, pixel_size, radius, window, roughness)
 approach = np.partition(gap.ravel(), touching - 1)[touching - 1]
 gap -= approach
