@@ -1,12 +1,26 @@
 # Figures: drawn from the aggregated datasets alone.
 
+# The chapters of the report, in the order of the paper.
+CHAPTERS = {
+    "fig1": "1. Surfaces",
+    "table1": "1. Surfaces",
+    "fig_elastic": "2. Contact",
+    "fig5": "2. Contact",
+    "fig3": "3. Adhesion",
+    "fig4": "3. Adhesion",
+    "fig_classical": "4. Classical models",
+    "fig_asperities": "5. Asperities",
+    "fig6": "6. Scales",
+    "fig_robustness": "7. Robustness",
+}
+
 
 def pictures(name):
     """A figure's files; the picture goes into the report with its caption."""
     folder = f"{RESULTS}/figures/{name}"
     return {
         "pdf": f"{folder}.pdf",
-        "png": report(f"{folder}.png", caption=f"../report/{name}.rst", category="Figures"),
+        "png": report(f"{folder}.png", caption=f"../report/{name}.rst", category=CHAPTERS[name]),
         "csv": f"{folder}.csv",
     }
 
@@ -25,6 +39,55 @@ rule draw_fig1:
         f"{RESULTS}/benchmarks/draw_fig1.tsv"
     script:
         "../scripts/draw_fig1.py"
+
+
+rule draw_table1:
+    input:
+        topography=rules.aggregate_topography.output[0],
+        published="resources/paper/table1.csv",
+        code=code("draw_table1.py"),
+    output:
+        **pictures("table1"),
+    params:
+        canonical=canonical({}),
+    log:
+        f"{RESULTS}/logs/draw_table1.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/draw_table1.tsv"
+    script:
+        "../scripts/draw_table1.py"
+
+
+rule draw_fig_elastic:
+    input:
+        elastic=rules.aggregate_elastic.output[0],
+        code=code("draw_fig_elastic.py"),
+    output:
+        **pictures("fig_elastic"),
+    params:
+        canonical=canonical({}),
+    log:
+        f"{RESULTS}/logs/draw_fig_elastic.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/draw_fig_elastic.tsv"
+    script:
+        "../scripts/draw_fig_elastic.py"
+
+
+rule draw_fig5:
+    input:
+        indent=rules.measure_indents.output[0],
+        code=code("draw_fig5.py"),
+    output:
+        **pictures("fig5"),
+    params:
+        canonical=canonical({}),
+    log:
+        f"{RESULTS}/logs/draw_fig5.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/draw_fig5.tsv"
+    script:
+        "../scripts/draw_fig5.py"
 
 
 rule draw_fig3:
@@ -61,6 +124,39 @@ rule draw_fig4:
         "../scripts/draw_fig4.py"
 
 
+rule draw_fig_classical:
+    input:
+        classical=rules.apply_classical_models.output[0],
+        code=code("draw_fig_classical.py"),
+    output:
+        **pictures("fig_classical"),
+    params:
+        canonical=canonical({}),
+    log:
+        f"{RESULTS}/logs/draw_fig_classical.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/draw_fig_classical.tsv"
+    script:
+        "../scripts/draw_fig_classical.py"
+
+
+rule draw_fig_asperities:
+    input:
+        asperities=rules.aggregate_asperities.output[0],
+        inference=rules.infer.output[0],
+        code=code("draw_fig_asperities.py"),
+    output:
+        **pictures("fig_asperities"),
+    params:
+        canonical=canonical({}),
+    log:
+        f"{RESULTS}/logs/draw_fig_asperities.log",
+    benchmark:
+        f"{RESULTS}/benchmarks/draw_fig_asperities.tsv"
+    script:
+        "../scripts/draw_fig_asperities.py"
+
+
 rule draw_fig6:
     input:
         inference=rules.infer.output[0],
@@ -78,27 +174,32 @@ rule draw_fig6:
         "../scripts/draw_fig6.py"
 
 
-rule draw_table1:
+rule draw_fig_robustness:
     input:
-        topography=rules.aggregate_topography.output[0],
-        published="resources/paper/table1.csv",
-        code=code("draw_table1.py"),
+        robustness=rules.aggregate_robustness.output[0],
+        inference=rules.infer.output[0],
+        code=code("draw_fig_robustness.py"),
     output:
-        **pictures("table1"),
+        **pictures("fig_robustness"),
     params:
         canonical=canonical({}),
     log:
-        f"{RESULTS}/logs/draw_table1.log",
+        f"{RESULTS}/logs/draw_fig_robustness.log",
     benchmark:
-        f"{RESULTS}/benchmarks/draw_table1.tsv"
+        f"{RESULTS}/benchmarks/draw_fig_robustness.tsv"
     script:
-        "../scripts/draw_table1.py"
+        "../scripts/draw_fig_robustness.py"
 
 
 rule figures:
     input:
         rules.draw_fig1.output,
+        rules.draw_table1.output,
+        rules.draw_fig_elastic.output,
+        rules.draw_fig5.output,
         rules.draw_fig3.output,
         rules.draw_fig4.output,
+        rules.draw_fig_classical.output,
+        rules.draw_fig_asperities.output,
         rules.draw_fig6.output,
-        rules.draw_table1.output,
+        rules.draw_fig_robustness.output,

@@ -40,7 +40,12 @@ def variant(name, label, group, choice=None, load=0, probe=PROBE):
 def in_words(keys, group, unit, first):
     """A variant for each value of a key that loads are made of, as the configuration writes it."""
     return [
-        variant(f"{group}-{token(text, unit)}", f"{group} {text}", group, load=first + k)
+        variant(
+            f"{group}-{token(text, unit)}",
+            f"{group} {text.replace(' u', ' µ')}",
+            group,
+            load=first + k,
+        )
         for k, text in enumerate(keys)
     ]
 
@@ -186,6 +191,8 @@ rule aggregate_robustness:
                 "masters": VARIED_MASTERS,
                 "substrates": SUBSTRATES,
                 "probe": PROBE,
+                "pixels": VARIED["pixels"],
+                "count": VARIED["count"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 "range": STUDY["scales"]["range"],
                 "reference_surface": STUDY["reference_surface"],

@@ -93,7 +93,10 @@ dataset.write(
         variant_label=("variant", [variant["label"] for variant in variants]),
         group=("variant", [variant["group"] for variant in variants]),
     ).assign_attrs(
-        {name: parameters[name] for name in ("sphere_radius", "tolerance", "range", "confidence")}
+        {
+            name: parameters[name]
+            for name in ("sphere_radius", "tolerance", "range", "confidence", "pixels", "count")
+        }
         | {
             "basis": ", ".join(f"{name}: {parameters['basis'][name]}" for name in substrates),
             "realizations": len(realizations),

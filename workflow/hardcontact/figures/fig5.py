@@ -1,0 +1,211 @@
+"""Fig. 5: the indents that plastic contact leaves in the sphere."""
+
+import matplotlib as mpl
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+MICRONEWTON = 1e-6
+ALONG = {"x": "#D55E00", "y": "#0072B2"}  # the paper's red and blue line
+BEFORE = "0.5"
+DEPTHS = mpl.colormaps["Purples"]  # also of the preloads: black is what is published
+SIZES = {
+    "depth": ("deepest point", "depth (nm)", "published_depth"),
+    "edge_length": ("largest indent: √area", "edge length (nm)", "published_edge_length"),
+    "lateral_size": ("largest indent: longer side", "lateral size (nm)", "published_edge_length"),
+}
+SHARES = np.linspace(0, 1, 101)  # steps of the distributions
+COLUMNS = [
+    "panel",
+    "surface",
+    "label",
+    "basis",
+    "origin",
+    "quantity",
+    "preload",
+    "position",
+    "share",
+    "value",
+    "unit",
+]
+
+
+def table(indent: xr.Dataset) -> pd.DataFrame:
+    """Return the line scans and the distributions of Fig. 5, one row a point, values in nm.
+
+    Line scans (panels b, c): height of the sphere before and after against `position` in nm.
+    Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
+    `preload` in N. The map stays in indent.nc.
+    """
+    frames = [
+        *(_line_rows(indent, panel, along) for panel, along in zip("bc", ALONG, strict=True)),
+        *(_size_rows(indent, panel, name) for panel, name in zip("def", SIZES, strict=True)),
+    ]
+    whole = {name: indent.attrs[name] for name in ("surface", "label", "basis")}
+    return pd.concat(frames, ignore_index=True).assign(unit="nm", **whole)[COLUMNS]
+
+
+@style.print_style()
+def draw(indent: xr.Dataset) -> Figure:
+    """Draw Fig. 5: (a) one contact, (b, c) lines through its deepest point, (d-f) all contacts.
+
+    Uses `indentation(preload, y, x)` and `sphere_height(y, x)`, up from its apex, and of each
+    contact `depth`, `edge_length` and `lateral_size`, all in nm; preloads in N.
+    """
+    figure = style.create(5.3)
+    above, below = figure.add_gridspec(2, 1, height_ratios=(1.5, 1))
+    depths, lines = above.subgridspec(1, 2, width_ratios=(1, 1.3))
+    _draw_map(figure.add_subplot(depths), indent)
+    _draw_lines(lines.subgridspec(2, 1).subplots(sharey=True), indent)
+    _draw_sizes(below.subgridspec(1, 3).subplots(sharey=True), indent)
+    handles, labels = figure.axes[-1].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
+    style.mark_basis(figure, _surfaces(indent))
+    return figure
+
+
+def _surfaces(indent: xr.Dataset) -> xr.Dataset:
+    """Return label and basis of the one substrate."""
+    return xr.Dataset({name: ("surface", [indent.attrs[name]]) for name in ("label", "basis")})
+
+
+def _shown(indent: xr.Dataset) -> xr.Dataset:
+    """Return the contact at the computed preload nearest to the published one."""
+    return indent.sel(preload=indent.attrs["published_preload"], method="nearest")
+
+
+def _deepest(indent: xr.Dataset) -> dict[str, float]:
+    """Return where the sphere is pressed in deepest, x and y in nm."""
+    depths = _shown(indent)["indentation"]
+    return {along: place.item() for along, place in depths[depths.argmax(...)].coords.items()}
+
+
+def _line(indent: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
+    """Return the sphere's height (nm) before and after, along x or y through the deepest point.
+
+    The sphere stands on its head here, as under a microscope: indents point downwards.
+    """
+    across = "y" if along == "x" else "x"
+    line = _shown(indent).sel({across: _deepest(indent)[across]})
+    before = -line["sphere_height"]
+    return {"height_before": before, "height_after": before - line["indentation"]}
+
+
+def _line_rows(indent: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
+    return pd.concat(
+        pd.DataFrame(
+            {
+                "panel": panel,
+                "origin": "computed",
+                "quantity": quantity,
+                "preload": _shown(indent)["preload"].item(),
+                "position": heights[along].values,
+                "value": heights.values,
+            }
+        )
+        for quantity, heights in _line(indent, along).items()
+    )
+
+
+def _distribution(indent: xr.Dataset, name: str) -> xr.DataArray:
+    """Return the value (preload, quantile) that a share of all contacts does not exceed."""
+    over = [dim for dim in indent[name].dims if dim != "preload"]
+    values = indent[name].quantile(SHARES, over, method="inverted_cdf")
+    return values.transpose("preload", "quantile")
+
+
+def _size_rows(indent: xr.Dataset, panel: str, name: str) -> pd.DataFrame:
+    computed = _distribution(indent, name).to_dataframe("value").reset_index()
+    published = {
+        "preload": indent.attrs["published_preload"],
+        "value": indent.attrs[SIZES[name][-1]],
+        "origin": "published",
+    }
+    rows = [
+        computed.rename(columns={"quantile": "share"}).assign(origin="computed"),
+        pd.DataFrame([published]),
+    ]
+    return pd.concat(rows).assign(panel=panel, quantity=name)
+
+
+def _draw_map(axes: Axes, indent: xr.Dataset) -> None:
+    """Map how deep (nm) the sphere is pressed in, with the two lines drawn beside."""
+    shown = _shown(indent)
+    image = axes.pcolormesh(
+        shown["x"],
+        shown["y"],
+        shown["indentation"].transpose("y", "x"),
+        cmap=DEPTHS,
+        shading="nearest",
+        rasterized=True,
+    )
+    deepest = _deepest(indent)
+    axes.axhline(deepest["y"], color=ALONG["x"], lw=0.8)
+    axes.axvline(deepest["x"], color=ALONG["y"], lw=0.8)
+    axes.set(xlim=_view(indent, "x"), ylim=_view(indent, "y"), aspect="equal")
+    axes.set(xlabel="x (nm)", ylabel="y (nm)")
+    axes.locator_params(nbins=5)
+    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
+    label, preload = indent.attrs["label"], _print_preload(shown["preload"])
+    style.label_panel(axes, "a", f"one contact on {label}, {preload}")
+
+
+def _view(indent: xr.Dataset, along: str) -> tuple[float, float]:
+    """Return limits (nm) about the deepest point that show every indent in the map, and as much."""
+    depths, deepest = _shown(indent)["indentation"], _deepest(indent)
+    reach = 2 * max(
+        abs(depths[name] - deepest[name]).where(depths > 0).max().item() for name in ALONG
+    )
+    places = depths[along]
+    return (
+        max(deepest[along] - reach, places.min().item()),
+        min(deepest[along] + reach, places.max().item()),
+    )
+
+
+def _draw_lines(column: np.ndarray, indent: xr.Dataset) -> None:
+    """Draw the sphere before and after (nm), along x above and along y below."""
+    for axes, letter, (along, colour) in zip(column, "bc", ALONG.items(), strict=True):
+        line = _line(indent, along)
+        before, after = line["height_before"], line["height_after"]
+        place = before[along]
+        axes.fill_between(place, after, before, color=colour, alpha=0.25, lw=0)
+        axes.plot(place, before, color=BEFORE, lw=0.8, label="before")
+        axes.plot(place, after, color=colour, label="after")
+        axes.set(xlim=_view(indent, along), xlabel=f"{along} (nm)", ylabel="height (nm)")
+        axes.locator_params(axis="y", nbins=5)
+        axes.legend(loc="lower left")
+        style.label_panel(axes, letter, f"sphere along {along}")
+
+
+def _draw_sizes(row: np.ndarray, indent: xr.Dataset) -> None:
+    """Draw the distribution over all contacts of each size (nm), and its published value."""
+    for axes, letter, name in zip(row, "def", SIZES, strict=True):
+        title, quantity, published = SIZES[name]
+        sizes = _distribution(indent, name)
+        for preload, colour in zip(
+            sizes["preload"], DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"])), strict=True
+        ):
+            values = sizes.sel(preload=preload)
+            axes.plot(values, SHARES, color=colour, label=f"computed, {_print_preload(preload)}")
+        axes.axvline(
+            indent.attrs[published],
+            color=style.PUBLISHED,
+            lw=1.0,
+            ls="--",
+            label=f"published, {_print_preload(indent.attrs['published_preload'])}",
+        )
+        axes.set(xlabel=quantity, ylim=(0, 1))
+        axes.set_xlim(left=0)
+        style.label_panel(axes, letter, title)
+    row[0].set_ylabel("cumulative share of contacts")
+
+
+def _print_preload(preload: float | xr.DataArray) -> str:
+    return f"{float(preload) / MICRONEWTON:g} µN"

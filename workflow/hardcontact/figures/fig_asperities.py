@@ -1,0 +1,188 @@
+"""Asperities: how few patches carry the pull-off force, and how far apart they lie."""
+
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+POOLED = "pooled"
+MICROMETRE = 1000  # nm
+QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
+
+
+class _Quantity(NamedTuple):
+    """What one panel shows, and how it is printed."""
+
+    panel: str
+    title: str
+    axis: str
+    unit: str
+    printed_unit: float = 1  # in `unit`
+
+
+QUANTITIES = {
+    "largest_share": _Quantity("a", "largest patch", "share of the force", "1"),
+    "two_largest_share": _Quantity("b", "two largest patches", "share of the force", "1"),
+    "patches": _Quantity("c", "patches with {share:g} % of the force", "number of patches", "1"),
+    "extent": _Quantity(
+        "d", "diameter that holds {share:g} % of the force", "length (µm)", "nm", MICROMETRE
+    ),
+}
+SMOOTH = {
+    "smooth_extent": ("smooth sphere on a plane (d)", "-"),
+    "interaction_radius": ("interaction radius √(2Rρ) (d)", "-."),
+}
+COLUMNS = [
+    "panel",
+    "surface",
+    "label",
+    "basis",
+    "origin",
+    "quantity",
+    "rho",
+    "value",
+    "low",
+    "high",
+    "unit",
+]
+
+
+def table(asperities: xr.Dataset, inference: xr.Dataset) -> pd.DataFrame:
+    """Return the curves against the range of adhesion rho (nm) and the lengths beside them.
+
+    Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
+    diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and the
+    diameter that holds the same share of the force, and the long critical wavelength with its
+    95 % interval, computed and published.
+    """
+    frames = [
+        *(_curve_rows(asperities, name) for name in QUANTITIES),
+        *(_smooth_rows(asperities, name) for name in SMOOTH),
+        _critical_rows(inference),
+    ]
+    named = asperities[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    return pd.concat(frames, ignore_index=True).join(named, on="surface")[COLUMNS]
+
+
+@style.print_style()
+def draw(asperities: xr.Dataset, inference: xr.Dataset) -> Figure:
+    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
+
+    From `asperities` the shares (1), patches (1) and extent (nm) of each contact against `rho`
+    (nm), attrs["sphere_radius"] in nm; from `inference` the critical wavelengths (nm).
+    """
+    figure = style.create(5.2)
+    grid = figure.subplots(2, 2, sharex=True)
+    for axes, (name, quantity) in zip(grid.ravel(), QUANTITIES.items(), strict=True):
+        _draw_curves(axes, asperities, name)
+        axes.set_ylabel(quantity.axis)
+        title = quantity.title.format(share=100 * asperities.attrs["share"])
+        style.label_panel(axes, quantity.panel, title)
+    for axes in grid[0]:
+        axes.axhline(0.5, color="0.4", lw=0.8, ls=":", label="half of the force (a, b)")
+        axes.set_ylim(0, 1)
+    _draw_smooth(grid[1, 1], asperities)
+    _draw_critical(grid[1, 1], inference)
+    for axes in grid[1]:
+        axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
+        style.label_logarithmic(axes.xaxis)
+        style.label_logarithmic(axes.yaxis)
+    figure.legend(*_legend_entries(grid), loc="outside upper center", ncols=4)
+    style.mark_basis(figure, asperities)
+    return figure
+
+
+def _quartiles(asperities: xr.Dataset, name: str) -> xr.Dataset:
+    """Return median and quartiles (surface, rho) over the contacts of all scans."""
+    quartiles = asperities[name].quantile(list(QUARTILES.values()), ["scan", "contact"])
+    return quartiles.assign_coords(quantile=list(QUARTILES)).to_dataset("quantile")
+
+
+def _smooth(asperities: xr.Dataset) -> dict[str, xr.DataArray]:
+    """Return lengths (nm) against rho of a smooth sphere on a plane.
+
+    The attraction there falls with the distance r from the apex as exp(-r²/(2Rρ)).
+    """
+    radius = np.sqrt(2 * asperities.attrs["sphere_radius"] * asperities["rho"])
+    outside = 1 - asperities.attrs["share"]
+    return {"smooth_extent": 2 * radius * np.sqrt(-np.log(outside)), "interaction_radius": radius}
+
+
+def _critical(inference: xr.Dataset) -> dict[str, float]:
+    """Return the long critical wavelength (nm) of all substrates and its 95 % interval."""
+    pooled = inference.sel(side="large", group=POOLED)
+    ends = {"value": "", "low": "_low", "high": "_high"}
+    return {name: pooled[f"critical_wavelength{end}"].item() for name, end in ends.items()}
+
+
+def _curve_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
+    rows = _quartiles(asperities, name).to_dataframe()[list(QUARTILES)].reset_index()
+    panel, unit = QUANTITIES[name].panel, QUANTITIES[name].unit
+    return rows.assign(panel=panel, origin="computed", quantity=name, unit=unit)
+
+
+def _smooth_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
+    rows = _smooth(asperities)[name].to_series().rename("value").reset_index()
+    return rows.assign(panel="d", origin="computed", quantity=name, unit="nm")
+
+
+def _critical_rows(inference: xr.Dataset) -> pd.DataFrame:
+    both = [
+        {"origin": "computed", **_critical(inference)},
+        {"origin": "published", "value": inference.attrs["published_cutoff_large"]},
+    ]
+    return pd.DataFrame(both).assign(panel="d", quantity="critical_wavelength", unit="nm")
+
+
+def _draw_curves(axes: Axes, asperities: xr.Dataset, name: str) -> None:
+    """Draw median and quartiles of each surface against rho (nm)."""
+    surfaces = asperities["surface"].values
+    colours, markers = style.colours(surfaces), style.markers(surfaces)
+    curves = _quartiles(asperities, name) / QUANTITIES[name].printed_unit
+    for surface in map(str, surfaces):
+        curve, colour = curves.sel(surface=surface), colours[surface]
+        axes.fill_between(curve["rho"], curve["low"], curve["high"], color=colour, alpha=0.15, lw=0)
+        axes.plot(
+            curve["rho"],
+            curve["value"],
+            color=colour,
+            marker=markers[surface],
+            label=str(asperities["label"].sel(surface=surface).item()),
+        )
+
+
+def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
+    """Draw the lengths (µm) of a smooth sphere on a plane."""
+    for name, lengths in _smooth(asperities).items():
+        label, dashes = SMOOTH[name]
+        axes.plot(
+            lengths["rho"], lengths / MICROMETRE, color="black", lw=0.9, ls=dashes, label=label
+        )
+
+
+def _draw_critical(axes: Axes, inference: xr.Dataset) -> None:
+    """Draw the long critical wavelength (µm), computed with its interval, and published."""
+    value, low, high = (length / MICROMETRE for length in _critical(inference).values())
+    published = inference.attrs["published_cutoff_large"] / MICROMETRE
+    axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
+    if np.isfinite([low, high]).all():
+        axes.axhspan(low, high, color="0.85", zorder=0, label="its 95 % interval (d)")
+    axes.axhline(published, color="0.4", lw=1.0, ls="--", label="published $λ_L$ (d)")
+
+
+def _legend_entries(grid: np.ndarray) -> tuple[list, list[str]]:
+    """Return handles and labels: the surfaces, what bands are, and the lines of panels a and d."""
+    entries = {}
+    for axes in (grid[0, 0], grid[1, 1]):
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            entries.setdefault(label, handle)
+    entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=0.25, lw=0)
+    return list(entries.values()), list(entries)

@@ -1,0 +1,270 @@
+"""Classical models: pull-off of rough spheres by them, and the effective work of adhesion."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.ticker import FixedLocator
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+MICRONEWTON = 1e-6
+MILLIJOULE = 1e-3
+VANISHED = 1e-12  # N; models that say less say that nothing sticks
+METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
+AGAINST = {"published": style.PUBLISHED, "computed": "0.55"}
+WAYS = {  # of the effective work of adhesion: forces, Tabor parameter, marker
+    "published force, printed µ": ("published", "printed", "s"),
+    "published force, µ from inputs": ("published", "computed", "^"),
+    "published force, µ of the result": ("published", "self_consistent", "v"),
+    "computed force, printed µ": ("computed", "printed", "o"),
+}
+TRANSITIONS = {"fit": ("fit", "--"), "maugis_dugdale": ("Maugis–Dugdale", "-")}
+COLUMNS = [
+    "panel",
+    "surface",
+    "label",
+    "basis",
+    "origin",
+    "quantity",
+    "model",
+    "metrics",
+    "against",
+    "tabor",
+    "transition",
+    "rms_parameter",
+    "x",
+    "value",
+    "low",
+    "high",
+    "unit",
+    "model_roughness",
+    "model_verified",
+]
+QUANTITIES = {  # panel, origin; empty: not drawn
+    "published_mean_force": ("a", "published"),
+    "computed_mean_force": ("a", "computed"),
+    "pull_off_force": ("a", "computed"),
+    "mean_relative_error": ("b", "computed"),
+    "fitted_work_of_adhesion": ("", "computed"),
+    "error_at_published_work": ("", "computed"),
+    "adhesion_index": ("", "computed"),
+    "published_effective_work_of_adhesion": ("c", "published"),
+    "effective_work_of_adhesion": ("c", "computed"),
+    "pull_off_coefficient": ("", "computed"),
+    "effective_tabor_parameter": ("", "computed"),
+    "implied_pull_off_coefficient": ("d", "published"),
+    "transition_coefficient": ("d", "computed"),
+    "tabor_parameter": ("d", "computed"),
+    "printed_tabor_parameter": ("d", "published"),
+    "rank_correlation": ("", "computed"),
+    "power_law_exponent": ("", "computed"),
+    "power_law_error": ("", "computed"),
+    "prediction_error": ("", "computed"),
+}
+
+
+def table(classical: xr.Dataset) -> pd.DataFrame:
+    """Return the numbers of all panels and the tests of models that stand beside them.
+
+    Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it has
+    any; each model with its definition of roughness and what its formula was checked against. `x`
+    is the Tabor parameter of `transition_coefficient`; `panel` is empty for what is not
+    drawn.
+    """
+    rows = pd.concat([_rows(classical, name) for name in QUANTITIES], ignore_index=True)
+    named = classical[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    described = classical[["model_roughness", "model_verified"]].to_dataframe()
+    return rows.join(named, on="surface").join(described, on="model").reindex(columns=COLUMNS)
+
+
+@style.print_style()
+def draw(classical: xr.Dataset) -> Figure:
+    """Draw (a) forces, (b) errors of the models, (c) effective works, (d) the transition.
+
+    Forces in N, works of adhesion in J/m2; everything but the style is in the dataset.
+    """
+    figure = style.create(6.0)
+    above, below = figure.add_gridspec(2, 1, height_ratios=(1.15, 1))
+    forces = figure.add_subplot(above)
+    errors, works, transition = below.subgridspec(1, 3, width_ratios=(0.8, 1.35, 0.9)).subplots()
+    _draw_forces(forces, classical)
+    _draw_errors(errors, classical)
+    _draw_works(works, classical)
+    _draw_transition(transition, classical)
+    figure.legend(handles=_legend_handles(classical), loc="outside upper center", ncols=6)
+    style.mark_basis(figure, classical)
+    return figure
+
+
+def _rows(classical: xr.Dataset, name: str) -> pd.DataFrame:
+    """Return one row a number of a variable, with its interval where it has one."""
+    panel, origin = QUANTITIES[name]
+    names = {name: "value"}
+    if f"{name}_low" in classical:
+        names |= {f"{name}_low": "low", f"{name}_high": "high"}
+    data = classical[list(names)].rename(names).reset_coords(drop=True)
+    frame = data.expand_dims("row").to_dataframe().reset_index()
+    unit = classical[name].attrs["units"].replace(" m-2", "/m2")
+    named = frame.assign(panel=panel, origin=origin, quantity=name, unit=unit)
+    return named.rename(columns={"tabor_axis": "x"})
+
+
+def _bounded(classical: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable and its bounds under the names value, low, high."""
+    names = {name: "value", f"{name}_low": "low", f"{name}_high": "high"}
+    return classical[list(names)].rename(names)
+
+
+def _places(count: int, width: float) -> np.ndarray:
+    """Return places side by side, about zero."""
+    return np.linspace(-width / 2, width / 2, count) if count > 1 else np.zeros(1)
+
+
+def _draw_point(axes: Axes, x: float, point: xr.Dataset, **how) -> None:
+    """Draw a value with its interval as an error bar."""
+    value, low, high = (point[name].item() for name in ("value", "low", "high"))
+    if np.isfinite(low):  # the interval of a skewed distribution need not hold the value
+        axes.plot([x, x], [low, high], color=how["color"], lw=0.8)
+    axes.plot([x], [value], ls="none", mew=0.8, **how)
+
+
+def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
+    """Draw the forces (µN) on each surface: published, computed, and by each model."""
+    names = [str(name) for name in classical["surface"].values]
+    colours, markers = style.colours(names), style.markers(names)
+    bottom, top = _limits(classical)
+    for name, offset in zip(names, _places(len(names), 0.6), strict=True):
+        of_surface, colour = classical.sel(surface=name), colours[name]
+        how = {"color": colour, "marker": markers[name]}
+        for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
+            _draw_point(axes, x + offset, _bounded(of_surface, variable) / MICRONEWTON, **how)
+        published = of_surface["published_mean_force"].item() / MICRONEWTON
+        axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
+        for x, model in enumerate(classical["model"].values, start=2):
+            for metrics, aside in zip(METRICS, (-0.04, 0.04), strict=True):
+                force = _bounded(of_surface, "pull_off_force").sel(model=model, metrics=metrics)
+                shown = force.where(~(force < VANISHED), bottom * 1.7 * MICRONEWTON) / MICRONEWTON
+                face = colour if metrics == "afm" else "white"
+                _draw_point(axes, x + offset + aside, shown, mfc=face, **how)
+    axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
+    axes.text(-0.45, 1.7 * bottom, "no force: less than 1 pN", fontsize=7, va="center")
+    axes.axvline(1.5, color="black", lw=0.6)
+    labels = ["published", "computed", *(str(text) for text in classical["model_label"].values)]
+    axes.set_xticks(range(len(labels)), labels)
+    axes.set(xlim=(-0.5, len(labels) - 0.5), yscale="log", ylim=(bottom, top))
+    axes.set_ylabel("pull-off force (µN)")
+    _label_above(axes, 3 * bottom, top)
+    work = classical.attrs["published_work"] / MILLIJOULE
+    style.label_panel(axes, "a", f"models at the published $W$ = {work:g} mJ/m²")
+
+
+def _label_above(axes: Axes, low: float, high: float) -> None:
+    """Put ticks on the vertical axis from `low` on: below stands no scale."""
+    decades = 10.0 ** np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1)
+    axes.yaxis.set_major_locator(FixedLocator(decades[decades >= low]))
+    minor = np.outer(decades, range(2, 10)).ravel()
+    axes.yaxis.set_minor_locator(FixedLocator(minor[minor >= low]))
+
+
+def _limits(classical: xr.Dataset) -> tuple[float, float]:
+    """Return limits (µN) that hold all forces that are any, with a strip below for the others."""
+    names = ("published_mean_force", "computed_mean_force", "pull_off_force")
+    values = np.concatenate([classical[name].values.ravel() for name in names]) / MICRONEWTON
+    shown = values[values > VANISHED / MICRONEWTON]
+    return shown.min() / 12, shown.max() * 6
+
+
+def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
+    """Draw the least mean relative error of each model to the published and computed forces."""
+    errors = _bounded(classical, "mean_relative_error")
+    threshold = classical.attrs["error_threshold"]
+    axes.axhspan(0, threshold, color="0.88", zorder=0)
+    for against, side in (("published", -1), ("computed", 1)):
+        colour = AGAINST[against]
+        for metrics, aside in zip(METRICS, (-0.07, 0.07), strict=True):
+            for x, model in enumerate(classical["model"].values):
+                point = errors.sel(model=model, metrics=metrics, against=against)
+                face = colour if metrics == "afm" else "white"
+                how = {"color": colour, "marker": "o", "mfc": face}
+                _draw_point(axes, x + 0.17 * side + aside, point, **how)
+        axes.plot([], [], "o", color=colour, label=f"to {against} forces")
+    axes.text(-0.4, threshold / 2, f"below {threshold:g}", fontsize=7, va="center")
+    labels = [str(text) for text in classical["model_label"].values]
+    axes.set_xticks(range(len(labels)), labels, rotation=40, ha="right", rotation_mode="anchor")
+    axes.set(ylim=(0, 1.5), ylabel="least mean relative error")
+    axes.legend(loc="upper left", borderaxespad=0.1)
+    style.label_panel(axes, "b", "$W$ fitted")
+
+
+def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
+    """Draw effective works of adhesion over the printed ones, which stand below."""
+    names = [str(name) for name in classical["surface"].values]
+    colours, works = style.colours(names), _bounded(classical, "effective_work_of_adhesion")
+    printed = _bounded(classical, "published_effective_work_of_adhesion")
+    for x, name in enumerate(names):
+        value = printed["value"].sel(surface=name).item()
+        rounding = printed.sel(surface=name) / value
+        axes.fill_between(
+            [x - 0.4, x + 0.4], rounding["low"], rounding["high"], color="0.85", lw=0, zorder=0
+        )
+        for offset, (against, tabor, marker) in zip(
+            _places(len(WAYS), 0.54), WAYS.values(), strict=True
+        ):
+            point = works.sel(surface=name, against=against, tabor=tabor) / value
+            _draw_point(axes, x + offset, point, color=colours[name], marker=marker)
+    for label, (_, _, marker) in WAYS.items():
+        axes.plot([], [], marker, color="0.3", label=label)
+    axes.axhline(1, color="0.4", lw=0.6)
+    labels = [
+        f"{label}\n{value / MILLIJOULE:.2f}" if np.isfinite(value) else f"{label}\n–"
+        for label, value in zip(classical["label"].values, printed["value"].values, strict=True)
+    ]
+    axes.set_xticks(range(len(names)), labels)
+    highest = (works["high"] / printed["value"]).max().item()
+    axes.set(ylim=(0, 1.7 * max(highest, 1.3)), ylabel="$W_{eff}$ / printed")
+    axes.set_xlabel("printed $W_{eff}$ (mJ/m²)")
+    axes.legend(loc="upper right", borderaxespad=0.1)
+    style.label_panel(axes, "c", "effective work of adhesion")
+
+
+def _draw_transition(axes: Axes, classical: xr.Dataset) -> None:
+    """Draw F/πRW against the Tabor parameter, and what the printed numbers imply."""
+    for name, (label, dashes) in TRANSITIONS.items():
+        curve = classical["transition_coefficient"].sel(transition=name)
+        axes.plot(curve["tabor_axis"], curve, dashes, color="black", lw=1.0, label=label)
+    names = [str(name) for name in classical["surface"].values]
+    colours, markers = style.colours(names), style.markers(names)
+    implied = _bounded(classical, "implied_pull_off_coefficient")
+    printed = classical["printed_tabor_parameter"].item()
+    for name, aside in zip(names, 1.11 ** _places(len(names), 3), strict=True):
+        how = {"color": colours[name], "marker": markers[name]}
+        _draw_point(axes, printed * aside, implied.sel(surface=name), **how)
+    inputs = classical["tabor_parameter"].item()
+    for value, dashes, label in ((printed, "--", "printed"), (inputs, ":", "from inputs")):
+        label = f"µ {label}: {value:.2f}"
+        axes.plot([value, value], [1.3, 1.98], dashes, color="0.4", lw=0.8, label=label, zorder=0)
+    axes.set(xscale="log", xlim=(0.25, 4), ylim=(1.3, 2.65))
+    axes.set(xlabel="Tabor parameter µ", ylabel="$F/\\pi R W$")
+    style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
+    axes.legend(loc="upper right", borderaxespad=0.1)
+    style.label_panel(axes, "d", "symbols: as printed")
+
+
+def _legend_handles(classical: xr.Dataset) -> list:
+    """Return one entry a surface, and the two sets of roughness metrics."""
+    names = [str(name) for name in classical["surface"].values]
+    colours, markers = style.colours(names), style.markers(names)
+    of_surfaces = [
+        Line2D([], [], color=colours[name], marker=markers[name], ls="none", label=str(label))
+        for name, label in zip(names, classical["label"].values, strict=True)
+    ]
+    of_metrics = [
+        Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
+        for face, label in zip(("0.3", "white"), METRICS.values(), strict=True)
+    ]
+    return [*of_surfaces, *of_metrics]

@@ -1,0 +1,190 @@
+"""Elastic contact: its pressure beside the hardness, its pull-off force beside the rigid one."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+GIGAPASCAL = 1e9
+PERCENT = 1e-2
+PRESSURES = "RdBu_r"  # white in the middle: the hardness
+TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
+NO_CONTACT = "0.75"
+MOST = 0.5  # "in most of the contact area" is in more than half of it
+LEVELS = ("hardness", "smooth sphere (Hertz)")
+SPREAD = 0.6  # of the scans of one surface, in places of surfaces
+PANELS = {"hard_share": "b", "peak_pressure": "c", "elastic_over_rigid": "d"}
+UNITS = {"hard_share": "1", "peak_pressure": "Pa", "elastic_over_rigid": "1"}
+COLUMNS = [
+    "panel",
+    "surface",
+    "label",
+    "basis",
+    "origin",
+    "quantity",
+    "scan",
+    "contact",
+    "value",
+    "low",
+    "high",
+    "unit",
+]
+
+
+def table(elastic: xr.Dataset) -> pd.DataFrame:
+    """Return what panels b to d are drawn from, one row a number.
+
+    Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
+    elastic over its rigid pull-off force (1); of each surface their medians; and the levels they
+    are set against, the published one as `low` to `high`. The maps stay in elastic.nc.
+    """
+    contacts = _contacts(elastic)
+    rows = pd.concat(
+        [*(_rows(values, str(name)) for name, values in contacts.items()), _level_rows(elastic)]
+    )
+    named = elastic[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    return rows.join(named, on="surface")[COLUMNS].reset_index(drop=True)
+
+
+@style.print_style()
+def draw(elastic: xr.Dataset) -> Figure:
+    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
+
+    Uses `pressure(surface, y, x)` and attrs["hardness"] in Pa, and of each contact `hard_share`
+    (1), `peak_pressure` (Pa), `rigid_pull_off_force` and `elastic_pull_off_force` (N).
+    """
+    contacts = _contacts(elastic)
+    figure = style.create(4.6)
+    above, below = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))
+    maps = above.subgridspec(1, elastic.sizes["surface"]).subplots(sharey=True, squeeze=False)[0]
+    shares, peaks, forces = below.subgridspec(1, 3).subplots()
+    _draw_pressures(maps, elastic)
+    _draw_shares(shares, contacts["hard_share"])
+    _draw_peaks(peaks, contacts["peak_pressure"], elastic)
+    _draw_forces(forces, contacts["elastic_over_rigid"])
+    for axes in (shares, peaks, forces):
+        axes.set_xticks(
+            range(elastic.sizes["surface"]),
+            elastic["label"].values,
+            rotation=25,
+            ha="right",
+            rotation_mode="anchor",
+        )
+    style.mark_basis(figure, elastic)
+    return figure
+
+
+def _contacts(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the quantities drawn of each contact (surface, scan, contact)."""
+    ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
+    contacts = elastic.assign(elastic_over_rigid=ratio)[list(PANELS)]
+    return contacts.drop_vars(["label", "basis"], errors="ignore").transpose(
+        "surface", "scan", "contact"
+    )
+
+
+def _rows(values: xr.DataArray, name: str) -> pd.DataFrame:
+    """Return a row for each contact and one for the median of each surface."""
+    of_contacts = values.to_series().rename("value").dropna().reset_index()
+    medians = values.median(["scan", "contact"]).to_series().rename("value").reset_index()
+    rows = [of_contacts.assign(quantity=name), medians.assign(quantity=f"{name}_median")]
+    return pd.concat(rows).assign(panel=PANELS[name], origin="computed", unit=UNITS[name])
+
+
+def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
+    most = {"panel": "b", "origin": "published", "quantity": "hard_share", "unit": "1"}
+    rows = [
+        {"panel": "c", "origin": origin, "quantity": name, "value": level, "unit": "Pa"}
+        for name, (origin, level) in _pressure_levels(elastic).items()
+    ]
+    return pd.DataFrame([{**most, "low": MOST, "high": 1.0}, *rows])
+
+
+def _pressure_levels(elastic: xr.Dataset) -> dict[str, tuple[str, float]]:
+    """Return origin and pressure (Pa) of the levels that peak pressures are set against."""
+    return {
+        "hardness": ("given", elastic.attrs["hardness"]),
+        "hertz_peak_pressure": ("computed", elastic.attrs["hertz_peak_pressure"]),
+    }
+
+
+def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
+    """Map the pressure of one contact a surface, in colours that turn at the hardness."""
+    hardness = elastic.attrs["hardness"] / GIGAPASCAL
+    ticks = hardness * TICKS
+    pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
+    reach = _reach(pressure)
+    for place, (axes, of_surface) in enumerate(zip(row, pressure, strict=True), start=1):
+        image = axes.pcolormesh(
+            elastic["x"],
+            elastic["y"],
+            of_surface.where(of_surface > 0),
+            norm=LogNorm(ticks[0], ticks[-1]),
+            cmap=PRESSURES,
+            shading="nearest",
+            rasterized=True,
+        )
+        axes.set(facecolor=NO_CONTACT, aspect="equal", xlabel="x (nm)")
+        axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
+        axes.locator_params(nbins=4)
+        style.label_panel(axes, f"a_{place}", str(of_surface["label"].item()))
+    row[0].set_ylabel("y (nm)")
+    bar = row[0].figure.colorbar(image, ax=row, pad=0.01, extend="both")
+    bar.set_label("pressure (GPa)\nline: hardness")
+    bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
+    bar.minorticks_off()
+    bar.ax.axhline(hardness, color="black", lw=1.0)
+
+
+def _reach(pressure: xr.DataArray) -> float:
+    """Return the half width (nm) about the peaks that shows the contact of every surface."""
+    largest = np.maximum(abs(pressure["x"]), abs(pressure["y"]))
+    return 1.1 * largest.where((pressure > 0).any("surface")).max().item()
+
+
+def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
+    """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
+    beside = np.linspace(-SPREAD / 2, SPREAD / 2, values.sizes["scan"])[:, None]
+    for place, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
+        of_surface = values.sel(surface=surface)
+        places = np.broadcast_to(place + beside, of_surface.shape)
+        axes.plot(places.ravel(), of_surface.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6)
+        axes.hlines(of_surface.median(), place - 0.45, place + 0.45, color=colour, lw=1.6)
+    axes.set_xlim(-0.6, values.sizes["surface"] - 0.4)
+
+
+def _draw_shares(axes: Axes, shares: xr.DataArray) -> None:
+    """Draw the share of each contact's area above the hardness, and what is published of it."""
+    _draw_contacts(axes, shares)
+    axes.axhspan(MOST, 1, color="0.88", zorder=0)
+    middle = axes.get_xlim()[1] / 2
+    axes.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
+    axes.set(ylim=(-0.03, 1.12), ylabel="share of contact area")
+    style.label_panel(axes, "b", "pressure above hardness")
+
+
+def _draw_peaks(axes: Axes, peaks: xr.DataArray, elastic: xr.Dataset) -> None:
+    """Draw the peak pressure (GPa) of each contact, the hardness and Hertz' peak pressure."""
+    _draw_contacts(axes, peaks / GIGAPASCAL)
+    levels = _pressure_levels(elastic).values()
+    for (_, level), name, dashes in zip(levels, LEVELS, ("-", "--"), strict=True):
+        axes.axhline(level / GIGAPASCAL, color="black", lw=0.9, ls=dashes, label=name)
+    axes.set(yscale="log", ylabel="peak pressure (GPa)")
+    style.label_logarithmic(axes.yaxis, at=(1,))
+    axes.legend()
+    style.label_panel(axes, "c", "highest pressure")
+
+
+def _draw_forces(axes: Axes, ratios: xr.DataArray) -> None:
+    """Draw by how many percent each elastic pull-off force differs from the rigid one."""
+    excess = (ratios - 1) / PERCENT
+    _draw_contacts(axes, excess)
+    axes.axhline(0, color="0.7", lw=0.6, zorder=0)
+    axes.set_ylabel("elastic / rigid pull-off − 1 (%)")
+    style.label_panel(axes, "d", f"differs by at most {abs(excess).max().item():.1g} %")

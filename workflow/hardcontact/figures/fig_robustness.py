@@ -1,0 +1,216 @@
+"""Robustness: range, work of adhesion and critical band under other assumptions."""
+
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+
+from hardcontact.figures import style
+
+__all__ = ["draw", "table"]
+
+BASELINE = "baseline"
+FULL = "the study itself"
+OF_STUDY = {"contact_model": "plastic", "group": "pooled"}  # what variants are variants of
+ABOVE = 0.4  # rows from the baseline up to the study in full
+GAP = 0.4  # rows between groups of variants
+VARIANT = {"color": "0.15", "marker": "o"}
+STUDY = {"color": "#D55E00", "marker": "D", "markerfacecolor": "white"}
+COLUMNS = [
+    "panel",
+    "variant",
+    "label",
+    "group",
+    "origin",
+    "quantity",
+    "value",
+    "low",
+    "high",
+    "unit",
+]
+
+
+class _Quantity(NamedTuple):
+    """What one panel shows, and how it is printed."""
+
+    panel: str
+    title: str
+    axis: str
+    unit: str
+    printed_unit: float  # in `unit`
+    ticks: tuple[int, ...]  # digits labelled in each decade
+    published: str  # attribute
+    missing: str  # said of a variant without a value
+
+
+QUANTITIES = {
+    "range_of_adhesion": _Quantity(
+        "a", "range of adhesion", "ρ (nm)", "nm", 1, (1, 3), "published_range", "not affected"
+    ),
+    "work_of_adhesion": _Quantity(
+        "b",
+        "work of adhesion",
+        "$W$ (mJ/m²)",
+        "J/m2",
+        1e-3,
+        (1, 3),
+        "published_work",
+        "not affected",
+    ),
+    "critical_wavelength_small": _Quantity(
+        "c",
+        "short cutoff",
+        "$λ_S$ (nm)",
+        "nm",
+        1,
+        (1, 2, 3, 5),
+        "published_cutoff_small",
+        "never reached",
+    ),
+    "critical_wavelength_large": _Quantity(
+        "d",
+        "long cutoff",
+        "$λ_L$ (µm)",
+        "nm",
+        1000,
+        (1, 2, 3, 5),
+        "published_cutoff_large",
+        "never reached",
+    ),
+}
+
+
+def table(robustness: xr.Dataset, inference: xr.Dataset) -> pd.DataFrame:
+    """Return the four quantities, one row each of a variant, of the study and of the paper.
+
+    Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its 95 %
+    interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity or
+    the force never leaves the band. `variant` is empty but for variants.
+    """
+    study = {"label": FULL, "origin": "computed"}
+    rows = [
+        {"panel": quantity.panel, "quantity": name, "unit": quantity.unit, **row}
+        for name, quantity in QUANTITIES.items()
+        for row in (
+            *_variant_rows(robustness, name),
+            {**study, **_result(inference.sel(OF_STUDY), name)},
+            {"origin": "published", **_published(robustness, quantity.published)},
+        )
+    ]
+    return pd.DataFrame(rows)[COLUMNS]
+
+
+@style.print_style()
+def draw(robustness: xr.Dataset, inference: xr.Dataset) -> Figure:
+    """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
+
+    From `robustness` the quantities (variant) in nm and J/m2, from `inference` those of the study
+    itself, which has more contacts, pixels and realizations than its variants.
+    """
+    rows = table(robustness, inference).set_index("quantity")
+    heights = _heights(robustness)
+    figure = style.create(0.24 * heights[-1] + 1.6)
+    row = figure.subplots(1, len(QUANTITIES), sharey=True)
+    for axes, (name, quantity) in zip(row, QUANTITIES.items(), strict=True):
+        _draw_quantity(axes, rows.loc[name], quantity, heights)
+    row[0].set_yticks(heights, robustness["variant_label"].values)
+    row[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
+    figure.legend(handles=_legend_handles(robustness), loc="outside upper center", ncols=3)
+    style.mark_basis(figure, inference)
+    return figure
+
+
+def _result(data: xr.Dataset, name: str) -> dict[str, float]:
+    """Return value, low and high of a quantity of one variant, or of the study."""
+    variable, _, side = name.partition("_wavelength_")
+    if side:
+        data, name = data.sel(side=side), f"{variable}_wavelength"
+    ends = {"value": "", "low": "_low", "high": "_high"}
+    return {key: data[f"{name}{end}"].item() for key, end in ends.items()}
+
+
+def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict]:
+    return [
+        {
+            "variant": str(variant),
+            "label": str(robustness["variant_label"].sel(variant=variant).item()),
+            "group": str(robustness["group"].sel(variant=variant).item()),
+            "origin": "computed",
+            **_result(robustness.sel(variant=variant), name),
+        }
+        for variant in robustness["variant"].values
+    ]
+
+
+def _published(robustness: xr.Dataset, attribute: str) -> dict[str, float]:
+    """Return a published value and its ends, NaN where no uncertainty is published."""
+    value = robustness.attrs[attribute]
+    spread = robustness.attrs.get(f"{attribute}_uncertainty", np.nan)
+    return {"value": value, "low": value - spread, "high": value + spread}
+
+
+def _heights(robustness: xr.Dataset) -> np.ndarray:
+    """Return where each variant is drawn, downwards, with gaps between the groups."""
+    group = robustness["group"].values
+    return np.concatenate([[0], np.cumsum(1 + GAP * (group[1:] != group[:-1]))])
+
+
+def _draw_quantity(
+    axes: Axes, rows: pd.DataFrame, quantity: _Quantity, heights: np.ndarray
+) -> None:
+    """Draw one quantity: variants downwards, the study above them, the published value behind."""
+    published = rows[rows["origin"] == "published"].iloc[0]
+    factor = quantity.printed_unit
+    if np.isfinite(published["low"]):
+        axes.axvspan(published["low"] / factor, published["high"] / factor, color="0.85", zorder=0)
+    axes.axvline(published["value"] / factor, color="0.4", lw=1.0, ls="--")
+    variants = rows[rows["group"].notna()]
+    for height, (_, variant) in zip(heights, variants.iterrows(), strict=True):
+        _draw_result(axes, height, variant, quantity, VARIANT)
+        if variant["group"] == BASELINE:
+            axes.axvline(variant["value"] / factor, color="0.15", lw=0.6, ls=":")
+            study = rows[rows["label"] == FULL].iloc[0]
+            _draw_result(axes, height - ABOVE, study, quantity, STUDY)
+    axes.set(xscale="log", xlabel=quantity.axis)
+    axes.tick_params(axis="y", length=0)
+    style.label_logarithmic(axes.xaxis, at=quantity.ticks)
+    style.label_panel(axes, quantity.panel, quantity.title)
+
+
+def _draw_result(
+    axes: Axes, height: float, result: pd.Series, quantity: _Quantity, look: dict[str, str]
+) -> None:
+    """Draw a value and its interval, or say why there is none."""
+    value, low, high = result[["value", "low", "high"]].astype(float) / quantity.printed_unit
+    axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
+    axes.plot([value], [height], ls="none", **look)
+    if not np.isfinite(value):
+        axes.text(
+            0.5,
+            height,
+            quantity.missing,
+            transform=axes.get_yaxis_transform(),
+            fontsize=7,
+            ha="center",
+            va="center",
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
+        )
+
+
+def _legend_handles(robustness: xr.Dataset) -> list:
+    """Return one entry for each kind of mark; the dotted line has the name of the top row."""
+    baseline = robustness["variant_label"].values[robustness["group"].values == BASELINE][0]
+    size = "{count:g} x {count:g} contacts, {realizations:g} realizations of {pixels:g}² pixels"
+    variants = f"variants: {size.format(**robustness.attrs)}"
+    return [
+        Line2D([], [], lw=1.2, label=variants, **VARIANT),
+        Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY),
+        Line2D([], [], lw=0.6, ls=":", color="0.15", label=str(baseline)),
+        Line2D([], [], lw=1.0, ls="--", color="0.4", label="published"),
+        Patch(color="0.85", lw=0, label="its uncertainty"),
+    ]

@@ -1,0 +1,15 @@
+"""Classical models of rough adhesion and the effective work of adhesion."""
+
+from hardcontact import dataset, log
+from hardcontact.figures import fig_classical, style
+
+log.start(snakemake.log[0])
+datasets = (dataset.read(snakemake.input.classical),)
+style.save(
+    fig_classical.draw(*datasets),
+    fig_classical.table(*datasets),
+    snakemake.output.pdf,
+    snakemake.output.png,
+    snakemake.output.csv,
+    {"Title": "classical models of rough adhesion"},
+)

@@ -1,0 +1,15 @@
+"""Elastic contact beside hardness and rigid contact."""
+
+from hardcontact import dataset, log
+from hardcontact.figures import fig_elastic, style
+
+log.start(snakemake.log[0])
+datasets = (dataset.read(snakemake.input.elastic),)
+style.save(
+    fig_elastic.draw(*datasets),
+    fig_elastic.table(*datasets),
+    snakemake.output.pdf,
+    snakemake.output.png,
+    snakemake.output.csv,
+    {"Title": "elastic contact beside hardness and rigid contact"},
+)
