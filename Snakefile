@@ -31,6 +31,7 @@ include: "workflow/rules/classical.smk"
 include: "workflow/rules/robustness.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/report.smk"
 
 
 rule all:
@@ -46,3 +47,4 @@ rule all:
         rules.robustness.input,
         rules.claims.input,
         rules.figures.input,
+        rules.pages.input,

@@ -11,7 +11,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.estimates import attribute, estimate, interval
+from hardcontact.estimates import estimate
+from hardcontact.intervals import attribute, quotient
 
 __all__ = [
     "VERDICTS",
@@ -23,6 +24,7 @@ __all__ = [
 ]
 
 UNTESTABLE = "not testable on substitutes"
+NO_SCAN = "no scan"
 VERDICTS = ("reproduced", "consistent", "not reproduced", UNTESTABLE)
 ONE_SIDED = ("below", "above", "order")
 COLUMNS = (
@@ -109,16 +111,18 @@ def verdict(
 def _evaluate_claim(claim, datasets: dict[str, xr.Dataset]) -> dict | None:
     """One row of the result, or None when the study lacks what the claim is about."""
     try:
-        dataset = _dataset(datasets, claim.dataset)
+        parts = {name: _dataset(datasets, name) for name in claim.dataset.split("+")}
         topography = _dataset(datasets, "topography")
-        selection = _parse_selection(claim.select)
-        if not _has_labels(dataset, selection):
+        estimated = estimate(claim.quantity, *parts.values())
+        selection = _selection(estimated, _parse_selection(claim.select))
+        if selection is None:
             return None
-        found = _worst(_pick(estimate(dataset, claim.quantity), selection), claim.rule)
+        found = _worst(_pick(estimated, selection), claim.rule)
         computed, low, high = (float(found[name]) for name in ("value", "low", "high"))
         limits = claim.published_low, claim.published_high
         judged = verdict(claim.rule, computed, low, high, *limits)
-        substitutes = _substitutes(claim.dataset, dataset, selection, topography)
+        scans = claim.needs != NO_SCAN
+        substitutes = _substitutes(parts, selection, topography) if scans else []
         reason = _untestable(claim, substitutes, topography)
     except (KeyError, ValueError) as error:
         raise ValueError(f"claim {claim.id}: {_first_sentence(error)}") from error
@@ -128,7 +132,7 @@ def _evaluate_claim(claim, datasets: dict[str, xr.Dataset]) -> dict | None:
         "low": low,
         "high": high,
         "verdict": UNTESTABLE if reason else judged,
-        "basis": "substitute scans" if substitutes else "measured",
+        "basis": ("substitute scans" if substitutes else "measured") if scans else NO_SCAN,
         "note": " ".join(filter(None, (claim.note, reason, no_value))),
     }
     return {name: result[name] for name in COLUMNS}
@@ -139,17 +143,19 @@ def _first_sentence(error: Exception) -> str:
 
 
 def _substitutes(
-    name: str, dataset: xr.Dataset, selection: dict, topography: xr.Dataset
+    parts: dict[str, xr.Dataset], selection: dict, topography: xr.Dataset
 ) -> list[str]:
     """Substitute surfaces the claim touches.
 
-    These are the surfaces it selects, or all of the dataset when it selects none; whatever is
-    not topography touches the sphere as well.
+    These are the surfaces it selects, or all of its datasets when it selects none; whatever is
+    not topography alone touches the sphere as well.
     """
     known = set(topography["surface"].values)
     selected = [label for groups in selection.values() for label in chain.from_iterable(groups)]
-    touched = [label for label in selected if label in known] or list(dataset["surface"].values)
-    if name != "topography":
+    touched = [label for label in selected if label in known]
+    if not touched:
+        touched = list(next(iter(parts.values()))["surface"].values)
+    if set(parts) != {"topography"}:
         touched.append(attribute(topography, "sphere_surface"))
     basis = topography["basis"].sel(surface=touched)
     return [str(surface) for surface in basis["surface"].values[basis.values == "substitute"]]
@@ -167,9 +173,13 @@ def _untestable(claim, substitutes: list[str], topography: xr.Dataset) -> str:
 
 
 def _dataset(datasets: dict[str, xr.Dataset], name: str) -> xr.Dataset:
+    """A dataset; one about a single surface names it in an attribute and gets the dimension."""
     if name not in datasets:
         raise KeyError(f"no dataset named {name!r}")
-    return datasets[name]
+    found = datasets[name]
+    if "surface" not in found.dims:
+        found = found.expand_dims(surface=[attribute(found, "surface")])
+    return found
 
 
 def _parse_selection(select: str) -> dict[str, list[list[str]]]:
@@ -178,15 +188,29 @@ def _parse_selection(select: str) -> dict[str, list[list[str]]]:
     return {dim: [group.split(",") for group in labels.split(">")] for dim, labels in pairs}
 
 
-def _has_labels(dataset: xr.Dataset, selection: dict[str, list[list[str]]]) -> bool:
-    """Whether every selected label exists. Raises KeyError for a dimension that does not."""
-    return all(
-        set(chain.from_iterable(groups)) <= set(dataset[dim].values)
+def _selection(found: xr.Dataset, selection: dict) -> dict | None:
+    """The selection with labels as the number has them, or None where it lacks one.
+
+    Raises KeyError for a dimension that does not exist.
+    """
+    labels = {
+        dim: [[_label(found[dim].values, label) for label in group] for group in groups]
         for dim, groups in selection.items()
-    )
+    }
+    missing = any(None in group for groups in labels.values() for group in groups)
+    return None if missing else labels
 
 
-def _pick(found: xr.Dataset, selection: dict[str, list[list[str]]]) -> xr.Dataset:
+def _label(coordinate: np.ndarray, label: str):
+    """The value of a coordinate that a label means, or None."""
+    if np.issubdtype(coordinate.dtype, np.number):
+        same = np.isclose(coordinate, float(label), rtol=1e-6, atol=0)
+    else:
+        same = coordinate == label
+    return coordinate[same][0] if same.any() else None
+
+
+def _pick(found: xr.Dataset, selection: dict[str, list[list]]) -> xr.Dataset:
     """Apply the selection; a chain of groups becomes its weakest link."""
     for dim, groups in selection.items():
         members = [found.sel({dim: group}) for group in groups]
@@ -195,21 +219,11 @@ def _pick(found: xr.Dataset, selection: dict[str, list[list[str]]]) -> xr.Datase
 
 
 def _weakest_link(groups: list[xr.Dataset], dim: str) -> xr.Dataset:
-    """Smallest ratio of a member of a group to one of the next; the numbers are positive.
-
-    The interval divides the ends of the members' intervals, none of which reaches below zero: it
-    is wider than 95 %.
-    """
-    links = []
-    for upper, lower in pairwise(groups):
-        upper, lower = upper.min(dim, skipna=False), lower.max(dim, skipna=False)
-        links.append(
-            interval(
-                upper["value"] / lower["value"],
-                upper["low"].clip(0) / lower["high"],
-                upper["high"] / lower["low"].clip(0),
-            )
-        )
+    """Smallest ratio of a member of a group to one of the next; the numbers are positive."""
+    links = [
+        quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
+        for upper, lower in pairwise(groups)
+    ]
     return xr.concat(links, dim="link").min("link", skipna=False)
 
 

@@ -7,6 +7,10 @@ rule evaluate_claims:
         adhesion=rules.aggregate_adhesion.output[0],
         scales=rules.aggregate_scales.output[0],
         inference=rules.infer.output[0],
+        elastic=rules.aggregate_elastic.output[0],
+        indent=rules.measure_indents.output[0],
+        asperities=rules.aggregate_asperities.output[0],
+        classical=rules.apply_classical_models.output[0],
         claims="resources/paper/claims.csv",
         code=code("evaluate_claims.py"),
     output:

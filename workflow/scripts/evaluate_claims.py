@@ -3,10 +3,10 @@
 from hardcontact import claims, dataset, log
 
 log.start(snakemake.log[0])
-datasets = {
-    name: dataset.read(snakemake.input[name])
-    for name in ("topography", "adhesion", "scales", "inference")
-}
+names = (
+    "topography", "adhesion", "scales", "inference", "elastic", "indent", "asperities", "classical",
+)  # fmt: skip
+datasets = {name: dataset.read(snakemake.input[name]) for name in names}
 evaluated = claims.evaluate(claims.read_claims(snakemake.input.claims), datasets)
 with dataset.atomic_path(snakemake.output[0]) as path:
     evaluated.to_csv(path, index=False, float_format="%.6g")
