@@ -16,11 +16,18 @@ import time
 from pathlib import Path
 
 import numpy as np
+from Adhesion.Interactions import Exponential
+from Adhesion.System import BoundedSmoothContactSystem
+from ContactMechanics import PeriodicFFTElasticHalfSpace
+from ContactMechanics.Systems import NonSmoothContactSystem
 from scipy import fft
+from scipy.optimize import minimize_scalar
+from SurfaceTopography import Topography
 
-from hardcontact import adhesion, contact, fourier, spectrum, sphere, synthesis, topography
+from hardcontact import adhesion, contact, elastic, fourier, spectrum, sphere, synthesis, topography
 
 RADIUS, WINDOW, LOAD, HARDNESS, RHO = 250e3, 12500.0, 10e-6, 25e9, 5.6
+MODULUS, WORK = 289.7e9, 46.3e-3
 RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
 CONTACTS = 20
 
@@ -37,12 +44,19 @@ def surface(pixels):
 
 def timed(function, repeats=3):
     """Median seconds of a call, and what it returned."""
-    seconds = []
+    ((seconds, result),) = timed_in_turn(function, repeats=repeats)
+    return seconds, result
+
+
+def timed_in_turn(*functions, repeats=3):
+    """As `timed`, for each of several functions that are called in turn."""
+    seconds, results = [[] for _ in functions], [None] * len(functions)
     for _ in range(repeats):
-        start = time.perf_counter()
-        result = function()
-        seconds.append(time.perf_counter() - start)
-    return statistics.median(seconds), result
+        for k, function in enumerate(functions):
+            start = time.perf_counter()
+            results[k] = function()
+            seconds[k].append(time.perf_counter() - start)
+    return [(statistics.median(one), result) for one, result in zip(seconds, results, strict=True)]
 
 
 def pull_off(heights, threads):
@@ -130,6 +144,59 @@ def rough_sphere():
     yield "largest relative difference to the direct sum", f"{error:.1e}"
 
 
+def library_at_load(gap, pixel):
+    """What `elastic.contact_at_load` asks the library for, in its units (nm, nN), unchecked."""
+    size = (gap.shape[0] * pixel,) * 2
+    half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
+    body = Topography(gap.mean() - gap, size, periodic=True)
+    system = NonSmoothContactSystem(half_space, body)
+    return system.minimize_proxy(external_force=LOAD * 1e9, pentol=elastic.OVERLAP / 2)
+
+
+def library_pull_off(gap, pixel):
+    """What `elastic.adhesive_pull_off` asks the library for, unchecked."""
+    heights, size = gap.min() - gap, (gap.shape[0] * pixel,) * 2
+    attraction = WORK / RHO * pixel**2 * np.exp(heights / RHO)
+    half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
+    body = Topography(heights, size, periodic=True)
+    system = BoundedSmoothContactSystem(half_space, Exponential(WORK, RHO), body)
+    system.disp = half_space.evaluate_disp(attraction)
+    stretch = -system.disp.min()
+    options = {"ftol": 0, "gtol": elastic.RESIDUAL * attraction.max(), "maxiter": 5000}
+
+    def force(offset):
+        start = np.maximum(system.disp, heights + offset)
+        system.minimize_proxy(offset=offset, initial_displacements=start, options=options)
+        return system.interaction_force.sum() - system.force[system.gap <= 0].sum()
+
+    bounds = (-1.5 * stretch, 0)
+    return minimize_scalar(force, bounds=bounds, method="bounded", options={"xatol": stretch / 6})
+
+
+def elastic_contact(pixels=512):
+    pixel = 2500 / 512
+    heights = surface(1024)
+    positions = sphere.contact_positions(1024, CONTACTS)[[3, 5]]
+    window = sphere.window_pixels(WINDOW, pixel)
+    gap = contact.gap_map(heights, positions, pixel, RADIUS, window, np.zeros((1, 1)))
+    gap = contact.around_lowest(gap, pixels)
+    for what, ours, library in (
+        (
+            "elastic contact at the preload",
+            lambda: elastic.contact_at_load(gap, pixel, MODULUS, LOAD),
+            lambda: library_at_load(gap, pixel),
+        ),
+        (
+            "elastic pull-off",
+            lambda: elastic.adhesive_pull_off(gap, pixel, MODULUS, WORK, RHO),
+            lambda: library_pull_off(gap, pixel),
+        ),
+    ):
+        (checked, _), (alone, _) = timed_in_turn(ours, library)
+        yield f"{pixels}² window: {what}", f"{checked:.2f} s"
+        yield "that / calling the library alone, unchecked", f"{checked / alone:.2f}"
+
+
 def filtered_job(pixels, threads, answer):
     """What one job of Fig. 6 does at a size, in a process of its own: seconds, peak memory."""
     heights = surface(pixels)
@@ -181,6 +248,7 @@ def main():
     for rows in (
         smooth_sphere(options.threads),
         rough_sphere(),
+        elastic_contact(),
         growth(options.threads, options.largest),
     ):
         for what, value in rows:

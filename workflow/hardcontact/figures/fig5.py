@@ -12,7 +12,7 @@ from hardcontact.figures import style
 __all__ = ["draw", "table"]
 
 MICRONEWTON = 1e-6
-ALONG = {"x": "#D55E00", "y": "#0072B2"}  # the paper's red and blue line
+ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper, of no surface
 BEFORE = "0.5"
 DEPTHS = mpl.colormaps["Purples"]  # also of the preloads: black is what is published
 SIZES = {

@@ -20,7 +20,7 @@ OF_STUDY = {"contact_model": "plastic", "group": "pooled"}  # what variants are 
 ABOVE = 0.4  # rows from the baseline up to the study in full
 GAP = 0.4  # rows between groups of variants
 VARIANT = {"color": "0.15", "marker": "o"}
-STUDY = {"color": "#D55E00", "marker": "D", "markerfacecolor": "white"}
+STUDY = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
 COLUMNS = [
     "panel",
     "variant",
