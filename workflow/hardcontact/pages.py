@@ -12,10 +12,12 @@ from hardcontact.claims import summary
 __all__ = ["claims_page", "departures_page", "parameters_page"]
 
 STYLE = """
-body { font: 15px/1.5 sans-serif; max-width: 90em; margin: 2em auto; padding: 0 1em; color: #222 }
+body { font: 15px/1.5 sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; width: 100% }
-th, td { text-align: left; vertical-align: top; padding: 0.3em 0.6em; border-bottom: 1px solid #ddd }
-td.number { white-space: nowrap } td.statement { min-width: 20em }
+th, td { text-align: left; vertical-align: top; padding: 0.3em 0.6em }
+tr { border-bottom: 1px solid #ddd }
+td.number { white-space: nowrap }
+small { display: block; color: #666 }
 pre { background: #f5f5f5; padding: 1em; overflow-x: auto }
 .reproduced { background: #d9efd9 } .consistent { background: #eef5d6 }
 .not-reproduced { background: #f7dcd5 } .not-testable-on-substitutes { background: #eee }
@@ -46,21 +48,22 @@ def claims_page(claims):
     rows = [
         [
             (escape(row.section), ""),
-            (escape(row.statement), "statement"),
+            (escape(row.statement) + _small(row.note), ""),
             (_number(row.published), "number"),
             (_computed(row), "number"),
-            ("" if row.unit == "1" else escape(row.unit), ""),
-            (escape(row.verdict), row.verdict.replace(" ", "-")),
-            (escape(row.basis), ""),
-            (escape(row.note), ""),
+            (escape(row.verdict) + _small(row.basis), row.verdict.replace(" ", "-")),
         ]
         for row in claims.fillna({"note": ""}).itertuples()
     ]
-    header = ("section", "statement", "paper", "computed", "unit", "verdict", "basis", "note")
+    header = ("section", "statement", "paper", "computed", "verdict")
     return _page(
         f"Verdicts on {len(claims)} statements of the paper",
         f"<p>{escape(counts)}. Square brackets: 95 % interval.</p>\n" + _table(header, rows),
     )
+
+
+def _small(text):
+    return f"<small>{escape(text)}</small>" if text else ""
 
 
 def _number(value):
@@ -69,7 +72,8 @@ def _number(value):
 
 def _computed(row):
     interval = "" if np.isnan(row.low) else f" [{row.low:.3g}, {row.high:.3g}]"
-    return _number(row.computed) + interval
+    unit = "" if row.unit == "1" else f" {escape(row.unit)}"
+    return _number(row.computed) + interval + unit
 
 
 def departures_page(readme):
@@ -89,7 +93,7 @@ def departures_page(readme):
 def parameters_page(config, versions):
     """HTML of the configuration, as it was given, and of package versions (name -> version)."""
     rows = [[(escape(name), ""), (escape(number), "number")] for name, number in versions.items()]
-    text = yaml.safe_dump(config, sort_keys=False, allow_unicode=True)
+    text = yaml.safe_dump(config, allow_unicode=True)
     return _page(
         "Parameters and versions",
         f"<pre>{escape(text)}</pre>\n" + _table(("package", "version"), rows),

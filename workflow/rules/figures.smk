@@ -1,26 +1,32 @@
 # Figures: drawn from the aggregated datasets alone.
 
-# The chapters of the report, in the order of the paper.
+# Chapter of the report and name of each figure, in the order of the paper.
 CHAPTERS = {
-    "fig1": "1. Surfaces",
-    "table1": "1. Surfaces",
-    "fig_elastic": "2. Contact",
-    "fig5": "2. Contact",
-    "fig3": "3. Adhesion",
-    "fig4": "3. Adhesion",
-    "fig_classical": "4. Classical models",
-    "fig_asperities": "5. Asperities",
-    "fig6": "6. Scales",
-    "fig_robustness": "7. Robustness",
+    "fig1": ("1. Surfaces", "Fig. 1: height maps"),
+    "table1": ("1. Surfaces", "Table 1: roughness"),
+    "fig_elastic": ("2. Contact", "elastic contact"),
+    "fig5": ("2. Contact", "Fig. 5: indents"),
+    "fig3": ("3. Adhesion", "Fig. 3: distributions of the pull-off force"),
+    "fig4": ("3. Adhesion", "Fig. 4: range and work of adhesion"),
+    "fig_classical": ("4. Classical models", "classical models"),
+    "fig_asperities": ("5. Asperities", "asperities that carry the force"),
+    "fig6": ("6. Scales", "Fig. 6: scales of roughness"),
+    "fig_robustness": ("7. Robustness", "other choices"),
 }
 
 
 def pictures(name):
     """A figure's files; the picture goes into the report with its caption."""
     folder = f"{RESULTS}/figures/{name}"
+    chapter, title = CHAPTERS[name]
     return {
         "pdf": f"{folder}.pdf",
-        "png": report(f"{folder}.png", caption=f"../report/{name}.rst", category=CHAPTERS[name]),
+        "png": report(
+            f"{folder}.png",
+            caption=f"../report/{name}.rst",
+            category=chapter,
+            labels={"figure": title},
+        ),
         "csv": f"{folder}.csv",
     }
 

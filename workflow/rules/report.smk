@@ -1,11 +1,12 @@
 # Report: the pages that are no figures. `snakemake --report` gathers them with the figures.
 
 
-def page(name):
+def page(name, chapter, title):
     return report(
         f"{RESULTS}/report/{name}.html",
         caption=f"../report/{name}.rst",
-        category="8. Verdicts, departures, parameters",
+        category=chapter,
+        labels={"page": title},
     )
 
 
@@ -16,9 +17,9 @@ rule describe_study:
         environment="environment.txt",
         code=code("describe_study.py"),
     output:
-        claims=page("claims"),
-        departures=page("departures"),
-        parameters=page("parameters"),
+        claims=page("claims", "8. Verdicts", "verdicts on the paper's statements"),
+        departures=page("departures", "9. Departures, parameters", "where the study departs from the paper"),
+        parameters=page("parameters", "9. Departures, parameters", "parameters and versions"),
     params:
         canonical=canonical(config),
     log:
