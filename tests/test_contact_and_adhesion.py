@@ -86,6 +86,46 @@ def test_smooth_sphere_force_is_the_direct_sum(case, touching):
         )
 
 
+@pytest.mark.parametrize("case", CASES)
+def test_rough_sphere_force_at_every_load_is_the_direct_sum(case):
+    # The sums made for the largest load hold those of all smaller ones.
+    pixels, pixel_size, rms, period, window = case
+    substrate, roughness = periodic_surface(pixels, rms, 10), periodic_surface(period, 0.7, 11)
+    positions, most = sphere.contact_positions(pixels, 2), 24
+    arguments = (pixel_size, RADIUS, window)
+    contacts = contact.all_lowest_gaps(substrate, positions, *arguments, most, roughness)
+    rhos = [0.5, 5.6]
+    outside = adhesion.rough_sphere_sums(
+        substrate, roughness, positions, contacts, *arguments, rhos
+    )
+    for (i, j), (gaps, _) in contacts.items():
+        whole = contact.gap_map(substrate, positions[[i, j]], pixel_size, RADIUS, window, roughness)
+        for count in range(1, most + 1):
+            for rho, sums in zip(rhos, outside[:, i, j], strict=True):
+                assert adhesion.rough_total(sums, gaps, count, rho) == pytest.approx(
+                    count + adhesion.direct_sum(whole, count, rho), rel=1e-9
+                )
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("rough", [False, True])
+def test_several_loads_at_once_are_each_load_alone(case, rough):
+    pixels, pixel_size, rms, period, window = case
+    substrate = periodic_surface(pixels, rms, 12)
+    roughness = periodic_surface(period, 0.7, 13) if rough else None
+    positions, rho, loads = sphere.contact_positions(pixels, 3), 5.6, [9, 1, 40]
+    arguments = (substrate, roughness, positions, pixel_size, RADIUS, window)
+    totals = adhesion.plastic_totals(*arguments, loads, rho)
+    assert totals.shape == (3, 3, 3)
+    seen = np.zeros((1, 1)) if roughness is None else roughness
+    for touching, of_load in zip(loads, totals, strict=True):
+        alone = adhesion.plastic_totals(*arguments, [touching], rho)
+        np.testing.assert_allclose(of_load, alone[0], rtol=1e-9)
+        for i, j in np.ndindex(3, 3):
+            place = (substrate, seen, positions[[i, j]], pixel_size, window, touching, rho)
+            assert of_load[i, j] == pytest.approx(direct(*place)[0], rel=1e-9)
+
+
 def test_touching_image_pixels_are_counted_once_each():
     # One peak that the window holds several times: its images touch too, and must stay apart.
     substrate = np.zeros((64, 64))
@@ -143,24 +183,22 @@ def test_results_do_not_depend_on_threads():
     np.testing.assert_array_equal(one, two)
 
 
-def test_mirrored_contacts_of_the_array_are_all_different_places():
-    # On a mirrored surface position p and n - 1 - p are alike; the array must not repeat itself.
-    positions = sphere.contact_positions(1024, 20)
-    folded = np.minimum(positions, 1023 - positions)
-    assert len(np.unique(folded)) == 20
-    assert np.diff(np.sort(folded)).min() >= 20
-
-
-def test_common_pixels_interpolates_the_coarser_map():
-    coarse, fine = periodic_surface(50, 5.0, 8), periodic_surface(120, 1.0, 9)
-    substrate, roughness, pixel_size, stretch = sphere.common_pixels(coarse, 30.0, fine, 10.0)
-    assert substrate.shape == (150, 150) and roughness.shape == (120, 120)
-    assert pixel_size == 10.0 and stretch < 1e-12
-    np.testing.assert_allclose(substrate[::3, ::3], coarse, atol=1e-5)
-    # The apex lies in the middle of the sphere's scan, a quarter of its stitched period in.
-    np.testing.assert_array_equal(roughness, np.roll(fine, (-30, -30), axis=(0, 1)))
-
-
 def test_a_sum_out_of_range_is_an_error_not_a_number():
     with pytest.raises(ValueError, match="too small"):
         adhesion.pull_off_force(np.array([1.0, np.nan]), 0.01, 5.0, 1.0)
+
+
+@pytest.mark.parametrize("pixels", [3, 4, 9])
+def test_part_around_the_lowest_point_ends_at_the_edges(pixels):
+    size, before = 9, pixels // 2
+    for y, x in np.ndindex(size, size):
+        gap = np.arange(1.0, size**2 + 1).reshape(size, size)
+        gap[y, x] = 0.0
+        part = contact.around_lowest(gap, pixels)
+        assert part.shape == (pixels, pixels)
+        place = np.unravel_index(part.argmin(), part.shape)
+        for index, at in zip((y, x), place, strict=True):
+            to_the_end = size - index
+            assert at == max(min(before, index), pixels - to_the_end)
+        rows = gap[y - place[0] : y - place[0] + pixels]
+        np.testing.assert_array_equal(part, rows[:, x - place[1] : x - place[1] + pixels])

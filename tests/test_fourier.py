@@ -61,3 +61,33 @@ def test_a_wave_at_the_cutoff_is_kept_once():
 def test_a_cutoff_of_two_pixels_is_refused():
     with pytest.raises(ValueError, match="more than two pixels"):
         fourier.lowpass(noise(64), 10.0, 20.0)
+
+
+@pytest.mark.parametrize("pixels", [64, 100])
+@pytest.mark.parametrize("cutoff", [60.0, 333.0])
+def test_what_either_side_removes_makes_the_master(pixels, cutoff):
+    master = noise(64)
+    (whole, pixel), (long, _), (short, _) = (
+        fourier.filtered(master, 10.0, side, wavelength, pixels)
+        for side, wavelength in (("small", None), ("small", cutoff), ("large", cutoff))
+    )
+    assert pixel == 640 / pixels
+    assert whole.shape == long.shape == short.shape == (pixels, pixels)
+    np.testing.assert_allclose(long + short, whole, atol=3e-6)
+    band, _ = fourier.lowpass(master, 10.0, cutoff)
+    np.testing.assert_allclose(long, fourier.interpolate(band, pixels), atol=1e-12)
+
+
+@pytest.mark.parametrize("side", ["small", "large"])
+def test_without_a_cutoff_the_master_is_interpolated_alone(side):
+    master = noise(64)
+    np.testing.assert_array_equal(fourier.filtered(master, 10.0, side, None, 64)[0], master)
+    finer, pixel = fourier.filtered(master, 10.0, side, None, 128)
+    np.testing.assert_allclose(finer[::2, ::2], master, atol=2e-6)
+    assert pixel == 5.0
+
+
+def test_a_master_on_fewer_pixels_is_refused():
+    for cutoff in (None, 100.0):
+        with pytest.raises(ValueError, match="at least 64 pixels to interpolate to, found 32"):
+            fourier.filtered(noise(64), 10.0, "large", cutoff, 32)

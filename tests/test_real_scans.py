@@ -1,5 +1,7 @@
 """Measured scans: their numbers, and a study with one's own scan among substitutes."""
 
+import re
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -50,7 +52,13 @@ mcd\tMCD\t2\tsubstitute\tresources/spectra/mcd.csv\t
 ruby\truby\t1\tsubstitute\tresources/spectra/ruby.csv\t
 """
 #: The scan is 512 pixels of 19.5 nm, as the quick study's; four tiles of it need 4096.
-OWN = {"study": "own", "surfaces": "own.tsv", "scales": {"large": {"pixels": 4096}}}
+OWN = {
+    "study": "own",
+    "surfaces": "own.tsv",
+    "scales": {"large": {"pixels": 4096}},
+    "robustness": {"pixels": 4096},
+    "indent": {"surface": "uncd"},
+}
 
 
 @pytest.fixture(scope="module")
@@ -91,3 +99,12 @@ def test_adhesion_of_the_own_scan(own_study):
     assert (plastic >= rigid).all()
     assert force.sel(surface="uncd", scan=2).isnull().all()
     assert force.sel(surface="mcd", sphere_scan=1).notnull().all()
+
+
+def test_a_measured_surface_keeps_its_scans_in_every_variant(own_study):
+    run = run_snakemake(own_study.parents[1], "-n", "robustness", overlays=[OWN])
+    assert run.returncode == 0, run.stdout[-3000:]
+    outputs = re.findall(r"^    output: (.*)$", run.stdout, re.M)
+    assert any("/mcd.laplacian/" in output for output in outputs)
+    assert any("/uncd/adhesion.nc" in output for output in outputs)
+    assert [output for output in outputs if "uncd." in output] == []

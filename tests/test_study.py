@@ -98,6 +98,15 @@ def at_root(monkeypatch):
         ("inference.confidence", 95, ["inference.confidence:", "less than 1", "found 95"]),
         ("sphere", "ruby", ["config key sphere:", "object", "found 'ruby'"]),
         ("adhesion.traced_contact.contact", [1], ["at least 2 entries", "found [1]"]),
+        ("elastic.sphere.modulus", "365 N", ["config key elastic.sphere.modulus:", "Pa"]),
+        ("elastic.substrate.modulus", MISSING, ["key elastic.substrate:", "found no modulus"]),
+        ("elastic.sphere.poisson_ratio", 0.7, ["poisson_ratio:", "at most 0.5", "found 0.7"]),
+        ("elastic.contacts", 0, ["config key elastic.contacts:", "at least 1", "found 0"]),
+        ("indent.preloads", [], ["config key indent.preloads:", "at least 1 entries"]),
+        ("asperities.share", 1.0, ["config key asperities.share:", "less than 1", "found 1.0"]),
+        ("robustness.preloads", ["5 nm"], ["config key robustness.preloads.0:", "N", "'5 nm'"]),
+        ("robustness.skewness", [2], ["robustness.skewness.0:", "at most 1", "found 2"]),
+        ("robustness.skewness", [0, 0.0], ["robustness.skewness:", "each entry once"]),
     ],
 )
 def test_key_refused(key, value, parts):
@@ -109,6 +118,8 @@ def test_quantities_become_numbers():
     assert config["sphere"]["radius"] == 250e3
     assert config["contact"]["preload"] == 1e-5
     assert config["scales"]["small"]["cutoffs"][0] == 5.0
+    assert config["elastic"]["sphere"] == {"modulus": 365e9, "poisson_ratio": 0.29}
+    assert config["robustness"]["hardnesses"] == [16e9, 47e9]
 
 
 @pytest.mark.parametrize(
@@ -136,6 +147,17 @@ def test_quantities_become_numbers():
         (("adhesion.traced_contact.contact", [20, 0]), ["contact.count = 20", "found [20, 0]"]),
         (("scan.realization_pixels", 256), ["scan.realization_pixels", "512", "found 256"]),
         (("scans", [1, 7]), ["config key scans", "[1, 2, 3, 4, 5]", "found [7]"]),
+        (("indent.surface", "glass"), ["indent.surface", "mcd", "found glass"]),
+        (("indent.surface", "ruby"), ["indent.surface", "mcd", "found ruby"]),
+        (("elastic.contacts", 401), ["elastic.contacts", "400", "found 401"]),
+        (("asperities.contacts", 401), ["asperities.contacts", "400", "found 401"]),
+        (("asperities.ranges", ["2 nm", "1 nm"]), ["asperities.ranges", "found 1 nm after 2 nm"]),
+        (("indent.preloads", ["1 uN", "1 N"]), ["indent.preloads", "1048576", "1677722"]),
+        (("robustness.preloads", ["1 uN", "1 N"]), ["robustness.preloads", "1677722"]),
+        (("robustness.hardnesses", ["1 GPa", "0.1 MPa"]), ["robustness.hardnesses", "4194304"]),
+        (("robustness.pixels", 4095), ["robustness.pixels", "4096", "found 4095"]),
+        (("scales.small.cutoffs", ["2 nm"]), ["robustness.pixels", "cutoffs", "found 4096"]),
+        (("scales.large.tiles", 8), ["robustness.pixels", "8192", "found 4096"]),
     ],
 )
 def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):
@@ -144,6 +166,11 @@ def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, ch
         study.check(config, selected(config, tmp_path), PUBLISHED)
 
     assert_says(refusal(check), "config key", "expected", "found", *parts)
+
+
+def test_limits_of_other_keys_may_be_reached(tmp_path, at_root):
+    config = numbers("elastic.contacts", 400, "asperities.contacts", 400, "indent.surface", "mcd")
+    study.check(config, selected(config, tmp_path), PUBLISHED)
 
 
 def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):
