@@ -154,7 +154,17 @@ def test_quantities_become_numbers():
         (("asperities.ranges", ["2 nm", "1 nm"]), ["asperities.ranges", "found 1 nm after 2 nm"]),
         (("indent.preloads", ["1 uN", "1 N"]), ["indent.preloads", "1048576", "1677722"]),
         (("robustness.preloads", ["1 uN", "1 N"]), ["robustness.preloads", "1677722"]),
-        (("robustness.hardnesses", ["1 GPa", "0.1 MPa"]), ["robustness.hardnesses", "4194304"]),
+        (("robustness.hardnesses", ["0.1 MPa", "1 GPa"]), ["robustness.hardnesses", "4194304"]),
+        (
+            ("robustness.hardnesses", ["2 GPa", "1 GPa"]),
+            ["found 1000000000 Pa after 2000000000 Pa"],
+        ),
+        (("robustness.preloads", ["5 uN", "0.005 mN"]), ["found 5e-06 N after 5e-06 N"]),
+        (
+            ("indent.preloads", ["20 uN", "10 uN"]),
+            ["indent.preloads", "found 1e-05 N after 2e-05 N"],
+        ),
+        (("elastic.window", "50 nm"), ["elastic.window", "16 pixels", "78.12 nm", "found 50 nm"]),
         (("robustness.pixels", 4095), ["robustness.pixels", "4096", "found 4095"]),
         (("scales.small.cutoffs", ["2 nm"]), ["robustness.pixels", "cutoffs", "found 4096"]),
         (("scales.large.tiles", 8), ["robustness.pixels", "8192", "found 4096"]),

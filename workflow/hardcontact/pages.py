@@ -71,6 +71,8 @@ def _number(value):
 
 
 def _computed(row):
+    if np.isnan(row.computed):
+        return ""
     interval = "" if np.isnan(row.low) else f" [{row.low:.3g}, {row.high:.3g}]"
     unit = "" if row.unit == "1" else f" {escape(row.unit)}"
     return _number(row.computed) + interval + unit

@@ -186,6 +186,9 @@ def check(config, table, published):
             "config key scan.realization_pixels: expected at least scan.pixels = "
             f"{config['scan']['pixels']}, found {config['scan']['realization_pixels']}"
         )
+    for section in ("indent", "robustness"):
+        _refuse_disorder(f"{section}.preloads", config[section]["preloads"], "N")
+    _refuse_disorder("robustness.hardnesses", config["robustness"]["hardnesses"], "Pa")
     for section in ("elastic", "asperities"):
         if config[section]["contacts"] > contact["count"] ** 2:
             raise ValueError(
@@ -201,13 +204,13 @@ def check(config, table, published):
             _check_robustness(config, surface, pixels, pixel_size)
 
 
-def _refuse_disorder(key, lengths):
-    """Lengths (nm) that repeat, perhaps in another unit, or do not ascend."""
-    for shorter, longer in pairwise(lengths):
-        if shorter >= longer:
+def _refuse_disorder(key, values, unit="nm"):
+    """Quantities that repeat, perhaps written in another unit, or do not ascend."""
+    for smaller, larger in pairwise(values):
+        if smaller >= larger:
             raise ValueError(
-                f"config key {key}: expected ascending lengths, "
-                f"found {longer:.12g} nm after {shorter:.12g} nm"
+                f"config key {key}: expected ascending values, "
+                f"found {larger:.12g} {unit} after {smaller:.12g} {unit}"
             )
 
 
@@ -275,6 +278,12 @@ def _check_contact(config, surface, pixels, pixel_size):
             f"config key contact.count: expected at most the {2 * pixels} pixels along the "
             f"stitched scan of {surface}, found {contact['count']}"
         )
+    narrow = int(config["elastic"]["window"] / pixel_size)
+    if narrow < 16:
+        raise ValueError(
+            "config key elastic.window: expected at least 16 pixels of "
+            f"{surface} ({16 * pixel_size:.4g} nm), found {config['elastic']['window']:.4g} nm"
+        )
     least = min(config["adhesion"]["ranges"] + [config["scales"]["range"]])
     reach = math.sqrt(2 * radius * least)
     if reach < 2 * pixel_size:
@@ -311,7 +320,8 @@ def _check_robustness(config, surface, pixels, pixel_size):
     size = 2 * pixels * pixel_size
     needed = max(
         2 * pixels * config["scales"]["large"]["tiles"],
-        math.floor(2 * size / min(config["scales"]["small"]["cutoffs"])) + 1,
+        # An even number, with the order of the shortest cutoff below half of it.
+        2 * math.floor(size / min(config["scales"]["small"]["cutoffs"]) * (1 + 1e-12)) + 2,
     )
     found = config["robustness"]["pixels"]
     if found < needed:

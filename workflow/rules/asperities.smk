@@ -4,7 +4,7 @@
 rule find_asperities:
     input:
         substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=lambda w: stitched(SPHERE, sphere_scan_beside(w.scan)),
+        sphere=sphere_beside,
         code=code("find_asperities.py"),
     output:
         f"{STORE}/asperities/{{radius}}/{{load}}/{{surface}}/scan-{{scan}}.nc",

@@ -1,16 +1,16 @@
 # Elastic contact: pressure at the preload, and pull-off beside that of rigid bodies.
 
 
-def sphere_scan_beside(scan):
-    """One scan of the sphere for each scan of a substrate, in turn."""
-    scans = scans_of(SPHERE)
-    return scans[(int(scan) - 1) % len(scans)]
+def sphere_beside(w):
+    """One stitched scan of the sphere for each scan of a substrate, in turn."""
+    scans, place = scans_of(SPHERE), scans_of(w.surface).index(int(w.scan))
+    return stitched(SPHERE, scans[place % len(scans)])
 
 
 rule solve_elastic_contact:
     input:
         substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=lambda w: stitched(SPHERE, sphere_scan_beside(w.scan)),
+        sphere=sphere_beside,
         published="resources/paper/parameters.csv",
         code=code("solve_elastic_contact.py"),
     output:

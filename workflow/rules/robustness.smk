@@ -185,7 +185,10 @@ rule aggregate_robustness:
     params:
         canonical=canonical(
             {
-                **STUDY["inference"],
+                **{
+                    key: STUDY["inference"][key]
+                    for key in ("bootstrap_samples", "confidence", "error_threshold")
+                },
                 "variants": VARIANTS,
                 "surfaces": VARIED_SURFACES,
                 "masters": VARIED_MASTERS,

@@ -121,9 +121,11 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
     reach = _reach(pressure)
     for place, (axes, of_surface) in enumerate(zip(row, pressure, strict=True), start=1):
+        # Surfaces of other pixels have other positions, missing here.
+        of_surface = of_surface.dropna("y", how="all").dropna("x", how="all")
         image = axes.pcolormesh(
-            elastic["x"],
-            elastic["y"],
+            of_surface["x"],
+            of_surface["y"],
             of_surface.where(of_surface > 0),
             norm=LogNorm(ticks[0], ticks[-1]),
             cmap=PRESSURES,
