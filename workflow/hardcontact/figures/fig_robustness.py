@@ -68,7 +68,7 @@ QUANTITIES = {
         "$λ_S$ (nm)",
         "nm",
         1,
-        (1, 2, 3, 5),
+        (1, 2, 3, 4, 5, 7),
         "published_cutoff_small",
         "never reached",
     ),
