@@ -71,6 +71,8 @@ def _said(fault):
         return f"expected all of {', '.join(fault.schema['required'])}; found no {missing}"
     if fault.validator == "oneOf":
         return "; or ".join(_said(choice) for choice in fault.context)
+    if fault.validator == "type" and "unit" in fault.schema:
+        return f"expected a number with a unit of {fault.schema['unit']}, found {fault.instance!r}"
     if fault.validator in EXPECTED:
         expected = EXPECTED[fault.validator].format(fault.validator_value)
         return f"expected {expected}, found {fault.instance!r}"
@@ -224,8 +226,8 @@ def _refuse_dangling(config, table, sphere, traced):
     ):
         if surface not in known:
             raise ValueError(
-                f"config key {key}: expected a surface of the table "
-                f"({', '.join(known)}), found {surface}"
+                f"config key {key}: expected one of {', '.join(known)}, "
+                f"surfaces of the table, found {surface}"
             )
     for key, surface in (("scan", traced["surface"]), ("sphere_scan", sphere)):
         known = table.scan[table.surface == surface].tolist()

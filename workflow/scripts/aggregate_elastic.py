@@ -16,7 +16,7 @@ for (surface, _), scan in scans.items():
 contacts = dataset.stack(
     {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
     ["surface", "scan"],
-)
+).drop_encoding()  # whole numbers are missing where a scan is
 examples = dataset.stack({key: scan[["pressure"]] for key, scan in first.items()}, ["surface"])
 dataset.write(
     contacts.assign(
