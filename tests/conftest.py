@@ -6,6 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import matplotlib as mpl
 import numpy as np
 import pytest
 import yaml
@@ -33,6 +34,17 @@ def refusal(call, *arguments):
 def assert_says(message, *parts):
     for part in parts:
         assert part in message, message
+
+
+def assert_leaves_alone(module, datasets):
+    """A figure's module changes neither the datasets it draws nor the style of others."""
+    before = [data.copy(deep=True) for data in datasets]
+    style_before = dict(mpl.rcParams)
+    module.draw(*datasets)
+    module.table(*datasets)
+    assert dict(mpl.rcParams) == style_before
+    for old, new in zip(before, datasets, strict=True):
+        assert getattr(old, "identical", old.equals)(new)  # a table has no attributes to compare
 
 
 def heights(*shape):

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from conftest import assert_leaves_alone
 from matplotlib.colors import same_color
 
 from hardcontact.figures import fig1, fig3, fig4, fig6, style, table1
@@ -303,11 +304,7 @@ def test_saving_twice_gives_the_same_bytes(module, datasets, tmp_path):
 
 @every_figure
 def test_drawing_leaves_datasets_and_global_style_alone(module, datasets):
-    before = [data.copy(deep=True) for data in datasets[module]]
-    style_before = dict(style.mpl.rcParams)
-    module.draw(*datasets[module])
-    assert dict(style.mpl.rcParams) == style_before
-    assert all(old.equals(new) for old, new in zip(before, datasets[module], strict=True))
+    assert_leaves_alone(module, datasets[module])
 
 
 @every_figure

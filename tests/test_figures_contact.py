@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
-from conftest import ROOT
+from conftest import ROOT, assert_leaves_alone
 from docutils.core import publish_doctree
 from jinja2 import Environment, StrictUndefined
 
@@ -248,12 +248,7 @@ def test_saving_twice_gives_the_same_bytes(module, datasets, tmp_path):
 
 @every_figure
 def test_drawing_leaves_datasets_and_global_style_alone(module, datasets):
-    before = [data.copy(deep=True) for data in datasets[module]]
-    style_before = dict(style.mpl.rcParams)
-    module.draw(*datasets[module])
-    module.table(*datasets[module])
-    assert dict(style.mpl.rcParams) == style_before
-    assert all(old.identical(new) for old, new in zip(before, datasets[module], strict=True))
+    assert_leaves_alone(module, datasets[module])
 
 
 @every_figure
