@@ -1,17 +1,5 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-import os
-import sys
-from pathlib import Path
-
-import yaml
-
-# The library is found here and, through the environment, by every job.
-sys.path.insert(0, str(Path(workflow.basedir, "workflow")))
-os.environ["PYTHONPATH"] = os.pathsep.join(
-    filter(None, [sys.path[0], os.environ.get("PYTHONPATH")])
-)
-
 configfile: "config/config.yaml"
 
 report: "workflow/report/workflow.rst"
@@ -19,6 +7,7 @@ report: "workflow/report/workflow.rst"
 container: "docker://python:3.11-slim"
 
 include: "workflow/rules/common.smk"
+include: "workflow/rules/surfaces.smk"
 include: "workflow/rules/scans.smk"
 include: "workflow/rules/topography.smk"
 include: "workflow/rules/adhesion.smk"
@@ -32,19 +21,10 @@ include: "workflow/rules/robustness.smk"
 include: "workflow/rules/claims.smk"
 include: "workflow/rules/figures.smk"
 include: "workflow/rules/report.smk"
+include: "workflow/rules/provenance.smk"
 
 
 rule all:
     default_target: True
     input:
-        rules.topography.input,
-        rules.adhesion.input,
-        rules.elastic.input,
-        rules.plasticity.input,
-        rules.asperities.input,
-        rules.scales.input,
-        rules.classical.input,
-        rules.robustness.input,
-        rules.claims.input,
-        rules.figures.input,
-        rules.pages.input,
+        rules.crate.input,

@@ -5,16 +5,19 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib as mpl
 import numpy as np
 import pytest
 import yaml
+from hardcontact.figures import style
 from SurfaceTopography import Topography
 
 ROOT = Path(__file__).parents[1]
 PARTS = [
-    "Snakefile", "environment.txt", "README.md", "workflow", "config", "resources", "profiles",
+    "Snakefile", "environment.txt", "README.md", "CITATION.cff", "workflow", "config", "resources",
+    "profiles",
 ]  # fmt: skip
 QUICK = "config/quick.yaml"
 #: What robustness makes otherwise in the quick study: heights of uncd alone are skewed, and ncd
@@ -45,6 +48,22 @@ def assert_leaves_alone(module, datasets):
     assert dict(mpl.rcParams) == style_before
     for old, new in zip(before, datasets, strict=True):
         assert getattr(old, "identical", old.equals)(new)  # a table has no attributes to compare
+
+
+def save_figure(module, datasets, folder):
+    """Save a figure and its table in `folder`; the bytes of its files by their names."""
+    folder.mkdir(exist_ok=True)
+    kinds = {kind: str(folder / f"figure.{kind}") for kind in ("pdf", "png", "csv")}
+    style.save(
+        module.draw(*datasets),
+        module.table(*datasets),
+        SimpleNamespace(**kinds, record=str(folder / "figure.json")),
+        title="a figure",
+        parameters="{}",
+        inputs=[],
+        code=[],
+    )
+    return {kind: Path(path).read_bytes() for kind, path in kinds.items()}
 
 
 def heights(*shape):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from conftest import assert_says, refusal
+from conftest import assert_says, refusal, save_figure
 from scipy.integrate import quad
 from scipy.optimize import brentq
 from scipy.stats import norm
@@ -362,12 +362,9 @@ def test_figure_draws_surfaces_without_published_forces(dataset, tmp_path):
     other = other.assign(label=("surface", ["glass", "steel"]), basis=("surface", ["measured"] * 2))
     figure = fig_classical.draw(other)
     assert figure.texts[-1].get_text() == "all surfaces measured"
-    style.save(figure, fig_classical.table(other), *(tmp_path / name for name in "abc"))
+    save_figure(fig_classical, [other], tmp_path)
 
 
 def test_saving_the_figure_twice_gives_the_same_bytes(dataset, tmp_path):
-    paths = [[tmp_path / f"{number}{kind}" for kind in "abc"] for number in (1, 2)]
-    for three in paths:
-        style.save(fig_classical.draw(dataset), fig_classical.table(dataset), *three)
-    first, second = ([path.read_bytes() for path in three] for three in paths)
+    first, second = (save_figure(fig_classical, [dataset], tmp_path / x) for x in "ab")
     assert first == second

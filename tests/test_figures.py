@@ -7,7 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from conftest import assert_leaves_alone
+from conftest import assert_leaves_alone, save_figure
 from matplotlib.colors import same_color
 
 from hardcontact.figures import fig1, fig3, fig4, fig6, style, table1
@@ -291,15 +291,12 @@ def test_table_is_tidy_and_says_where_values_come_from(module, datasets):
 
 @every_figure
 def test_saving_twice_gives_the_same_bytes(module, datasets, tmp_path):
-    def saved(folder):
-        folder.mkdir()
-        paths = [folder / f"figure.{kind}" for kind in ("pdf", "png", "csv")]
-        drawn, rows = module.draw(*datasets[module]), module.table(*datasets[module])
-        style.save(drawn, rows, *paths, {"Title": "a figure"})
-        assert sorted(folder.iterdir()) == sorted(paths)
-        return [path.read_bytes() for path in paths]
-
-    assert saved(tmp_path / "first") == saved(tmp_path / "second")
+    first, second = (
+        save_figure(module, datasets[module], tmp_path / name) for name in ("first", "second")
+    )
+    assert first == second
+    names = {"figure.pdf", "figure.png", "figure.csv", "figure.json"}
+    assert {path.name for path in (tmp_path / "first").iterdir()} == names
 
 
 @every_figure
@@ -335,15 +332,15 @@ def test_figures_take_other_surfaces(datasets, tmp_path):
         figure.savefig(tmp_path / "figure.png")
 
 
-def test_nothing_is_written_when_saving_fails(topography, tmp_path):
+def test_nothing_is_written_when_saving_fails(topography, tmp_path, monkeypatch):
     class Broken(pd.DataFrame):
         def to_csv(self, path, **_):
             Path(path).write_text("half")
             raise OSError("disk full")
 
-    paths = [tmp_path / name for name in ("f.pdf", "f.png", "f.csv")]
+    monkeypatch.setattr(fig1, "table", lambda *_: Broken())
     with pytest.raises(OSError, match="disk full"):
-        style.save(fig1.draw(topography), Broken(), *paths)
+        save_figure(fig1, [topography], tmp_path)
     assert not list(tmp_path.iterdir())
 
 
@@ -420,8 +417,7 @@ def test_fig4_draws_without_an_error_region(contact, inference, tmp_path):
         inference[f"region_{name}"].loc[model] = np.nan
     inference["mean_relative_error"] += 0.5
     inference["range_from_ratios_low"].loc[model] = np.nan
-    figure = fig4.draw(contact, inference)
-    style.save(figure, fig4.table(contact, inference), *(tmp_path / x for x in "abc"))
+    save_figure(fig4, (contact, inference), tmp_path)
 
 
 def test_fig6_table_holds_ratios_realizations_and_critical_wavelengths(inference, scales):
@@ -437,9 +433,7 @@ def test_fig6_table_holds_ratios_realizations_and_critical_wavelengths(inference
 def test_fig6_draws_when_no_ratio_leaves_the_band(inference, scales, tmp_path):
     for end in ("", "_low", "_high"):
         inference[f"critical_wavelength{end}"][:] = np.nan
-    style.save(
-        fig6.draw(inference, scales), fig6.table(inference, scales), *(tmp_path / x for x in "abc")
-    )
+    save_figure(fig6, (inference, scales), tmp_path)
 
 
 def test_table1_marks_what_agrees_by_construction(topography, table1_published):

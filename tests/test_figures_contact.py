@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 import yaml
-from conftest import ROOT, assert_leaves_alone
+from conftest import ROOT, assert_leaves_alone, save_figure
 from docutils.core import publish_doctree
 from jinja2 import Environment, StrictUndefined
 
@@ -167,7 +167,8 @@ def robustness(rng):
         "published_cutoff_small": 43.0,
         "published_cutoff_large": 1800.0,
         "realizations": 3,
-        "pixels": 4096,
+        "pixels_small": 4096,
+        "pixels_large": 4096,
         "count": 10,
         "tolerance": 0.1,
         "range": 5.6,
@@ -191,14 +192,6 @@ every_figure = pytest.mark.parametrize("module", MODULES, ids=lambda m: m.__name
 
 def select(frame, **where):
     return frame[np.logical_and.reduce([frame[name] == value for name, value in where.items()])]
-
-
-def saved(module, datasets, folder):
-    """Save a figure and return the bytes of its files."""
-    folder.mkdir(exist_ok=True)
-    paths = [folder / f"figure.{kind}" for kind in ("pdf", "png", "csv")]
-    style.save(module.draw(*datasets), module.table(*datasets), *paths)
-    return [path.read_bytes() for path in paths]
 
 
 def measured(data):
@@ -242,7 +235,7 @@ def test_table_is_tidy_and_says_where_values_come_from(module, datasets):
 
 @every_figure
 def test_saving_twice_gives_the_same_bytes(module, datasets, tmp_path):
-    first, again = (saved(module, datasets[module], tmp_path / name) for name in ("one", "two"))
+    first, again = (save_figure(module, datasets[module], tmp_path / x) for x in "ab")
     assert first == again
 
 
@@ -313,7 +306,7 @@ def test_fig5_shows_every_indent_of_the_map(indent):
 def test_fig5_takes_the_nearest_preload_and_missing_scans(indent, tmp_path):
     indent["depth"][:, 1] = np.nan
     one = indent.sel(preload=[1e-5])
-    assert saved(fig5, (indent,), tmp_path) and saved(fig5, (one,), tmp_path)
+    assert save_figure(fig5, (indent,), tmp_path) and save_figure(fig5, (one,), tmp_path)
     assert set(select(fig5.table(one), panel="b")["preload"]) == {1e-5}
     depths = select(fig5.table(indent), quantity="depth", origin="computed")["value"]
     assert depths.notna().all()
@@ -367,7 +360,7 @@ def test_elastic_figure_with_missing_scans(elastic, tmp_path):
     dims = ("surface", "scan", "contact")
     for name in [name for name, values in elastic.items() if values.dims == dims]:
         elastic[name][1, 2] = np.nan
-    assert saved(fig_elastic, (elastic,), tmp_path)
+    assert save_figure(fig_elastic, (elastic,), tmp_path)
     shares = select(fig_elastic.table(elastic), surface="uncd", quantity="hard_share")
     assert len(shares) == (SCANS - 1) * CONTACTS and set(shares["scan"]) == {1, 2}
 
@@ -414,7 +407,7 @@ def test_asperities_figure_with_gaps(asperities, inference, tmp_path):
         asperities[name][2, :, 1] = np.nan
     for end in ("", "_low", "_high"):
         inference[f"critical_wavelength{end}"][:] = np.nan
-    assert saved(fig_asperities, (asperities, inference), tmp_path)
+    assert save_figure(fig_asperities, (asperities, inference), tmp_path)
     curve = select(fig_asperities.table(asperities, inference), surface="ncd", quantity="patches")
     assert len(curve) == len(RHO) and curve["value"].notna().all()
 
@@ -459,7 +452,7 @@ def test_robustness_says_what_a_variant_does_not_affect(robustness, inference, t
         [],
         ["never reached"],
     ]
-    assert saved(fig_robustness, (robustness, inference), tmp_path)
+    assert save_figure(fig_robustness, (robustness, inference), tmp_path)
 
 
 def test_robustness_rows_are_the_variants_in_their_order(robustness, inference):
@@ -475,7 +468,7 @@ def test_robustness_rows_are_the_variants_in_their_order(robustness, inference):
 
 
 def test_robustness_draws_one_variant_alone(robustness, inference, tmp_path):
-    assert saved(fig_robustness, (robustness.isel(variant=[0]), inference), tmp_path)
+    assert save_figure(fig_robustness, (robustness.isel(variant=[0]), inference), tmp_path)
 
 
 # The texts of the report

@@ -56,7 +56,7 @@ OWN = {
     "study": "own",
     "surfaces": "own.tsv",
     "scales": {"large": {"pixels": 4096}},
-    "robustness": {"pixels": 4096},
+    "robustness": {"small": {"pixels": 4096}, "large": {"pixels": 4096}},
     "indent": {"surface": "uncd"},
 }
 

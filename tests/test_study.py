@@ -173,9 +173,9 @@ def test_quantities_become_numbers():
             ["indent.preloads", "found 1e-05 N after 2e-05 N"],
         ),
         (("elastic.window", "50 nm"), ["elastic.window", "16 pixels", "78.12 nm", "found 50 nm"]),
-        (("robustness.pixels", 4095), ["robustness.pixels", "4096", "found 4095"]),
-        (("scales.small.cutoffs", ["2 nm"]), ["robustness.pixels", "cutoffs", "found 4096"]),
-        (("scales.large.tiles", 8), ["robustness.pixels", "8192", "found 4096"]),
+        (("robustness.large.pixels", 4095), ["robustness.large.pixels", "4096", "found 4095"]),
+        (("robustness.small.cutoffs", ["2 nm"]), ["robustness.small.cutoffs", "2.441 nm"]),
+        (("scales.large.tiles", 8), ["robustness.large.pixels", "8192", "found 4096"]),
     ],
 )
 def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):

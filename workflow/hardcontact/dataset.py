@@ -16,13 +16,19 @@ __all__ = [
     "atomic_path",
     "canonical",
     "digest",
+    "digests",
     "height_map",
     "pixel_size",
+    "provenance",
     "read",
+    "record",
+    "remove_parts",
     "stack",
     "write",
 ]
 
+#: How the name of a file begins that is not whole yet.
+PART = ".part-"
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
 
 
@@ -40,14 +46,17 @@ def digest(paths):
     return total.hexdigest()
 
 
+def digests(paths):
+    """SHA-256 of each of the files by itself, by path, as canonical text."""
+    return canonical({Path(path).as_posix(): digest([path]) for path in set(paths)})
+
+
 @contextmanager
 def atomic_path(path):
     """A temporary path beside `path`, renamed to it if the block succeeds, removed if it fails."""
     path = Path(path)
     path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(
-        dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix
-    )
+    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=PART, suffix=path.suffix)
     os.close(handle)
     try:
         yield temporary
@@ -55,6 +64,12 @@ def atomic_path(path):
         os.replace(temporary, path)
     finally:
         Path(temporary).unlink(missing_ok=True)
+
+
+def remove_parts(folder):
+    """Remove what jobs that were killed left half-written anywhere below `folder`."""
+    for path in Path(folder).rglob(f"{PART}*"):
+        path.unlink(missing_ok=True)
 
 
 def _umask():
@@ -95,26 +110,40 @@ def pixel_size(surface):
     return float(surface["heights"].attrs["pixel_size"])
 
 
-def write(dataset, path, *, title, parameters, inputs, code, file_format="NETCDF4"):
-    """Write `dataset` whole or not at all, with what determined it.
+def provenance(parameters, inputs, code):
+    """What determined a file, as a dict of texts: equal texts mean an equal file.
 
-    title: one line; parameters: canonical JSON text; inputs: paths whose digests are kept one by
-    one, code: those among them that are digested together.
-    Files carry no time of writing, so that equal content is an equal file.
+    parameters: canonical JSON text; inputs: paths whose digests are kept one by one; code: those
+    among them that are also digested together. No time of writing, so that nothing else differs.
     """
+    return {
+        "parameters": parameters,
+        "versions": canonical({name: version(name) for name in PACKAGES}),
+        "code_digest": digest(code),
+        "input_digests": digests(inputs),
+    }
+
+
+def write(dataset, path, *, title, parameters, inputs, code, file_format="NETCDF4"):
+    """Write `dataset` whole or not at all, with what determined it (see `provenance`)."""
     dataset = dataset.assign_attrs(
         title=title,
         Conventions="CF-1.11",
         history=f"made by the hardcontact study: {title}",
-        parameters=parameters,
-        versions=canonical({name: version(name) for name in PACKAGES}),
-        code_digest=digest(code),
-        input_digests=canonical(
-            {Path(path).as_posix(): digest([path]) for path in inputs if path not in code}
-        ),
+        **provenance(parameters, inputs, code),
     )
     with atomic_path(path) as temporary:
         dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+
+
+def record(path, outputs, *, parameters, inputs, code):
+    """Write beside files without attributes (figures, tables, pages) what determined them, as JSON.
+
+    outputs: the files, whose digests are kept too; for the others see `provenance`.
+    """
+    found = provenance(parameters, inputs, code) | {"output_digests": digests(outputs)}
+    with atomic_path(path) as temporary:
+        Path(temporary).write_text(canonical(found))
 
 
 def read(path):

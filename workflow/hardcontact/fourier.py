@@ -77,7 +77,7 @@ def filtered(heights, pixel_size, side, cutoff, pixels):
     """A master without the scales beyond a cutoff (nm), on (pixels, pixels), and their size (nm).
 
     side: "small" removes wavelengths below the cutoff, "large" those above; cutoff: None removes
-    nothing. Raises ValueError if pixels are fewer than the master's.
+    nothing. Raises ValueError if pixels are too few for what is left.
     """
     size = heights.shape[0] * pixel_size
     if cutoff is not None and side == "small":

@@ -4,7 +4,7 @@ All faults are ValueErrors of one line: the key or row, what was expected, what 
 """
 
 import math
-from itertools import pairwise
+from itertools import pairwise, product
 from pathlib import Path
 
 import jsonschema
@@ -170,8 +170,8 @@ def check(config, table, published):
     _refuse_dangling(config, table, sphere, traced)
     for section in ("adhesion", "asperities"):
         _refuse_disorder(f"{section}.ranges", config[section]["ranges"])
-    for side in ("small", "large"):
-        _refuse_disorder(f"scales.{side}.cutoffs", config["scales"][side]["cutoffs"])
+    for section, side in product(("scales", "robustness"), ("small", "large")):
+        _refuse_disorder(f"{section}.{side}.cutoffs", config[section][side]["cutoffs"])
     if config["reference_surface"] not in published:
         raise ValueError(
             "config key reference_surface: expected a surface with a published "
@@ -201,9 +201,8 @@ def check(config, table, published):
         pixels, pixel_size = _geometry(config, surface, rows)
         _check_contact(config, surface, pixels, pixel_size)
         if surface != sphere:
-            for side in ("small", "large"):
-                _check_side(config, surface, side, pixels, pixel_size)
-            _check_robustness(config, surface, pixels, pixel_size)
+            for section, side in product(("scales", "robustness"), ("small", "large")):
+                _check_side(config, section, side, surface, pixels, pixel_size)
 
 
 def _refuse_disorder(key, values, unit="nm"):
@@ -296,9 +295,10 @@ def _check_contact(config, surface, pixels, pixel_size):
         )
 
 
-def _check_side(config, surface, side, pixels, pixel_size):
-    settings = config["scales"][side]
-    tiles, key = settings.get("tiles", 1), f"config key scales.{side}"
+def _check_side(config, section, side, surface, pixels, pixel_size):
+    """Masters of one side, of the study (section scales) or of robustness."""
+    settings, scales = config[section][side], config["scales"][side]
+    tiles, key = scales.get("tiles", 1), f"config key {section}.{side}"
     size = 2 * pixels * tiles * pixel_size
     needed = 2 * pixels * tiles
     if settings["pixels"] < needed:
@@ -308,26 +308,10 @@ def _check_side(config, surface, side, pixels, pixel_size):
         )
     master = size / settings["pixels"] if side == "small" else pixel_size
     for name, limit in (("transition", pixel_size), ("cutoffs", master)):
-        for wavelength in np.atleast_1d(settings[name]):
+        for wavelength in np.atleast_1d(settings.get(name, scales[name])):
             if not 2 * limit < wavelength <= size:
                 raise ValueError(
                     f"{key}.{name}: expected on {surface} more than two pixels "
                     f"({2 * limit:.4g} nm) and at most the domain ({size:.6g} nm), "
                     f"found {wavelength:.4g} nm"
                 )
-
-
-def _check_robustness(config, surface, pixels, pixel_size):
-    """The pixels of both masters: those of the large one, and two for the shortest cutoff."""
-    size = 2 * pixels * pixel_size
-    needed = max(
-        2 * pixels * config["scales"]["large"]["tiles"],
-        # An even number, with the order of the shortest cutoff below half of it.
-        2 * math.floor(size / min(config["scales"]["small"]["cutoffs"]) * (1 + 1e-12)) + 2,
-    )
-    found = config["robustness"]["pixels"]
-    if found < needed:
-        raise ValueError(
-            f"config key robustness.pixels: expected at least {needed}, for the tiles and the "
-            f"cutoffs of scales on {surface}, found {found}"
-        )

@@ -7,7 +7,7 @@ rule compute_pull_off:
         sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
         code=code("compute_pull_off.py"),
     output:
-        f"{STORE}/pull_off/{{radius}}/{{load}}/{{surface}}/scan-{{scan}}/sphere-scan-{{sphere_scan}}.nc",
+        f"{STORE}/pull_off/{PAIR}.nc",
     params:
         canonical=canonical(
             {
@@ -18,29 +18,21 @@ rule compute_pull_off:
             }
         ),
     log:
-        f"{STORE}/logs/compute_pull_off/{{radius}}-{{load}}-{{surface}}-{{scan}}-{{sphere_scan}}.log",
+        f"{STORE}/logs/compute_pull_off/{PAIR}.log",
     benchmark:
-        f"{STORE}/benchmarks/compute_pull_off/{{radius}}-{{load}}-{{surface}}-{{scan}}-{{sphere_scan}}.tsv"
+        f"{STORE}/benchmarks/compute_pull_off/{PAIR}.tsv"
     resources:
         mem_mb=1000,
     script:
         "../scripts/compute_pull_off.py"
 
 
-PAIRS = [
-    (surface, scan, sphere_scan)
-    for surface in SUBSTRATES
-    for scan in scans_of(surface)
-    for sphere_scan in scans_of(SPHERE)
-]
+PAIRS = pairs_of(SUBSTRATES)
 
 
 rule aggregate_adhesion:
     input:
-        pairs=[
-            f"{STORE}/pull_off/{RADIUS}/{LOAD}/{surface}/scan-{scan}/sphere-scan-{sphere_scan}.nc"
-            for surface, scan, sphere_scan in PAIRS
-        ],
+        pairs=[pair_file("pull_off", *pair) for pair in PAIRS],
         code=code("aggregate_adhesion.py"),
     output:
         f"{RESULTS}/adhesion.nc",

@@ -4,10 +4,10 @@
 rule find_asperities:
     input:
         substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=sphere_beside,
+        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
         code=code("find_asperities.py"),
     output:
-        f"{STORE}/asperities/{{radius}}/{{load}}/{{surface}}/scan-{{scan}}.nc",
+        f"{STORE}/asperities/{PAIR}.nc",
     params:
         canonical=lambda w: canonical(
             {
@@ -20,9 +20,9 @@ rule find_asperities:
             }
         ),
     log:
-        f"{STORE}/logs/find_asperities/{{radius}}-{{load}}-{{surface}}-{{scan}}.log",
+        f"{STORE}/logs/find_asperities/{PAIR}.log",
     benchmark:
-        f"{STORE}/benchmarks/find_asperities/{{radius}}-{{load}}-{{surface}}-{{scan}}.tsv"
+        f"{STORE}/benchmarks/find_asperities/{PAIR}.tsv"
     resources:
         mem_mb=1500,
     script:
@@ -31,15 +31,14 @@ rule find_asperities:
 
 rule aggregate_asperities:
     input:
-        scans=[
-            f"{STORE}/asperities/{RADIUS}/{LOAD}/{surface}/scan-{scan}.nc"
-            for surface, scan in SUBSTRATE_SCANS
-        ],
+        scans=[pair_file("asperities", *pair) for pair in BESIDE],
         code=code("aggregate_asperities.py"),
     output:
         f"{RESULTS}/asperities.nc",
     params:
-        canonical=canonical({"scans": SUBSTRATE_SCANS, "labels": LABELS, "basis": BASIS}),
+        canonical=canonical(
+            {"scans": [pair[:2] for pair in BESIDE], "labels": LABELS, "basis": BASIS}
+        ),
     log:
         f"{RESULTS}/logs/aggregate_asperities.log",
     benchmark:

@@ -14,7 +14,8 @@ rule evaluate_claims:
         claims="resources/paper/claims.csv",
         code=code("evaluate_claims.py"),
     output:
-        f"{RESULTS}/claims.csv",
+        claims=f"{RESULTS}/claims.csv",
+        record=f"{RESULTS}/provenance/claims.json",
     params:
         canonical=canonical({}),
     log:

@@ -1,20 +1,24 @@
 # Elastic contact: pressure at the preload, and pull-off beside that of rigid bodies.
 
+from itertools import cycle
 
-def sphere_beside(w):
-    """One stitched scan of the sphere for each scan of a substrate, in turn."""
-    scans, place = scans_of(SPHERE), scans_of(w.surface).index(int(w.scan))
-    return stitched(SPHERE, scans[place % len(scans)])
+
+# One scan of the sphere for each scan of a substrate, in turn.
+BESIDE = [
+    (surface, scan, sphere_scan)
+    for surface in SUBSTRATES
+    for scan, sphere_scan in zip(scans_of(surface), cycle(scans_of(SPHERE)))
+]
 
 
 rule solve_elastic_contact:
     input:
         substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=sphere_beside,
+        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
         published="resources/paper/parameters.csv",
         code=code("solve_elastic_contact.py"),
     output:
-        f"{STORE}/elastic/{{radius}}/{{load}}/{{surface}}/scan-{{scan}}.nc",
+        f"{STORE}/elastic/{PAIR}.nc",
     params:
         canonical=lambda w: canonical(
             {
@@ -27,29 +31,25 @@ rule solve_elastic_contact:
             }
         ),
     log:
-        f"{STORE}/logs/solve_elastic_contact/{{radius}}-{{load}}-{{surface}}-{{scan}}.log",
+        f"{STORE}/logs/solve_elastic_contact/{PAIR}.log",
     benchmark:
-        f"{STORE}/benchmarks/solve_elastic_contact/{{radius}}-{{load}}-{{surface}}-{{scan}}.tsv"
+        f"{STORE}/benchmarks/solve_elastic_contact/{PAIR}.tsv"
     resources:
         mem_mb=1500,
     script:
         "../scripts/solve_elastic_contact.py"
 
 
-SUBSTRATE_SCANS = [(surface, scan) for surface in SUBSTRATES for scan in scans_of(surface)]
-
-
 rule aggregate_elastic:
     input:
-        scans=[
-            f"{STORE}/elastic/{RADIUS}/{LOAD}/{surface}/scan-{scan}.nc"
-            for surface, scan in SUBSTRATE_SCANS
-        ],
+        scans=[pair_file("elastic", *pair) for pair in BESIDE],
         code=code("aggregate_elastic.py"),
     output:
         f"{RESULTS}/elastic.nc",
     params:
-        canonical=canonical({"scans": SUBSTRATE_SCANS, "labels": LABELS, "basis": BASIS}),
+        canonical=canonical(
+            {"scans": [pair[:2] for pair in BESIDE], "labels": LABELS, "basis": BASIS}
+        ),
     log:
         f"{RESULTS}/logs/aggregate_elastic.log",
     benchmark:

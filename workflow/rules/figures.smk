@@ -1,4 +1,4 @@
-# Figures: drawn from the aggregated datasets alone.
+# Figures: drawn from the aggregated datasets alone, by the study and by redraw.smk.
 
 # Chapter of the report and name of each figure, in the order of the paper.
 CHAPTERS = {
@@ -28,12 +28,13 @@ def pictures(name):
             labels={"figure": title},
         ),
         "csv": f"{folder}.csv",
+        "record": f"{RESULTS}/provenance/{name}.json",
     }
 
 
 rule draw_fig1:
     input:
-        topography=rules.aggregate_topography.output[0],
+        topography=f"{RESULTS}/topography.nc",
         code=code("draw_fig1.py"),
     output:
         **pictures("fig1"),
@@ -49,7 +50,7 @@ rule draw_fig1:
 
 rule draw_table1:
     input:
-        topography=rules.aggregate_topography.output[0],
+        topography=f"{RESULTS}/topography.nc",
         published="resources/paper/table1.csv",
         code=code("draw_table1.py"),
     output:
@@ -66,7 +67,7 @@ rule draw_table1:
 
 rule draw_fig_elastic:
     input:
-        elastic=rules.aggregate_elastic.output[0],
+        elastic=f"{RESULTS}/elastic.nc",
         code=code("draw_fig_elastic.py"),
     output:
         **pictures("fig_elastic"),
@@ -82,7 +83,7 @@ rule draw_fig_elastic:
 
 rule draw_fig5:
     input:
-        indent=rules.measure_indents.output[0],
+        indent=f"{RESULTS}/indent.nc",
         code=code("draw_fig5.py"),
     output:
         **pictures("fig5"),
@@ -98,8 +99,8 @@ rule draw_fig5:
 
 rule draw_fig3:
     input:
-        adhesion=rules.aggregate_adhesion.output[0],
-        inference=rules.infer.output[0],
+        adhesion=f"{RESULTS}/adhesion.nc",
+        inference=f"{RESULTS}/inference.nc",
         code=code("draw_fig3.py"),
     output:
         **pictures("fig3"),
@@ -115,8 +116,8 @@ rule draw_fig3:
 
 rule draw_fig4:
     input:
-        contact=rules.trace_contact.output[0],
-        inference=rules.infer.output[0],
+        contact=f"{RESULTS}/contact.nc",
+        inference=f"{RESULTS}/inference.nc",
         code=code("draw_fig4.py"),
     output:
         **pictures("fig4"),
@@ -132,7 +133,7 @@ rule draw_fig4:
 
 rule draw_fig_classical:
     input:
-        classical=rules.apply_classical_models.output[0],
+        classical=f"{RESULTS}/classical.nc",
         code=code("draw_fig_classical.py"),
     output:
         **pictures("fig_classical"),
@@ -148,8 +149,8 @@ rule draw_fig_classical:
 
 rule draw_fig_asperities:
     input:
-        asperities=rules.aggregate_asperities.output[0],
-        inference=rules.infer.output[0],
+        asperities=f"{RESULTS}/asperities.nc",
+        inference=f"{RESULTS}/inference.nc",
         code=code("draw_fig_asperities.py"),
     output:
         **pictures("fig_asperities"),
@@ -165,8 +166,8 @@ rule draw_fig_asperities:
 
 rule draw_fig6:
     input:
-        inference=rules.infer.output[0],
-        scales=rules.aggregate_scales.output[0],
+        inference=f"{RESULTS}/inference.nc",
+        scales=f"{RESULTS}/scales.nc",
         code=code("draw_fig6.py"),
     output:
         **pictures("fig6"),
@@ -182,8 +183,8 @@ rule draw_fig6:
 
 rule draw_fig_robustness:
     input:
-        robustness=rules.aggregate_robustness.output[0],
-        inference=rules.infer.output[0],
+        robustness=f"{RESULTS}/robustness.nc",
+        inference=f"{RESULTS}/inference.nc",
         code=code("draw_fig_robustness.py"),
     output:
         **pictures("fig_robustness"),

@@ -12,7 +12,7 @@ def page(name, chapter, title):
 
 rule describe_study:
     input:
-        claims=rules.evaluate_claims.output[0],
+        claims=f"{RESULTS}/claims.csv",
         readme="README.md",
         environment="environment.txt",
         code=code("describe_study.py"),
@@ -20,6 +20,7 @@ rule describe_study:
         claims=page("claims", "8. Verdicts", "verdicts on the paper's statements"),
         departures=page("departures", "9. Departures, parameters", "where the study departs from the paper"),
         parameters=page("parameters", "9. Departures, parameters", "parameters and versions"),
+        record=f"{RESULTS}/provenance/pages.json",
     params:
         canonical=canonical(config),
     log:

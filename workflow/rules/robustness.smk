@@ -70,24 +70,17 @@ VARIANTS = [
 
 
 rule vary_adhesion:
-    # forces of all pairs of scans of one surface, or of one variant of it
+    # forces of one pair of scans, of a surface or of one variant of it
     input:
-        substrates=lambda w: [
-            stitched(w.surface, scan) for scan in scans_of(w.surface) for _ in scans_of(SPHERE)
-        ],
-        spheres=lambda w: [
-            stitched(SPHERE, scan) for _ in scans_of(w.surface) for scan in scans_of(SPHERE)
-        ],
+        substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
+        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
         code=code("vary_adhesion.py"),
     output:
-        f"{STORE}/robustness/{{radius}}/{{load}}/{{surface}}/adhesion.nc",
+        f"{STORE}/robustness/{PAIR}.nc",
     params:
         canonical=lambda w: canonical(
             {
                 "surface": w.surface,
-                "pairs": [
-                    [scan, other] for scan in scans_of(w.surface) for other in scans_of(SPHERE)
-                ],
                 "loads": LOADS,
                 "count": VARIED["count"],
                 "window": STUDY["contact"]["window"],
@@ -96,9 +89,9 @@ rule vary_adhesion:
             }
         ),
     log:
-        f"{STORE}/logs/vary_adhesion/{{radius}}-{{load}}-{{surface}}.log",
+        f"{STORE}/logs/vary_adhesion/{PAIR}.log",
     benchmark:
-        f"{STORE}/benchmarks/vary_adhesion/{{radius}}-{{load}}-{{surface}}.tsv"
+        f"{STORE}/benchmarks/vary_adhesion/{PAIR}.tsv"
     resources:
         mem_mb=1000,
     script:
@@ -124,11 +117,8 @@ rule vary_scales:
                 "realization": int(w.realization),
                 "side": w.side,
                 "seed": STUDY["seed"],
-                "scales": {
-                    key: value for key, value in STUDY["scales"][w.side].items() if key != "pixels"
-                },
+                "scales": STUDY["scales"][w.side] | VARIED[w.side],
                 "rho": STUDY["scales"]["range"],
-                "pixels": VARIED["pixels"],
                 "loads": LOADS if w.probe == PROBE else LOADS[:1],
                 "count": VARIED["count"],
                 "window": STUDY["contact"]["window"],
@@ -147,7 +137,7 @@ rule vary_scales:
         "../scripts/vary_scales.py"
 
 
-VARIED_SURFACES = list(dict.fromkeys(s for one in VARIANTS for s in one["surfaces"]))
+VARIED_PAIRS = pairs_of(dict.fromkeys(s for one in VARIANTS for s in one["surfaces"]))
 VARIED_MASTERS = list(
     dict.fromkeys(
         (surface, realization, side, one["probe"])
@@ -161,10 +151,7 @@ VARIED_MASTERS = list(
 
 rule aggregate_robustness:
     input:
-        adhesion=[
-            rules.vary_adhesion.output[0].format(radius=RADIUS, load=LOAD, surface=surface)
-            for surface in VARIED_SURFACES
-        ],
+        adhesion=[pair_file("robustness", *pair) for pair in VARIED_PAIRS],
         scales=[
             rules.vary_scales.output[0].format(
                 radius=RADIUS,
@@ -190,11 +177,11 @@ rule aggregate_robustness:
                     for key in ("bootstrap_samples", "confidence", "error_threshold")
                 },
                 "variants": VARIANTS,
-                "surfaces": VARIED_SURFACES,
+                "pairs": VARIED_PAIRS,
                 "masters": VARIED_MASTERS,
                 "substrates": SUBSTRATES,
                 "probe": PROBE,
-                "pixels": VARIED["pixels"],
+                **{f"pixels_{side}": VARIED[side]["pixels"] for side in ("small", "large")},
                 "count": VARIED["count"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 "range": STUDY["scales"]["range"],

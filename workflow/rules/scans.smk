@@ -62,26 +62,26 @@ rule extrapolate_spectrum:
     # C_iso of a measured surface, from its own scans
     input:
         scans=lambda w: expand(
-            f"{STORE}/topography/{{surface}}/scan-{{scan}}-{{shape}}.nc",
-            surface=w.surface,
+            f"{STORE}/topography/{w.surface}/scan-{{scan}}-{w.shape}.nc",
             scan=scans_of(w.surface),
-            shape=shape_of(w.surface),
         ),
         code=code("extrapolate_spectrum.py"),
     output:
-        f"{STORE}/spectra/{{surface}}-measured.nc",
+        f"{STORE}/spectra/{{surface}}-measured-{{shape}}.nc",
     params:
         canonical=canonical({}),
     log:
-        f"{STORE}/logs/extrapolate_spectrum/{{surface}}.log",
+        f"{STORE}/logs/extrapolate_spectrum/{{surface}}-{{shape}}.log",
     benchmark:
-        f"{STORE}/benchmarks/extrapolate_spectrum/{{surface}}.tsv"
+        f"{STORE}/benchmarks/extrapolate_spectrum/{{surface}}-{{shape}}.tsv"
     script:
         "../scripts/extrapolate_spectrum.py"
 
 
 def spectrum_of(surface):
-    return f"{STORE}/spectra/{surface}-{BASIS[plain(surface)]}.nc"
+    if BASIS[plain(surface)] == "measured":
+        return f"{STORE}/spectra/{surface}-measured-{shape_of(surface)}.nc"
+    return f"{STORE}/spectra/{surface}-substitute.nc"
 
 
 rule synthesize_scan:
@@ -118,6 +118,12 @@ def scan_file(surface, scan):
     return f"{STORE}/substitutes/{surface}/scan-{scan}-{shape_of(surface)}.nc"
 
 
+def undefined_pixels_of(surface):
+    """What is done with undefined pixels; substitutes have none."""
+    measured = BASIS[plain(surface)] == "measured"
+    return STUDY["scan"]["undefined_pixels"] if measured else "refuse"
+
+
 rule prepare_scan:
     # the plane removed, from the sphere's scans the sphere too; then mirror-stitched
     input:
@@ -131,7 +137,7 @@ rule prepare_scan:
             {
                 "source": BASIS[plain(w.surface)],
                 "dataset": row_of(w.surface, w.scan).dataset,
-                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "undefined_pixels": undefined_pixels_of(w.surface),
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }
         ),

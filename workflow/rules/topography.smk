@@ -38,7 +38,7 @@ rule aggregate_topography:
                 "basis": BASIS,
                 "sphere_surface": SPHERE,
                 "sphere_dataset": row_of(SPHERE, scans_of(SPHERE)[0]).dataset,
-                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "undefined_pixels": undefined_pixels_of(SPHERE),
                 "table1": STUDY["topography"],
                 "reference_surface": STUDY["reference_surface"],
                 "confidence": STUDY["inference"]["confidence"],

@@ -18,9 +18,12 @@ published = pd.read_csv(snakemake.input.pull_off).pivot(
 published = published.mean_force.reindex(substrates).to_numpy()
 constants = pd.read_csv(snakemake.input.published).set_index("quantity")
 
+pairs = {}
+for (surface, *scans), path in zip(parameters["pairs"], snakemake.input.adhesion, strict=True):
+    pairs.setdefault(surface, {})[tuple(scans)] = dataset.read(path)
 forces = {
-    surface: dataset.read(path).pull_off_force
-    for surface, path in zip(parameters["surfaces"], snakemake.input.adhesion, strict=True)
+    surface: dataset.stack(parts, ["scan", "sphere_scan"]).pull_off_force
+    for surface, parts in pairs.items()
 }
 masters = {
     tuple(key): dataset.read(path)
@@ -95,7 +98,15 @@ dataset.write(
     ).assign_attrs(
         {
             name: parameters[name]
-            for name in ("sphere_radius", "tolerance", "range", "confidence", "pixels", "count")
+            for name in (
+                "sphere_radius",
+                "tolerance",
+                "range",
+                "confidence",
+                "count",
+                "pixels_small",
+                "pixels_large",
+            )
         }
         | {
             "basis": ", ".join(f"{name}: {parameters['basis'][name]}" for name in substrates),

@@ -23,3 +23,10 @@ for output, page in (
 ):
     with dataset.atomic_path(snakemake.output[output]) as path:
         Path(path).write_text(page)
+dataset.record(
+    snakemake.output.record,
+    [snakemake.output[name] for name in ("claims", "departures", "parameters")],
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
+)

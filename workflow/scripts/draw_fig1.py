@@ -8,8 +8,9 @@ datasets = (dataset.read(snakemake.input.topography),)
 style.save(
     fig1.draw(*datasets),
     fig1.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "scans of the substrates and the sphere"},
+    snakemake.output,
+    title="scans of the substrates and the sphere",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

@@ -11,8 +11,9 @@ datasets = (
 style.save(
     fig3.draw(*datasets),
     fig3.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "distributions of pull-off forces"},
+    snakemake.output,
+    title="distributions of pull-off forces",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

@@ -11,8 +11,9 @@ datasets = (
 style.save(
     fig4.draw(*datasets),
     fig4.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "range and work of adhesion"},
+    snakemake.output,
+    title="range and work of adhesion",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

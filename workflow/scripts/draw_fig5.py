@@ -8,8 +8,9 @@ datasets = (dataset.read(snakemake.input.indent),)
 style.save(
     fig5.draw(*datasets),
     fig5.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "indents in the sphere"},
+    snakemake.output,
+    title="indents in the sphere",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

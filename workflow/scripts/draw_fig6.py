@@ -11,8 +11,9 @@ datasets = (
 style.save(
     fig6.draw(*datasets),
     fig6.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "pull-off force without some scales of roughness"},
+    snakemake.output,
+    title="pull-off force without some scales of roughness",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

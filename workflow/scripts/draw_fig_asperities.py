@@ -11,8 +11,9 @@ datasets = (
 style.save(
     fig_asperities.draw(*datasets),
     fig_asperities.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "patches that carry the pull-off force"},
+    snakemake.output,
+    title="patches that carry the pull-off force",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

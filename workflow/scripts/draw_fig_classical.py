@@ -8,8 +8,9 @@ datasets = (dataset.read(snakemake.input.classical),)
 style.save(
     fig_classical.draw(*datasets),
     fig_classical.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "classical models of rough adhesion"},
+    snakemake.output,
+    title="classical models of rough adhesion",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

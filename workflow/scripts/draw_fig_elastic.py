@@ -8,8 +8,9 @@ datasets = (dataset.read(snakemake.input.elastic),)
 style.save(
     fig_elastic.draw(*datasets),
     fig_elastic.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "elastic contact beside hardness and rigid contact"},
+    snakemake.output,
+    title="elastic contact beside hardness and rigid contact",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

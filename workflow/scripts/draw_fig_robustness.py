@@ -11,8 +11,9 @@ datasets = (
 style.save(
     fig_robustness.draw(*datasets),
     fig_robustness.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "results under other assumptions"},
+    snakemake.output,
+    title="results under other assumptions",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

@@ -13,8 +13,9 @@ datasets = (
 style.save(
     table1.draw(*datasets),
     table1.table(*datasets),
-    snakemake.output.pdf,
-    snakemake.output.png,
-    snakemake.output.csv,
-    {"Title": "Table 1, published and computed"},
+    snakemake.output,
+    title="Table 1, published and computed",
+    parameters=snakemake.params.canonical,
+    inputs=snakemake.input,
+    code=snakemake.input.code,
 )

@@ -20,7 +20,7 @@ master, master_pixel = synthesize(
     rng,
     scan.heights.values,
     dataset.pixel_size(scan),
-    parameters["pixels"] if side == "small" else settings["tiles"],
+    settings["pixels"] if side == "small" else settings["tiles"],
     settings["transition"],
     (description.wavevector.values, description.spectrum.values),
 )
@@ -29,7 +29,7 @@ rough = dataset.read(snakemake.input.sphere) if snakemake.input.sphere else None
 
 def mean_forces(cutoff):
     """Force (load,) in N at 1 J/m² without the scales beyond a cutoff, averaged over contacts."""
-    heights, pixel_size = fourier.filtered(master, master_pixel, side, cutoff, parameters["pixels"])
+    heights, pixel_size = fourier.filtered(master, master_pixel, side, cutoff, settings["pixels"])
     roughness = None
     if rough is not None:
         heights, roughness, pixel_size, _ = sphere.common_pixels(
@@ -55,7 +55,7 @@ cutoffs = [None, *settings["cutoffs"]]
 forces = np.array(
     [mean_forces(cutoff) for cutoff in log.progress(cutoffs, len(cutoffs), "cutoffs")]
 )
-pixel_size = master.shape[0] * master_pixel / parameters["pixels"]
+pixel_size = master.shape[0] * master_pixel / settings["pixels"]
 dataset.write(
     xr.Dataset(
         {

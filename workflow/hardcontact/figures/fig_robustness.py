@@ -205,7 +205,10 @@ def _draw_result(
 def _legend_handles(robustness: xr.Dataset) -> list:
     """Return one entry for each kind of mark; the dotted line has the name of the top row."""
     baseline = robustness["variant_label"].values[robustness["group"].values == BASELINE][0]
-    size = "{count:g} x {count:g} contacts, {realizations:g} realizations of {pixels:g}² pixels"
+    size = (
+        "{count:g} x {count:g} contacts, {realizations:g} realizations of "
+        "{pixels_small:g}² and {pixels_large:g}² pixels"
+    )
     variants = f"variants: {size.format(**robustness.attrs)}"
     return [
         Line2D([], [], lw=1.2, label=variants, **VARIANT),

@@ -1,8 +1,8 @@
 """What every figure shares: print style, the surfaces' colours, the mark of substitutes, saving."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from contextlib import ExitStack
-from pathlib import Path
+from typing import Any, Protocol
 
 import matplotlib as mpl
 import pandas as pd
@@ -13,13 +13,14 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from hardcontact.dataset import atomic_path
+from hardcontact.dataset import atomic_path, record
 
 __all__ = [
     "FOOTER",
     "PUBLISHED",
     "SPHERE",
     "WIDTH",
+    "Files",
     "colours",
     "create",
     "label_logarithmic",
@@ -117,32 +118,36 @@ def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
     figure.text(0.006, 0.05 / figure.get_figheight(), note, fontsize=7, style="italic", va="bottom")
 
 
+class Files(Protocol):
+    """The files of a figure: two pictures, the table they are drawn from, and what made them."""
+
+    pdf: str
+    png: str
+    csv: str
+    record: str
+
+
 @print_style()
 def save(
-    figure: Figure,
-    table: pd.DataFrame,
-    pdf: str | Path,
-    png: str | Path,
-    csv: str | Path,
-    metadata: Mapping[str, str] | None = None,
+    figure: Figure, table: pd.DataFrame, files: Files, *, title: str, **made_from: Any
 ) -> None:
     """Write a figure as PDF and PNG and its table as CSV, the same bytes each time, all or none.
 
-    `metadata` takes the keys of a PDF's information dictionary (Title, Author, Subject, Keywords).
+    `made_from` are the parameters, inputs and code that `dataset.record` writes beside them.
     """
-    described = dict(metadata or {})
     _freeze_layout(figure)
     with ExitStack() as stack:
-        pdf_part, png_part, csv_part = (
-            stack.enter_context(atomic_path(path)) for path in (pdf, png, csv)
+        pdf, png, csv = (
+            stack.enter_context(atomic_path(path)) for path in (files.pdf, files.png, files.csv)
         )
-        table.to_csv(csv_part, index=False, float_format="%.8g", lineterminator="\n")
+        table.to_csv(csv, index=False, float_format="%.8g", lineterminator="\n")
         figure.savefig(
-            png_part, format="png", dpi=RESOLUTION, metadata={**described, "Software": None}
+            png, format="png", dpi=RESOLUTION, metadata={"Title": title, "Software": None}
         )
         figure.savefig(
-            pdf_part, format="pdf", dpi=RESOLUTION, metadata={**described, "CreationDate": None}
+            pdf, format="pdf", dpi=RESOLUTION, metadata={"Title": title, "CreationDate": None}
         )
+    record(files.record, (files.pdf, files.png, files.csv), **made_from)
 
 
 def _freeze_layout(figure: Figure) -> None:
