@@ -4,7 +4,7 @@ FROM python:3.11-slim
 WORKDIR /study
 COPY environment.txt .
 RUN pip install --no-cache-dir -r environment.txt
-COPY Snakefile README.md ./
+COPY Snakefile README.md CITATION.cff ./
 COPY config config
 COPY profiles profiles
 COPY resources resources

@@ -11,8 +11,9 @@ import matplotlib as mpl
 import numpy as np
 import pytest
 import yaml
-from hardcontact.figures import style
 from SurfaceTopography import Topography
+
+from hardcontact.figures import style
 
 ROOT = Path(__file__).parents[1]
 PARTS = [
@@ -83,6 +84,15 @@ def cut(path, share):
     return path
 
 
+def leaves(tree, path=()):
+    """Paths of the leaves of nested dicts."""
+    for key, value in tree.items():
+        if isinstance(value, dict):
+            yield from leaves(value, (*path, key))
+        else:
+            yield ".".join((*path, key))
+
+
 def copy_repository(target):
     """What a study needs, without results; returns `target`."""
     target.mkdir()
@@ -92,20 +102,25 @@ def copy_repository(target):
     return target
 
 
-def run_snakemake(folder, *arguments, overlays=()):
-    """Run the quick study with further overlays (dicts) in `folder`; output as one text."""
-    files = [QUICK]
-    for number, overlay in enumerate(overlays):
-        files.append(f"overlay-{number}.yaml")
-        Path(folder, files[-1]).write_text(yaml.safe_dump(overlay))
+def snakemake(folder, *arguments):
+    """Run snakemake in `folder`; output as one text."""
     return subprocess.run(
-        [sys.executable, "-m", "snakemake", *arguments, "--configfile", *files],
+        [sys.executable, "-m", "snakemake", *arguments],
         cwd=folder,
         env=os.environ | {"PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"},
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
     )
+
+
+def run_snakemake(folder, *arguments, overlays=()):
+    """Run the quick study with further overlays (dicts) in `folder`; output as one text."""
+    files = [QUICK]
+    for number, overlay in enumerate(overlays):
+        files.append(f"overlay-{number}.yaml")
+        Path(folder, files[-1]).write_text(yaml.safe_dump(overlay))
+    return snakemake(folder, *arguments, "--configfile", *files)
 
 
 @pytest.fixture(scope="session")

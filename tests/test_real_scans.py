@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from conftest import ROOT, copy_repository, run_snakemake
 
-from hardcontact import topography
+from hardcontact import reading, topography
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")
@@ -22,7 +22,7 @@ MEMBER = "gain_control_uncd_35.001"
     [(AFM, "", 10_000.0, 14.3), (CONTAINER, MEMBER, 100.0, 4.69)],
 )
 def test_levelled_rms_height(path, member, size, rms_height):
-    heights, pixel_size = topography.read_scan(path, member)
+    heights, pixel_size = reading.read_scan(path, member)
     assert heights.shape == (512, 512)
     assert 512 * pixel_size == pytest.approx(size)
     levelled = topography.level(heights, pixel_size)
@@ -32,7 +32,7 @@ def test_levelled_rms_height(path, member, size, rms_height):
 def test_line_scans_of_the_container_are_refused():
     for member in ("80_Scale10.472_FIXEDv2p1.asc", "uncd_stylus_300um_5mar_3.txt"):
         with pytest.raises(ValueError, match=r"uncd-demo-container.*found a line scan$"):
-            topography.read_scan(CONTAINER, member)
+            reading.read_scan(CONTAINER, member)
 
 
 @pytest.mark.parametrize("share", [0.001, 0.5, 0.99])
@@ -41,7 +41,7 @@ def test_truncated_afm_scan_is_refused(tmp_path, share):
     path = tmp_path / "a.di"
     path.write_bytes(content[: int(share * len(content))])
     with pytest.raises(ValueError, match=r"^\S*a\.di: expected .* found:? [^\n]*\Z"):
-        topography.read_scan(path)
+        reading.read_scan(path)
 
 
 TABLE = f"""\

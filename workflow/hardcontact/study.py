@@ -12,7 +12,7 @@ import numpy as np
 import pandas as pd
 
 from hardcontact.contact import contact_pixel_count
-from hardcontact.topography import read_scan
+from hardcontact.reading import read_scan
 from hardcontact.units import magnitude
 
 __all__ = ["check", "configuration", "selected_scans", "surface_table"]

@@ -73,6 +73,7 @@ onstart:
 
 onerror:
     # The names of what failed scroll away where the rest goes on.
-    failed = re.findall(r"^    log: (\S+) \(check log", Path(log).read_text(), re.M)
+    text = "".join(Path(path).read_text() for path in log)
+    failed = re.findall(r"^    log: (\S+) \(check log", text, re.M)
     for path in dict.fromkeys(failed):
         print(f"failed: see {path}", file=sys.stderr)

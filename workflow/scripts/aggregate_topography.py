@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 
-from hardcontact import dataset, log, spectrum, topography
+from hardcontact import dataset, log, reading, spectrum, topography
 
 log.start(snakemake.log[0])
 parameters = json.loads(snakemake.params.canonical)
@@ -47,7 +47,7 @@ scans = scans.assign(
 )
 
 examples = dict(zip(surfaces, map(dataset.read, snakemake.input.examples), strict=True))
-as_scanned, _ = topography.read_scan(
+as_scanned, _ = reading.read_scan(
     snakemake.input.sphere, parameters["sphere_dataset"], parameters["undefined_pixels"]
 )
 pixels = min(as_scanned.shape[0], *(len(part.x) for part in examples.values()))

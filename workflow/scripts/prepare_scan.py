@@ -2,13 +2,13 @@
 
 import json
 
-from hardcontact import dataset, log, topography
+from hardcontact import dataset, log, reading, topography
 
 log.start(snakemake.log[0])
 parameters = json.loads(snakemake.params.canonical)
 radius, basis = parameters["sphere_radius"], parameters["source"]
 
-heights, pixel_size = topography.read_scan(
+heights, pixel_size = reading.read_scan(
     snakemake.input.scan, parameters["dataset"], parameters["undefined_pixels"]
 )
 if radius is None:
