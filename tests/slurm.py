@@ -22,10 +22,9 @@ from pathlib import Path
 import xarray as xr
 import yaml
 
-ROOT = Path(__file__).parents[1]
-sys.path[:0] = [str(ROOT / "tests"), str(ROOT / "workflow")]
+sys.path.insert(0, str(Path(__file__).parents[1] / "workflow"))
 
-from conftest import QUICK, copy_repository, run_snakemake
+from conftest import QUICK, ROOT, copy_repository, run_snakemake
 
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
@@ -232,7 +231,7 @@ def show_requests(jobs):
 
 
 def datasets(folder):
-    """Paths in `folder` of all datasets and tables, but for the figures' own."""
+    """Paths in `folder` of all datasets and tables, those of the figures among them."""
     return {p.relative_to(folder) for kind in ("nc", "csv") for p in folder.rglob(f"*.{kind}")}
 
 
@@ -257,6 +256,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--reference", type=Path, help="results folder of a local run")
     reference = parser.parse_args().reference
+    folders = [Path(sys.executable).parent, os.environ["PATH"], "/usr/sbin", "/sbin"]
+    os.environ["PATH"] = os.pathsep.join(map(str, folders))
     if why := obstacle():
         print(f"skipped: {why}")
         return

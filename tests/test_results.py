@@ -105,7 +105,8 @@ ATTRIBUTES = {
     "asperities": "share sphere_radius",
     "classical": "sphere_radius equilibrium_spacing published_work error_threshold preload",
     "robustness": "sphere_radius published_range published_range_uncertainty published_work "
-    "published_work_uncertainty published_cutoff_small published_cutoff_large realizations pixels_small pixels_large "
+    "published_work_uncertainty published_cutoff_small published_cutoff_large realizations "
+    "pixels_small pixels_large "
     "count tolerance range",
 }
 
