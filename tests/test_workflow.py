@@ -27,6 +27,9 @@ def outputs(jobs, rule):
     return [output for name, output in jobs if name == rule]
 
 
+SIZES = ("small", "large")
+
+
 # What a change brings about
 
 
@@ -114,10 +117,8 @@ def test_one_more_scan(finished):
     assert all("scan-3" in output for rule in rules for output in outputs(jobs, rule))
 
 
-def test_another_preload_and_back(finished_copy):
-    preload = {"contact": {"preload": "12 uN"}}
-    jobs = planned(finished_copy, preload)
-    assert counts(jobs) == {
+def test_another_preload(finished):
+    assert counts(planned(finished, {"contact": {"preload": "12 uN"}})) == {
         "compute_pull_off": 4 * len(SUBSTRATES),
         "compute_filtered_pull_off": 16 * len(SUBSTRATES),
         "solve_elastic_contact": 2 * len(SUBSTRATES),
@@ -131,12 +132,27 @@ def test_another_preload_and_back(finished_copy):
         **AFTER_ASPERITIES,
         **AFTER_VARIANTS,
     }
+
+
+@pytest.mark.parametrize(
+    ("values", "token"),
+    [
+        ({"contact": {"preload": "12 uN"}}, "F12uN"),
+        ({"contact": {"hardness": "30 GPa"}}, "H30GPa"),
+        ({"sphere": {"radius": "300 um"}}, "R300um"),
+    ],
+)
+def test_two_studies_lie_side_by_side_and_share_masters(finished_copy, values, token):
+    other = {"study": "second", **values}
+    jobs = planned(finished_copy, other)
+    shared = {"calibrate_spectrum", *(f"synthesize_{size}_scale_master" for size in SIZES)}
+    assert not shared & counts(jobs).keys()
+    assert all(token in output for output in outputs(jobs, "compute_filtered_pull_off"))
     pair = outputs(jobs, "compute_pull_off")[0]
-    assert "F12uN" in pair
-    run = run_snakemake(finished_copy, pair, "results/quick/contact.nc", overlays=[preload])
+    run = run_snakemake(finished_copy, pair, "results/second/contact.nc", overlays=[other])
     assert run.returncode == 0, run.stdout
-    assert Path(finished_copy, pair).is_file()
-    assert counts(planned(finished_copy)) == {"trace_contact": 1, "draw_fig4": 1}
+    assert token in pair and Path(finished_copy, pair).is_file()
+    assert planned(finished_copy) == []  # going back computes nothing
 
 
 def test_another_study_shares_intermediates(finished):

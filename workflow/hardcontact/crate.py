@@ -95,9 +95,11 @@ def _entity(crate, identifier, kind, **properties):
 def _author(crate, author):
     """A person, or the group that a citation file names as an entity."""
     if "name" in author:
-        return _entity(crate, f"#{author['name']}", "Organization", name=author["name"])
+        identifier = f"#{author['name'].replace(' ', '-')}"
+        return _entity(crate, identifier, "Organization", name=author["name"])
     name = f"{author['given-names']} {author['family-names']}"
-    return crate.add(Person(crate, author.get("orcid", f"#{name}"), properties={"name": name}))
+    identifier = author.get("orcid", f"#{name.replace(' ', '-')}")
+    return crate.add(Person(crate, identifier, properties={"name": name}))
 
 
 def _paper(crate, reference):

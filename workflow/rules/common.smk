@@ -1,6 +1,7 @@
 # What every rule needs: the library, the configuration, the code that a script really uses.
 
 import ast
+import logging
 import os
 import re
 import sys
@@ -29,7 +30,6 @@ try:
 except ValueError as error:
     sys.exit(f"error: {error}")  # one clear line, before any job starts
 
-STORE = STUDY["store"]
 RESULTS = f"results/{STUDY['study']}"
 
 
@@ -61,14 +61,20 @@ def imported(tree):
             yield from (a.name for a in node.names if a.name.startswith("hardcontact"))
 
 
-HELD = []
+# The folders that are written to, and what keeps other runs out of them.
+FOLDERS, HELD = [RESULTS], []
 
 
 onstart:
+    # On a full disk Snakemake's own log cannot be written either: no traceback for each of its lines.
+    logging.raiseExceptions = False
     try:
-        HELD.extend(folders.hold(folder) for folder in (RESULTS, STORE))
+        HELD.extend(folders.hold(folder) for folder in FOLDERS)
     except ValueError as error:
         sys.exit(f"error: {error}")
+    # To keep to 100 jobs a second Snakemake 9.27 looks for work again a second after each time it
+    # did, for ever: after a thousand jobs a thousand times a second. No limit is needed here.
+    workflow.scheduler.job_rate_limiter = None
 
 
 onerror:

@@ -15,6 +15,8 @@ try:
 except ValueError as error:
     sys.exit(f"error: {error}")  # one clear line, before any job starts
 
+STORE = STUDY["store"]
+FOLDERS.append(STORE)
 SPHERE = STUDY["sphere"]["surface"]
 SURFACES = list(SCANS.surface.unique())
 SUBSTRATES = [surface for surface in SURFACES if surface != SPHERE]
