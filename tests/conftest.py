@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import zipfile
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -74,6 +75,15 @@ def heights(*shape):
 def scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
     """Write a scan of 10 nm a pixel, or of other sizes; first axis x."""
     Topography(heights() if values is None else values, sizes, unit=unit).to_netcdf(str(path))
+    return path
+
+
+def container(path, entries, files):
+    """A container with these entries of meta.yml and these files: name -> path."""
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("meta.yml", yaml.safe_dump({"surfaces": [{"topographies": entries}]}))
+        for name, file in files.items():
+            archive.write(file, name)
     return path
 
 

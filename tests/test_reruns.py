@@ -95,7 +95,7 @@ KEYS = {
     "scans": ([1, 2, 3], SCANS | CONTACTS - {"trace_contact"}),
     "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer"}),
     "seed": (1, FROM_SCANS | {"calibrate_spectrum", "infer", "apply_classical_models"}),
-    "sphere.surface": ("mcd", FROM_SCANS | {"calibrate_spectrum"}),
+    "sphere.surface": ("mcd", FROM_SCANS),
     "sphere.radius": ("300 um", SCANS | FORCES),
     "scan.pixels": (112, FROM_SCANS),
     "scan.size": ("2400 nm", FROM_SCANS),
@@ -161,13 +161,20 @@ KEYS = {
 }  # fmt: skip
 KEPT = {"keep_configuration", "describe_study"}
 
-#: Another text of a column of one surface's rows, and the rules that it concerns.
+#: What is made of one substitute surface, and with it; traced is uncd, indents are made on ncd.
+SUBSTITUTE = {"calibrate_spectrum", *FROM_SCANS}
+OF_MCD = SUBSTITUTE - {"trace_contact", "measure_indents"}
+
+#: Another text of a column of the rows of mcd (of its second scan), and the rules it concerns.
 COLUMNS = {
-    "surface": ("xcd", FROM_SCANS | {"calibrate_spectrum"}),
+    "surface": ("xcd", OF_MCD),
     "label": ("fine diamond", AGGREGATED - {"aggregate_robustness"}),
-    "scan": ("3", FROM_SCANS - {"trace_contact"}),
-    "source": ("measured", FROM_SCANS | {"extrapolate_spectrum"}),
-    "path": ("resources/spectra/ncd-table1.csv", FROM_SCANS | {"calibrate_spectrum"}),
+    "scan": ("6", SCANS | MASTERS | PAIRS | {"compute_filtered_pull_off"}),
+    "source": (
+        "measured",
+        OF_MCD - {"calibrate_spectrum", "synthesize_scan"} | {"extrapolate_spectrum"},
+    ),
+    "path": ("resources/spectra/ncd-table1.csv", OF_MCD),
 }
 
 
@@ -197,9 +204,6 @@ MODULES = sorted(
 IDLE = {"extrapolate_spectrum", "verify"}
 ALL = {Path(script).stem for script in SCRIPTS} - IDLE
 
-#: What is made of one substitute surface, and with it.
-SUBSTITUTE = {"calibrate_spectrum", *FROM_SCANS}
-
 #: Files beside the code, and what is to be made after a change of their text.
 FILES = {
     "environment.txt": ALL,
@@ -216,13 +220,11 @@ FILES = {
         {"calibrate_spectrum", "infer", "apply_classical_models", "aggregate_robustness"}
     ),
     "resources/paper/claims.csv": following({"evaluate_claims"}),
-    "resources/spectra/polished_uncd.csv": following(
-        SUBSTITUTE - {"trace_contact", "measure_indents"}
-    ),
+    "resources/spectra/polished_uncd.csv": following(OF_MCD),
     "resources/spectra/uncd.csv": following(SUBSTITUTE - {"measure_indents"}),
-    "resources/spectra/uncd-tem.csv": following(SUBSTITUTE - {"measure_indents"}),
+    "resources/spectra/uncd-tem.csv": following(SUBSTITUTE),  # of uncd and ncd
     "resources/spectra/ncd.csv": following(SUBSTITUTE - {"trace_contact"}),
-    "resources/spectra/mcd.csv": following(SUBSTITUTE - {"trace_contact", "measure_indents"}),
+    "resources/spectra/mcd.csv": following(OF_MCD),
     "resources/spectra/ruby.csv": following(SUBSTITUTE - MASTERS - {"compute_filtered_pull_off"}),
     "resources/spectra/height_distribution.csv": set(),  # its values are parameters of the rules
 }
@@ -273,7 +275,6 @@ def with_column(column, text):
         rows = table.surface == "mcd"
         if column == "scan":
             rows &= table.scan == "2"
-            table = table[~((table.surface == "mcd") & (table.scan == text))]
         table.loc[rows, column] = text
         if column == "source":
             table.loc[rows, "path"] = [f"{number}.nc" for number in table.scan[rows]]
@@ -313,7 +314,7 @@ CHANGES = (
         for key, (value, rules) in KEYS.items()
     }
     | {
-        f"column {name}": ({}, with_column(name, text), following(rules | KEPT))
+        f"column {name}": ({"scans": [1, 2, 6]}, with_column(name, text), following(rules | KEPT))
         for name, (text, rules) in COLUMNS.items()
     }
     | {path: ({}, with_line(path), rules) for path, rules in FILES.items()}

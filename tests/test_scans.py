@@ -1,23 +1,12 @@
 """Bad scans: one line that names the file, what was expected and what was found."""
 
-import zipfile
 
 import numpy as np
 import pytest
-import yaml
-from conftest import assert_says, cut, heights, refusal, scan
+from conftest import assert_says, container, cut, heights, refusal, scan
 from SurfaceTopography import UniformLineScan
 
 from hardcontact import reading
-
-
-def container(path, entries, files):
-    """A container with these entries of meta.yml and these files: name -> path."""
-    with zipfile.ZipFile(path, "w") as archive:
-        archive.writestr("meta.yml", yaml.safe_dump({"surfaces": [{"topographies": entries}]}))
-        for name, file in files.items():
-            archive.write(file, name)
-    return path
 
 
 def test_a_good_scan_is_read_in_nm_with_rows_along_y(tmp_path):

@@ -4,9 +4,10 @@ import re
 from collections import Counter
 from pathlib import Path
 
+import pandas as pd
 import pytest
 import yaml
-from conftest import OTHERWISE, QUICK, ROOT, leaves, run_snakemake
+from conftest import OTHERWISE, QUICK, ROOT, container, heights, leaves, run_snakemake, scan
 from paper_numbers import SUBSTRATES
 
 
@@ -155,6 +156,27 @@ def test_two_studies_lie_side_by_side_and_share_masters(finished_copy, values, t
     assert planned(finished_copy) == []  # going back computes nothing
 
 
+def test_another_dataset_of_a_container_reruns_its_scan(finished_copy):
+    files = {
+        f"{name}.nc": scan(finished_copy / f"{name}.nc", heights(128, 128), (2500.0, 2500.0))
+        for name in "ab"
+    }
+    entries = [{"name": name[0], "datafile": {"original": name}} for name in files]
+    container(finished_copy / "mcd.zip", entries, files)
+    table = pd.read_csv(finished_copy / "config/surfaces.tsv", sep="\t", dtype=str, na_filter=False)
+    rows = (table.surface == "mcd") & table.scan.isin(["1", "2"])
+    table = table[rows | (table.surface != "mcd")]
+    target = "results/store-quick/scans/mcd/scan-1-flat.nc"
+    for datasets in (["a", "b"], ["b", "a"]):
+        table.loc[rows, ["source", "path", "dataset"]] = [
+            ["measured", "mcd.zip", name] for name in datasets
+        ]
+        table.to_csv(finished_copy / "config/surfaces.tsv", sep="\t", index=False)
+        assert counts(planned(finished_copy, targets=[target])) == {"prepare_scan": 1}
+        assert run_snakemake(finished_copy, target).returncode == 0
+    assert planned(finished_copy, targets=[target]) == []
+
+
 def test_another_study_shares_intermediates(finished):
     jobs = planned(finished, {"study": "second"})
     assert counts(jobs) == {
@@ -191,7 +213,7 @@ def test_one_more_skewness_of_robustness(finished):
         **AFTER_VARIANTS,
     }
     stored = [output for _, output in jobs if "store-quick" in output]
-    assert len(stored) == 8 * len(SUBSTRATES)
+    assert len(stored) == 11 * len(SUBSTRATES)
     assert all(".skewness-0.3" in output for output in stored)
 
 

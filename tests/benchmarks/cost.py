@@ -1,0 +1,109 @@
+"""What more realizations and larger masters would cost, from the jobs of a finished study.
+
+    python tests/benchmarks/cost.py [--study paper] [--dry-runs 10 100 1000]
+
+Prints a table of core hours, memory and disk. Times are processor times of the jobs as Snakemake
+measured them, so that what else the machine did counts little; start-up is in them, Snakemake's
+own process is not. Dry runs measure how long the graph of jobs takes to build.
+"""
+
+import argparse
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import time
+from math import log2
+from pathlib import Path
+
+import pandas as pd
+import yaml
+
+#: Rules of which every realization has jobs of its own.
+MASTERS = ["synthesize_small_scale_master", "synthesize_large_scale_master"]
+FILTERED = ["compute_filtered_pull_off"]
+
+
+def jobs(folders):
+    """One row a job: rule, seconds of processor, memory in MB."""
+    rows = []
+    for folder in folders:
+        for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):
+            row = pd.read_csv(path, sep="\t").iloc[-1]
+            rule = path.relative_to(Path(folder, "benchmarks")).parts[0].removesuffix(".tsv")
+            # Of a job shorter than the first look at it only the wall time is known.
+            seconds = row.cpu_time if pd.notna(row.cpu_time) and row.cpu_time > 0 else row.s
+            rows.append({"rule": rule, "seconds": seconds, "memory": row.max_rss})
+    return pd.DataFrame(rows)
+
+
+def size(paths):
+    """Bytes of files."""
+    return sum(path.stat().st_size for path in paths)
+
+
+def row(name, seconds, memory, disk):
+    print(f"| {name} | {seconds / 3600:.3g} h | {memory / 1000:.2g} GB | {disk / 1e9:.3g} GB |")
+
+
+def costs(study):
+    """Print the table for the study's configuration and for larger ones."""
+    results = Path("results", study)
+    configuration = yaml.safe_load((results / "configuration.yaml").read_text())
+    store, count = Path(configuration["store"]), configuration["scales"]["realizations"]
+    pixels = configuration["scales"]["small"]["pixels"]
+    measured = jobs([store, results])
+    each = measured.rule.isin(MASTERS + FILTERED)
+    fixed, one = measured.seconds[~each].sum(), measured.seconds[each].sum() / count
+    masters = size((store / "masters").rglob("*.nc"))
+    forces = size((store / "scales").rglob("*.nc"))
+    other = size(path for path in Path("results").rglob("*") if path.is_file()) - masters - forces
+    memory, largest = measured.memory[each].max(), measured.memory.max()
+    print("| study | core time | largest job | disk |\n|---|---|---|---|")
+    for realizations in (count, 10, 100, 10_000):
+        disk = other + (masters + forces) * realizations / count
+        row(f"{realizations} realizations", fixed + realizations * one, largest, disk)
+    finer = 32768 / pixels
+    slower = finer**2 * log2(32768) / log2(pixels)  # as the Fourier transforms that it consists of
+    row(
+        f"{count} realizations of 32768² pixels",
+        fixed + count * one * slower,
+        memory * finer**2,
+        other + forces + masters * finer**2,
+    )
+    print(measured.groupby("rule").agg({"seconds": ["count", "mean", "sum"], "memory": "max"}))
+
+
+def dry_run(realizations):
+    """Print how many jobs a dry run of so many realizations finds, and what it takes."""
+    with tempfile.NamedTemporaryFile("w", suffix=".yaml") as overlay:
+        yaml.safe_dump(
+            {"store": "results/none", "study": "none", "scales": {"realizations": realizations}},
+            overlay,
+        )
+        overlay.flush()
+        start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
+        run = subprocess.run(
+            [sys.executable, "-m", "snakemake", "-n", "--quiet", "--configfile", overlay.name],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    found = re.search(r"^total\s+(\d+)", run.stdout + run.stderr, re.M)[1]
+    processor = used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime
+    print(
+        f"dry run of {realizations} realizations: {found} jobs, {processor:.0f} s of processor, "
+        f"{time.monotonic() - start:.0f} s, {used.ru_maxrss / 1e6:.2f} GB at most so far"
+    )
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--study", default="paper")
+    parser.add_argument("--dry-runs", type=int, nargs="*", default=[])
+    options = parser.parse_args()
+    costs(options.study)
+    for realizations in options.dry_runs:
+        dry_run(realizations)
