@@ -52,6 +52,9 @@ SchedulerParameters=batch_sched_delay=0
 # Jobs that have ended can be asked about until the end.
 MinJobAge=3600
 KillWait=2
+# A busy machine answers late.
+MessageTimeout=90
+SlurmdTimeout=0
 NodeName={host} NodeAddr=127.0.0.1 CPUs={cpus} RealMemory={memory}
 PartitionName=study Nodes={host} Default=YES
 """
@@ -78,7 +81,7 @@ def obstacle():
     return "" if all(map(shutil.which, PROGRAMS)) else "apt-get brought no whole SLURM"
 
 
-def until(condition, what, seconds=60):
+def until(condition, what, seconds=120):
     """The first true value of `condition`; an error if none comes in time."""
     end = time.monotonic() + seconds
     while time.monotonic() < end:

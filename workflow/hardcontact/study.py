@@ -4,79 +4,43 @@ All faults are ValueErrors of one line: the key or row, what was expected, what 
 """
 
 import math
+import os
+import reprlib
 from itertools import pairwise, product
 from pathlib import Path
 
-import jsonschema
 import numpy as np
 import pandas as pd
 
-from hardcontact.contact import contact_pixel_count
+from hardcontact import limits, schema, spectrum
+from hardcontact.limits import Grid
 from hardcontact.reading import read_scan
 from hardcontact.units import magnitude
 
 __all__ = ["check", "configuration", "selected_scans", "surface_table"]
 
-#: What a keyword of a schema expects.
-EXPECTED = {
-    "const": "{}",
-    "enum": "one of {}",
-    "exclusiveMaximum": "less than {}",
-    "exclusiveMinimum": "more than {}",
-    "maxItems": "at most {} entries",
-    "maximum": "at most {}",
-    "minItems": "at least {} entries",
-    "minLength": "at least {} characters",
-    "minimum": "at least {}",
-    "pattern": "text that matches {}",
-    "type": "{}",
-    "uniqueItems": "each entry once",
+#: The largest table or description of surfaces in bytes: some ten thousand scans.
+TABLE_LIMIT = 2**20
+#: Models of a band of a description, with the rows of Table 1 that fill in a blank Hurst exponent.
+MODELS = {
+    "self-affine": spectrum.SELF_AFFINE_ROWS,
+    "smooth roll-off": (),
+    "profile": (),
+    "power law": spectrum.TAIL_ROWS,
 }
+#: Columns of the points of a profile's spectrum.
+POINTS = ("wavelength_nm", "c1d_nm3")
+#: Pixel sizes in nm that spectra are known at: tables and bins end at 0.1 nm and 100 um.
+PIXEL_SIZES = (0.05, 1e4)
 
 
-def configuration(config, schema):
+def configuration(config, rules):
     """The configuration with every quantity as a number in the unit its schema names.
 
-    Raises ValueError naming the key that is unknown, missing or of the wrong type, unit or sign.
+    Raises ValueError naming the key that is unknown, missing or of the wrong type, unit or size.
     """
-    faults = sorted(_validator(schema).iter_errors(config), key=lambda fault: list(fault.path))
-    if faults:
-        raise ValueError(f"config key {_key(faults[0])}: {_said(faults[0])}")
-    return _numbers(config, schema, schema)
-
-
-def _validator(schema):
-    def unit(validator, name, instance, _schema):
-        try:
-            if magnitude(instance, name) <= 0:
-                yield jsonschema.ValidationError(f"expected more than zero, found {instance!r}")
-        except ValueError as error:
-            yield jsonschema.ValidationError(str(error))
-
-    base = jsonschema.Draft202012Validator
-    return jsonschema.validators.extend(base, {"unit": unit})(schema)
-
-
-def _key(fault):
-    return ".".join(str(part) for part in fault.absolute_path) or "(top level)"
-
-
-def _said(fault):
-    if fault.validator == "additionalProperties":
-        known = ", ".join(fault.schema["properties"])
-        unknown = ", ".join(sorted(set(fault.instance) - set(fault.schema["properties"])))
-        return f"expected one of {known}; found {unknown}"
-    if fault.validator == "required":
-        missing = ", ".join(sorted(set(fault.schema["required"]) - set(fault.instance)))
-        return f"expected all of {', '.join(fault.schema['required'])}; found no {missing}"
-    if fault.validator == "oneOf":
-        return "; or ".join(_said(choice) for choice in fault.context)
-    if fault.validator == "type" and "unit" in fault.schema:
-        return f"expected a number with a unit of {fault.schema['unit']}, found {fault.instance!r}"
-    if fault.validator in EXPECTED:
-        expected = EXPECTED[fault.validator].format(fault.validator_value)
-        return f"expected {expected}, found {fault.instance!r}"
-    return fault.message
+    schema.refuse(config, rules, "config key ")
+    return _numbers(config, rules, rules)
 
 
 def _numbers(value, schema, root):
@@ -92,46 +56,59 @@ def _numbers(value, schema, root):
     return value
 
 
-def surface_table(path, schema):
+def surface_table(path, rules):
     """The table of surfaces, one row a scan, checked for what its rows say of each other.
 
-    Raises ValueError naming the row.
+    rules: schema of a row. The index is the line of the file. Raises ValueError naming the line.
     """
-    try:
-        table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
-    except (OSError, ValueError) as error:
-        reason = " ".join(str(error).split())
-        raise ValueError(f"{path}: expected a table of surfaces, found: {reason}") from None
-    if set(table.columns) != set(schema["required"]) or table.empty:
+    (_, header), *rows = _cells(path) or [(1, [])]
+    if sorted(header) != sorted(rules["required"]) or not rows:
         raise ValueError(
-            f"{path}: expected the columns {', '.join(schema['required'])}, separated by tabs, and "
-            f"a row a scan; found {', '.join(table.columns)} and {len(table)} rows"
+            f"{path}: expected a table of surfaces, the columns {', '.join(rules['required'])}, "
+            "separated by tabs, and a row a scan; "
+            f"found {schema.plain(', '.join(header))} and {len(rows)} rows"
         )
-    validator = jsonschema.Draft202012Validator(schema)
-    for row, record in enumerate(table.to_dict("records"), start=2):
-        for fault in validator.iter_errors(record):
-            raise ValueError(f"{path}: line {row}, {_key(fault)}: {_said(fault)}")
+    for line, cells in rows:
+        if len(cells) != len(header):
+            raise ValueError(
+                f"{path}: line {line}: expected {len(header)} cells, separated by tabs, "
+                f"found {len(cells)}"
+            )
+        schema.refuse(dict(zip(header, cells, strict=True)), rules, f"{path}: line {line}, ")
+    lines, cells = zip(*rows, strict=True)
+    table = pd.DataFrame(cells, columns=header, index=lines, dtype=str)
     table["scan"] = table["scan"].astype(int)
     _refuse_repeated(path, table, ["surface", "scan"])
     _refuse_repeated(path, table[table.source == "measured"], ["path", "dataset"])
     for surface, rows in table.groupby("surface"):
-        for column in ("label", "source"):
+        columns = ["label", "source"]
+        if rows.source.iloc[0] == "substitute":
+            columns.append("path")
+        for column in columns:
             if rows[column].nunique() > 1:
                 raise ValueError(
                     f"{path}: surface {surface}: expected one {column}, "
-                    f"found {', '.join(rows[column].unique())}"
+                    f"found {', '.join(rows[column].unique()[:5])}"
                 )
-        if rows.source.iloc[0] == "substitute" and rows.path.nunique() > 1:
-            raise ValueError(
-                f"{path}: surface {surface}: expected one description, "
-                f"found {', '.join(rows.path.unique())}"
-            )
     for row in table.itertuples():
-        if not Path(row.path).is_file():
+        if not os.path.isfile(row.path):
             raise ValueError(
-                f"{path}: line {row.Index + 2}: expected the file {row.path}, found no such file"
+                f"{path}: line {row.Index}: expected the file {row.path}, found no such file"
             )
     return table
+
+
+def _cells(path):
+    """Number and cells of every line of a table that is not blank."""
+    if not os.path.isfile(path):
+        raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
+    if os.path.getsize(path) > TABLE_LIMIT:
+        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
+    try:
+        lines = Path(path).read_bytes().decode("utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: expected a table of surfaces in UTF-8, found: {error}") from None
+    return [(number, line.split("\t")) for number, line in enumerate(lines, 1) if line.strip()]
 
 
 def _refuse_repeated(path, table, columns):
@@ -139,7 +116,7 @@ def _refuse_repeated(path, table, columns):
     if len(repeated):
         found = " ".join(str(repeated.iloc[0][column]) for column in columns)
         raise ValueError(
-            f"{path}: line {repeated.index[0] + 2}: expected each "
+            f"{path}: line {repeated.index[0]}: expected each "
             f"{' and '.join(columns)} once, found again {found}"
         )
 
@@ -154,7 +131,8 @@ def selected_scans(table, scans):
     known = sorted(set(table.scan))
     if unknown := sorted(set(scans) - set(known)):
         raise ValueError(
-            f"config key scans: expected numbers of scans in the table {known}, found {unknown}"
+            f"config key scans: expected numbers of scans in the table {reprlib.repr(known)}, "
+            f"found {reprlib.repr(unknown)}"
         )
     return table[table.scan.isin(scans)]
 
@@ -197,12 +175,78 @@ def check(config, table, published):
                 f"config key {section}.contacts: expected at most contact.count squared = "
                 f"{contact['count'] ** 2}, found {config[section]['contacts']}"
             )
-    for surface, rows in table.groupby("surface", sort=False):
-        pixels, pixel_size = _geometry(config, surface, rows)
-        _check_contact(config, surface, pixels, pixel_size)
-        if surface != sphere:
-            for section, side in product(("scales", "robustness"), ("small", "large")):
-                _check_side(config, section, side, surface, pixels, pixel_size)
+    _check_names(config)
+    published_rows = pd.read_csv("resources/paper/table1.csv").groupby("surface").quantity.agg(set)
+    for row in table[table.source == "substitute"].drop_duplicates("surface").itertuples():
+        _check_description(row.path, published_rows.get(row.surface, set()))
+    grids = {
+        surface: _grid(config, surface, rows)
+        for surface, rows in table.groupby("surface", sort=False)
+    }
+    if config["sphere"]["radius"] < grids[sphere].size:
+        raise ValueError(
+            "config key sphere.radius: expected at least the size of its scans "
+            f"({grids[sphere].size:.6g} nm), found {config['sphere']['radius']:.6g} nm"
+        )
+    for surface, grid in grids.items():
+        limits.check(config, surface, grid, grids[sphere])
+
+
+def _check_names(config):
+    """Folders that would lie in each other, and values whose names would be the same."""
+    folders = (f"results/{config['study']}", config["store"])
+    results, store = (Path(os.path.realpath(folder)) for folder in folders)
+    if results.is_relative_to(store) or store.is_relative_to(results):
+        raise ValueError(
+            f"config key store: expected a folder apart from results/{config['study']}, "
+            f"found {config['store']}"
+        )
+    for skewness in config["robustness"]["skewness"]:
+        if float(f"{skewness:g}") != skewness:
+            raise ValueError(
+                f"config key robustness.skewness: expected at most six digits, found {skewness!r}"
+            )
+
+
+def _check_description(path, published):
+    """Refuse a description of a substitute that no spectrum can be made from.
+
+    published: rows of Table 1 that the surface has.
+    """
+    bands = _numbers_of(path, spectrum.PARAMETERS, ("model", "table"))
+    for line, band in enumerate(bands.itertuples(), start=2):
+        known = list(MODELS)[: 3 if line == 2 else 4]
+        if band.model not in known:
+            raise ValueError(
+                f"{path}: line {line}: expected a model, one of {', '.join(known)}; "
+                f"found {schema.plain(band.model)}"
+            )
+        missing = set(MODELS[band.model]) - published if math.isnan(band.hurst) else ()
+        if missing:
+            raise ValueError(
+                f"{path}: line {line}: expected a Hurst exponent, or of this surface the rows "
+                f"{', '.join(sorted(missing))} in resources/paper/table1.csv; found neither"
+            )
+        if band.model == "profile":
+            _numbers_of(Path(path).parent / str(band.table), POINTS)
+
+
+def _numbers_of(path, numbers, others=()):
+    """A small table (CSV) with columns of numbers more than zero, where not blank, and others."""
+    try:
+        if os.path.getsize(path) > TABLE_LIMIT:
+            raise ValueError(f"more than {TABLE_LIMIT} bytes")
+        table = pd.read_csv(path, compression=None)[[*numbers, *others]]
+        table = table.astype(dict.fromkeys(numbers, float))
+        if table.empty or (table[list(numbers)] < 0).any(axis=None):
+            raise ValueError("no row, or a number below zero")
+    except (KeyError, OSError, ValueError) as error:
+        found = " ".join(str(error).split())[:200]
+        raise ValueError(
+            f"{path}: expected a table, comma-separated, with the columns "
+            f"{', '.join([*numbers, *others])} (resources/README.md); found: {found}"
+        ) from None
+    return table
 
 
 def _refuse_disorder(key, values, unit="nm"):
@@ -237,81 +281,33 @@ def _refuse_dangling(config, table, sphere, traced):
             )
 
 
-def _geometry(config, surface, rows):
-    """Pixels and pixel size (nm) that all scans of a surface share."""
+def _grid(config, surface, rows):
     if rows.source.iloc[0] == "substitute":
-        return config["scan"]["pixels"], config["scan"]["size"] / config["scan"]["pixels"]
-    first = None
+        pixels, size = config["scan"]["pixels"], config["scan"]["size"]
+        grid, where = Grid(pixels, size / pixels, size), "config key scan.size"
+    else:
+        grid, where = _measured(config, surface, rows), rows.path.iloc[0]
+    least, most = PIXEL_SIZES
+    if not least <= grid.pixel <= most:
+        raise ValueError(
+            f"{where}: expected pixels of {least:g} to {most:g} nm, where spectra are known, "
+            f"found {grid.pixel:.6g} nm"
+        )
+    return grid
+
+
+def _measured(config, surface, rows):
+    grids = []
     for row in rows.itertuples():
-        heights, pixel_size = read_scan(row.path, row.dataset, config["scan"]["undefined_pixels"])
-        if np.ptp(heights) == 0:
+        heights, pixel = read_scan(row.path, row.dataset, config["scan"]["undefined_pixels"])
+        pixels, relief = heights.shape[0], float(np.ptp(heights))
+        if relief == 0:
             raise ValueError(f"{row.path}: expected a rough surface, found constant height")
-        found = heights.shape[0], pixel_size
-        first = first or found
-        if found[0] != first[0] or not math.isclose(found[1], first[1], rel_tol=1e-3):
+        grids.append(Grid(pixels, pixel, pixels * pixel, relief))
+        first = grids[0]
+        if pixels != first.pixels or not math.isclose(pixel, first.pixel, rel_tol=1e-3):
             raise ValueError(
                 f"{row.path}: expected, as in the first scan of {surface}, "
-                f"{first[0]} pixels of {first[1]:.4g} nm; "
-                f"found {found[0]} of {found[1]:.4g} nm"
+                f"{first.pixels} pixels of {first.pixel:.4g} nm; found {pixels} of {pixel:.4g} nm"
             )
-    return first
-
-
-def _check_contact(config, surface, pixels, pixel_size):
-    contact, radius = config["contact"], config["sphere"]["radius"]
-    varied = config["robustness"]
-    window = int(contact["window"] / pixel_size)
-    available = min(window, 2 * pixels) ** 2
-    for key, preload, hardness in (
-        ("contact.preload", contact["preload"], contact["hardness"]),
-        ("indent.preloads", max(config["indent"]["preloads"]), contact["hardness"]),
-        *(("robustness.preloads", load, contact["hardness"]) for load in varied["preloads"]),
-        *(("robustness.hardnesses", contact["preload"], hard) for hard in varied["hardnesses"]),
-    ):
-        needed = contact_pixel_count(preload, hardness, pixel_size)
-        if needed > available:
-            raise ValueError(
-                f"config key {key}: expected a load that {available} pixels of "
-                f"{surface} can carry, found one that needs {needed}"
-            )
-    if contact["count"] > 2 * pixels:
-        raise ValueError(
-            f"config key contact.count: expected at most the {2 * pixels} pixels along the "
-            f"stitched scan of {surface}, found {contact['count']}"
-        )
-    narrow = int(config["elastic"]["window"] / pixel_size)
-    if narrow < 16:
-        raise ValueError(
-            "config key elastic.window: expected at least 16 pixels of "
-            f"{surface} ({16 * pixel_size:.4g} nm), found {config['elastic']['window']:.4g} nm"
-        )
-    least = min(config["adhesion"]["ranges"] + [config["scales"]["range"]])
-    reach = math.sqrt(2 * radius * least)
-    if reach < 2 * pixel_size:
-        raise ValueError(
-            f"config key adhesion.ranges: expected an interaction radius "
-            f"sqrt(2 R rho) of two pixels ({2 * pixel_size:.4g} nm) or more on "
-            f"{surface}, found {reach:.4g} nm"
-        )
-
-
-def _check_side(config, section, side, surface, pixels, pixel_size):
-    """Masters of one side, of the study (section scales) or of robustness."""
-    settings, scales = config[section][side], config["scales"][side]
-    tiles, key = scales.get("tiles", 1), f"config key {section}.{side}"
-    size = 2 * pixels * tiles * pixel_size
-    needed = 2 * pixels * tiles
-    if settings["pixels"] < needed:
-        raise ValueError(
-            f"{key}.pixels: expected at least the {needed} of {tiles} x {tiles} stitched scans of "
-            f"{surface}, found {settings['pixels']}"
-        )
-    master = size / settings["pixels"] if side == "small" else pixel_size
-    for name, limit in (("transition", pixel_size), ("cutoffs", master)):
-        for wavelength in np.atleast_1d(settings.get(name, scales[name])):
-            if not 2 * limit < wavelength <= size:
-                raise ValueError(
-                    f"{key}.{name}: expected on {surface} more than two pixels "
-                    f"({2 * limit:.4g} nm) and at most the domain ({size:.6g} nm), "
-                    f"found {wavelength:.4g} nm"
-                )
+    return first._replace(relief=max(grid.relief for grid in grids))

@@ -2,6 +2,7 @@
 
 import math
 import re
+import reprlib
 
 import pint
 
@@ -27,7 +28,8 @@ def magnitude(text, unit):
     except (pint.PintError, ValueError, AttributeError):
         pass  # not a unit, or not of this dimension: refused below
     raise ValueError(
-        f"expected a number with a unit convertible to {unit}, such as '1 {unit}', found {text!r}"
+        f"expected a number with a unit convertible to {unit}, such as '1 {unit}', "
+        f"found {reprlib.repr(text)}"
     )
 
 

@@ -1,0 +1,20 @@
+"""The quick study through SLURM gives what it gives without, also if a job is cancelled."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT
+
+
+def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(finished):
+    run = subprocess.run(
+        [sys.executable, ROOT / "tests/slurm.py", "--reference", finished / "results"],
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
+    if run.stdout.startswith("skipped"):
+        pytest.skip(run.stdout.strip())
+    assert run.returncode == 0, run.stdout
+    assert "recovered" in run.stdout and "none differs" in run.stdout
