@@ -27,4 +27,5 @@ include: "workflow/rules/provenance.smk"
 rule all:
     default_target: True
     input:
+        rules.describe_crate.input,  # all that is described, should some of it be missing
         rules.crate.input,

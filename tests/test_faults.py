@@ -12,8 +12,7 @@ import pytest
 from comparison import differences
 from conftest import ROOT, assert_says, copy_repository, cut, run_snakemake
 
-FIG1 = "results/quick/figures/fig1.png"
-#: What also tells of the script that drew Fig. 1.
+#: What tells of the script that drew Fig. 1, beside the figure.
 OF_FIG1 = ("quick/provenance/fig1.json", "quick/ro-crate-metadata.json")
 
 
@@ -166,7 +165,7 @@ def test_a_read_only_folder(finished_copy, name):
         found = (finished_copy / "results").rglob("*")
         return {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in found}
 
-    (finished_copy / FIG1).unlink()
+    alter(finished_copy, "draw_fig1", "pass")
     folder = finished_copy / name
     if name == ".snakemake":  # is to be made, where nothing can be
         shutil.rmtree(folder)
@@ -258,6 +257,14 @@ def test_one_core_gives_the_same_values(alone, finished):
 
 
 # Damaged files
+
+
+def test_deleted_results_are_made_again(finished_copy):
+    for path in ("figures/fig1.png", "indent.nc", "claims.csv", "configuration.yaml"):
+        (finished_copy / "results/quick" / path).unlink()
+    run = run_snakemake(finished_copy, "-n")
+    for rule in ("draw_fig1", "measure_indents", "evaluate_claims", "keep_configuration"):
+        assert f"\nlocalrule {rule}:" in run.stdout, rule
 
 
 @pytest.mark.parametrize(
