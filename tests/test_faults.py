@@ -250,10 +250,14 @@ def test_a_full_disk(alone, finished):
 
 
 def test_one_core_gives_the_same_values(alone, finished):
-    run = run_snakemake(alone, "--cores", "1")
+    """Of the forces; `python tests/kill.py --kills 0 --cores 1` compares the whole study."""
+    run = run_snakemake(alone, "adhesion", "scales", "--cores", "1")
     assert run.returncode == 0 and "Provided cores: 1 " in run.stdout, run.stdout
     assert list(kill.leftovers(alone)) == []
-    assert differences(alone / "results", finished / "results") == []
+    made = [alone / f"results/quick/{name}.nc" for name in ("adhesion", "contact", "scales")]
+    assert all(path.is_file() for path in made)
+    others = differences(alone / "results", finished / "results")
+    assert [line for line in others if not line.endswith(": missing")] == []
 
 
 # Damaged files

@@ -339,7 +339,7 @@ def test_nothing_is_written_when_saving_fails(topography, tmp_path, monkeypatch)
             raise OSError("disk full")
 
     monkeypatch.setattr(fig1, "table", lambda *_: Broken())
-    with pytest.raises(OSError, match="disk full"):
+    with pytest.raises(ValueError, match="figure.csv: expected a file to be written, found: disk"):
         save_figure(fig1, [topography], tmp_path)
     assert not list(tmp_path.iterdir())
 

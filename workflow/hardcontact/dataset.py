@@ -3,6 +3,7 @@
 import hashlib
 import json
 import os
+import shutil
 import tempfile
 from contextlib import contextmanager
 from importlib.metadata import version
@@ -53,17 +54,33 @@ def digests(paths):
 
 @contextmanager
 def atomic_path(path):
-    """A temporary path beside `path`, renamed to it if the block succeeds, removed if it fails."""
+    """A temporary path beside `path`, renamed to it if the block succeeds, removed if it fails.
+
+    Raises ValueError, in one line, if the file cannot be written.
+    """
     path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=PART, suffix=path.suffix)
-    os.close(handle)
+    temporary = None
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=PART, suffix=path.suffix)
+        os.close(handle)
         yield temporary
         os.chmod(temporary, 0o666 & ~_umask())
         os.replace(temporary, path)
+    except OSError as error:
+        raise ValueError(
+            f"{path}: expected a file to be written, found: {error.strerror or error}; "
+            f"{_free(path.parent):.1f} MB of the disk are free"
+        ) from error
     finally:
-        Path(temporary).unlink(missing_ok=True)
+        if temporary:
+            Path(temporary).unlink(missing_ok=True)
+
+
+def _free(folder):
+    while not folder.exists():
+        folder = folder.parent
+    return shutil.disk_usage(folder).free / 1e6
 
 
 def remove_parts(folder):
@@ -133,7 +150,10 @@ def write(dataset, path, *, title, parameters, inputs, code, file_format="NETCDF
         **provenance(parameters, inputs, code),
     )
     with atomic_path(path) as temporary:
-        dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+        try:
+            dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+        except RuntimeError as error:  # netCDF's name for whatever the system refused
+            raise OSError(str(error)) from error
 
 
 def record(path, outputs, *, parameters, inputs, code):

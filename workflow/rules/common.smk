@@ -21,6 +21,10 @@ from hardcontact import study as studies
 from hardcontact.dataset import canonical
 
 
+# On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
+logging.raiseExceptions = False
+
+
 def read_schema(name):
     return yaml.safe_load((WORKFLOW / "schemas" / name).read_text())
 
@@ -29,6 +33,11 @@ try:
     STUDY = studies.configuration(config, read_schema("config.schema.yaml"))
 except ValueError as error:
     sys.exit(f"error: {error}")  # one clear line, before any job starts
+
+try:
+    Path(".snakemake").mkdir(exist_ok=True)  # Snakemake's own attempt ends in a traceback
+except OSError as error:
+    sys.exit(f"error: .snakemake: expected a folder to write to, found: {error.strerror}")
 
 RESULTS = f"results/{STUDY['study']}"
 
@@ -66,8 +75,6 @@ FOLDERS, HELD = [RESULTS], []
 
 
 onstart:
-    # On a full disk Snakemake's own log cannot be written either: no traceback for each of its lines.
-    logging.raiseExceptions = False
     try:
         HELD.extend(folders.hold(folder) for folder in FOLDERS)
     except ValueError as error:
