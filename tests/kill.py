@@ -128,12 +128,12 @@ def damaged(results, since):
                 yield str(error)
 
 
-def leftovers(study):
-    """What a finished study must not have: half files, marks of unfinished jobs, more to do."""
+def leftovers(study, *targets):
+    """What must not be where targets are finished: half files, marks of jobs, more to do."""
     yield from (f"{path}: left" for path in (study / "results").rglob(f"{dataset.PART}*"))
     marks = (study / ".snakemake/incomplete").rglob("*")
     yield from (f"{path}: left" for path in marks if path.is_file())
-    if "Nothing to be done" not in (again := run_snakemake(study, "-n").stdout):
+    if "Nothing to be done" not in (again := run_snakemake(study, "-n", *targets).stdout):
         yield f"expected nothing to be done again, found: {again[-2000:]}"
 
 
