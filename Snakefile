@@ -1,5 +1,10 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
+import logging
+
+# On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
+logging.raiseExceptions = False
+
 configfile: "config/config.yaml"
 
 report: "workflow/report/workflow.rst"

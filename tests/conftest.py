@@ -22,6 +22,13 @@ PARTS = [
     "profiles",
 ]  # fmt: skip
 QUICK = "config/quick.yaml"
+SCHEMAS = {
+    name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text())
+    for name in ("config", "surfaces")
+}
+PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
+ROWS = (ROOT / "config/surfaces.tsv").read_text()
+PUBLISHED = ["polished_uncd", "uncd", "ncd", "mcd"]
 #: What robustness makes otherwise in the quick study: heights of uncd alone are skewed, and ncd
 #: has no number that is read from the curvature of Table 1.
 OTHERWISE = ["polished_uncd.laplacian", "uncd.laplacian", "mcd.laplacian", "uncd.skewness-0"]
@@ -131,6 +138,16 @@ def run_snakemake(folder, *arguments, overlays=()):
         files.append(f"overlay-{number}.yaml")
         Path(folder, files[-1]).write_text(yaml.safe_dump(overlay))
     return snakemake(folder, *arguments, "--configfile", *files)
+
+
+@pytest.fixture
+def at_root(monkeypatch):
+    monkeypatch.chdir(ROOT)
+
+
+@pytest.fixture(scope="module")
+def repository(tmp_path_factory):
+    return copy_repository(tmp_path_factory.mktemp("repository") / "study")
 
 
 @pytest.fixture(scope="session")

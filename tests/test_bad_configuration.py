@@ -6,20 +6,12 @@ import time
 from functools import reduce
 
 import pytest
-import yaml
-from conftest import ROOT, leaves
+from conftest import PAPER, PUBLISHED, ROOT, ROWS, SCHEMAS, leaves
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from hardcontact import study
 
-SCHEMAS = {
-    name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text())
-    for name in ("config", "surfaces")
-}
-PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
-PUBLISHED = ["polished_uncd", "uncd", "ncd", "mcd"]
-ROWS = (ROOT / "config/surfaces.tsv").read_text()
 LEAVES = sorted(leaves(PAPER))
 BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")

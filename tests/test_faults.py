@@ -167,6 +167,7 @@ def test_a_read_only_folder(finished_copy, name):
 
     for path in finished_copy.glob("results/quick/*/fig1.*"):
         path.unlink()
+    (finished_copy / "results/quick/ro-crate-metadata.json").unlink()
     folder = finished_copy / name
     if name == ".snakemake":  # is to be made, where nothing can be
         shutil.rmtree(folder)
@@ -278,6 +279,8 @@ def test_deleted_results_are_made_again(finished_copy):
     [
         ("store-quick/scans/uncd/scan-1-flat.nc", "a complete netCDF file", ["topography"]),
         ("store-quick/substitutes/uncd/scan-1-flat.nc", "a whole file", ["topography"]),
+        ("quick/provenance/fig5.json", "a whole record", []),
+        ("quick/claims.csv", "the file that the study wrote", []),
     ],
 )
 def test_a_truncated_file_is_deleted_and_made_again(

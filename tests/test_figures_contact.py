@@ -3,8 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-import yaml
-from conftest import ROOT, assert_leaves_alone, save_figure
+from conftest import PAPER, ROOT, assert_leaves_alone, save_figure
 from docutils.core import publish_doctree
 from jinja2 import Environment, StrictUndefined
 
@@ -479,7 +478,7 @@ def test_robustness_draws_one_variant_alone(robustness, inference, tmp_path):
 )
 def test_report_text_is_restructured_text(path):
     class Snakemake:
-        config = yaml.safe_load((ROOT / "config/config.yaml").read_text())
+        config = PAPER
 
     environment = Environment(trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined)
     text = environment.from_string(path.read_text()).render(snakemake=Snakemake)

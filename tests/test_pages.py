@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import yaml
-from conftest import ROOT, assert_says, refusal
+from conftest import PAPER, ROOT, assert_says, refusal
 
 from hardcontact import claims, pages
 
@@ -151,7 +151,7 @@ def test_a_readme_without_departures_is_refused(readme):
 
 
 def test_parameters_are_the_whole_configuration_and_every_version():
-    config = yaml.safe_load((ROOT / "config/config.yaml").read_text()) | {"store": "a<b>&c"}
+    config = PAPER | {"store": "a<b>&c"}
     versions = {name: version(name) for name in ("numpy", "snakemake")} | {"a<b": "1<2"}
     found = Reader(pages.parameters_page(config, versions))
     assert yaml.safe_load(found.texts["pre"]) == config

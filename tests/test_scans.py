@@ -1,6 +1,5 @@
 """Bad scans: one line that names the file, what was expected and what was found."""
 
-
 import numpy as np
 import pytest
 from conftest import assert_says, container, cut, heights, refusal, scan

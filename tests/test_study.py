@@ -8,10 +8,13 @@ import pytest
 import xarray as xr
 import yaml
 from conftest import (
+    PAPER,
+    PUBLISHED,
     QUICK,
     ROOT,
+    ROWS,
+    SCHEMAS,
     assert_says,
-    copy_repository,
     cut,
     heights,
     refusal,
@@ -21,13 +24,6 @@ from conftest import (
 
 from hardcontact import dataset, study
 
-SCHEMAS = {
-    name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text())
-    for name in ("config", "surfaces")
-}
-PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
-PUBLISHED = ["polished_uncd", "uncd", "ncd", "mcd"]
-ROWS = (ROOT / "config/surfaces.tsv").read_text()
 MISSING = object()
 
 
@@ -57,11 +53,6 @@ def surfaces(text, folder):
 
 def selected(config, folder):
     return study.selected_scans(surfaces(ROWS, folder), config["scans"])
-
-
-@pytest.fixture
-def at_root(monkeypatch):
-    monkeypatch.chdir(ROOT)
 
 
 # Keys
@@ -337,11 +328,6 @@ def test_a_failing_write_leaves_nothing(tmp_path):
 # The command line
 
 
-@pytest.fixture(scope="module")
-def repository(tmp_path_factory):
-    return copy_repository(tmp_path_factory.mktemp("repository") / "study")
-
-
 def own_table(folder, path):
     """Write the paper's table with one measured scan; returns its overlay."""
     rows = [row for row in ROWS.splitlines() if not row.startswith("uncd\t")]
@@ -384,13 +370,3 @@ def test_command_line_refuses_in_one_line(repository, arguments, overlay, parts)
     assert_says(errors[0], "expected", "found", *parts)
     assert "Traceback" not in run.stdout and "rule " not in run.stdout
     assert not Path(repository, "results").exists()
-
-
-def test_damaged_intermediate_fails_its_job_in_one_line(finished_copy):
-    damaged = "results/store-quick/scans/uncd/scan-1-flat.nc"
-    cut(finished_copy / damaged, 0.5)
-    run = run_snakemake(finished_copy, "topography")
-    assert run.returncode != 0
-    errors = [line for line in run.stdout.splitlines() if line.startswith("error:")]
-    assert len(errors) == 1, run.stdout
-    assert_says(errors[0], damaged, "expected a complete netCDF file", "found", "delete it")

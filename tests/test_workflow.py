@@ -7,7 +7,19 @@ from pathlib import Path
 import pandas as pd
 import pytest
 import yaml
-from conftest import OTHERWISE, QUICK, ROOT, container, heights, leaves, run_snakemake, scan
+from conftest import (
+    OTHERWISE,
+    PAPER,
+    QUICK,
+    ROOT,
+    ROWS,
+    SCHEMAS,
+    container,
+    heights,
+    leaves,
+    run_snakemake,
+    scan,
+)
 from paper_numbers import SUBSTRATES
 
 
@@ -311,8 +323,7 @@ def test_library_knows_nothing_of_snakemake():
 # Schema, configuration and documentation
 
 
-SCHEMA = yaml.safe_load((ROOT / "workflow/schemas/config.schema.yaml").read_text())
-CONFIG = yaml.safe_load((ROOT / "config/config.yaml").read_text())
+SCHEMA = SCHEMAS["config"]
 
 
 def resolved(schema):
@@ -340,7 +351,7 @@ def objects(schema):
 
 
 def test_schema_and_configuration_have_the_same_keys():
-    assert KEYS == sorted(leaves(CONFIG))
+    assert KEYS == sorted(leaves(PAPER))
 
 
 def test_every_key_is_required_and_no_other_allowed():
@@ -360,9 +371,8 @@ def test_key_is_documented(key):
 
 
 def test_columns_of_the_table_of_surfaces_are_documented():
-    schema = yaml.safe_load((ROOT / "workflow/schemas/surfaces.schema.yaml").read_text())
-    columns = (ROOT / "config/surfaces.tsv").read_text().splitlines()[0].split("\t")
-    assert columns == list(schema["properties"])
+    columns = ROWS.splitlines()[0].split("\t")
+    assert columns == list(SCHEMAS["surfaces"]["properties"])
     text = (ROOT / "config/README.md").read_text()
     assert [column for column in columns if f"`{column}`" not in text] == []
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.contact import contact_pixel_count
+from hardcontact.hertz import effective_modulus
 from hardcontact.sphere import window_pixels
 
 __all__ = ["Grid", "check"]
@@ -22,6 +23,9 @@ RELIEF, RESOLVED = 500.0, 500.0
 #: The most that penetration may be over the range of adhesion, for a smooth sphere: its sums lose
 #: as many digits as the exponential has.
 DIGITS = 25.0
+#: The most that the mean pressure of an elastic contact may be over the effective modulus: its
+#: peaks are a hundred times higher, and the solver's strains are small.
+PRESSURE = 0.01
 
 
 class Grid(NamedTuple):
@@ -121,6 +125,14 @@ def _check_pair(config, surface, grid, sphere):
     images = max(1, contact["window"] / (2 * grid.size)) ** 2
     for section in ("contact", "robustness"):
         _refuse_touching(config, section, surface, pixel, images)
+    bodies, edge = config["elastic"], min(contact["window"], 2 * grid.size) * 1e-9
+    modulus = effective_modulus(*bodies["sphere"].values(), *bodies["substrate"].values())
+    if contact["preload"] > PRESSURE * modulus * edge**2:
+        raise ValueError(
+            f"config key contact.preload: expected at most {PRESSURE * modulus * edge**2:.3g} N on "
+            f"{surface}, where elastic contact is solved on {edge * 1e9:.4g} nm, "
+            f"found {contact['preload']:.4g} N"
+        )
     most = contact_pixel_count(max(config["indent"]["preloads"]), contact["hardness"], pixel)
     if surface == config["indent"]["surface"] and not 2 <= most <= INDENTED:
         raise ValueError(

@@ -9,7 +9,7 @@ import netCDF4
 
 from hardcontact.dataset import digest
 
-__all__ = ["Check", "check", "records", "sources", "traced"]
+__all__ = ["Check", "check", "records", "require", "sources", "traced"]
 
 
 def _record(path):
@@ -21,6 +21,28 @@ def _record(path):
         return None
 
 
+def _beside(path):
+    """The record that was written beside files."""
+    try:
+        record = json.loads(Path(path).read_text())
+        return record | {"output_digests": json.loads(record["output_digests"])}
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        reason = str(error).splitlines()[0]
+        raise ValueError(
+            f"{path}: expected a whole record, found: {reason}; delete it and run again"
+        ) from None
+
+
+def require(path):
+    """Raise ValueError, in one line, unless the files of a record are those that were written."""
+    for name, expected in _beside(path)["output_digests"].items():
+        if not Path(name).is_file() or digest([name]) != expected:
+            raise ValueError(
+                f"{name}: expected the file that the study wrote, found another or none; "
+                "delete it and run again"
+            )
+
+
 def _made_here(record):
     return record is not None and "input_digests" in record
 
@@ -28,12 +50,13 @@ def _made_here(record):
 def records(folder):
     """Path -> record of every file of a study's folder that has one, in or beside it.
 
-    A record has the texts of `dataset.provenance`; those beside files also `output_digests`.
+    A record has the texts of `dataset.provenance`; those beside files also `output_digests`, a
+    dict. Raises ValueError naming a record that is damaged.
     """
     found = {path.as_posix(): _record(path) for path in sorted(Path(folder).glob("*.nc"))}
     for path in sorted(Path(folder, "provenance").glob("*.json")):
-        record = json.loads(path.read_text())
-        found |= dict.fromkeys(json.loads(record["output_digests"]), record)
+        record = _beside(path)
+        found |= dict.fromkeys(record["output_digests"], record)
     return {path: record for path, record in found.items() if _made_here(record)}
 
 
@@ -72,7 +95,7 @@ def check(folder, described):
     """
     found, now = traced(folder), cache(lambda path: digest([path]))
     written = {
-        path: json.loads(record["output_digests"])[path]
+        path: record["output_digests"][path]
         for path, record in found.items()
         if "output_digests" in record
     } | described

@@ -1,7 +1,6 @@
 # What every rule needs: the library, the configuration, the code that a script really uses.
 
 import ast
-import logging
 import os
 import re
 import sys
@@ -19,10 +18,6 @@ os.environ["PYTHONPATH"] = os.pathsep.join(
 from hardcontact import folders
 from hardcontact import study as studies
 from hardcontact.dataset import canonical
-
-
-# On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
-logging.raiseExceptions = False
 
 
 def read_schema(name):

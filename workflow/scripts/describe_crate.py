@@ -7,10 +7,13 @@ from pathlib import Path
 
 import yaml
 
-from hardcontact import crate, dataset, log
+from hardcontact import crate, dataset, log, provenance
 
 log.start(snakemake.log[0])
 pinned = re.findall(r"^([\w.-]+)==", Path(snakemake.input.environment).read_text(), re.M)
+for path in snakemake.input:
+    if path.endswith(".json"):
+        provenance.require(path)
 described = crate.describe(
     Path(snakemake.output[0]).parent,
     json.loads(snakemake.params.canonical)["study"],

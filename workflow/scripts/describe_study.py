@@ -7,9 +7,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from hardcontact import dataset, log, pages
+from hardcontact import dataset, log, pages, provenance
 
 log.start(snakemake.log[0])
+provenance.require(snakemake.input.made)
 pinned = re.findall(r"^([\w.-]+)==", Path(snakemake.input.environment).read_text(), re.M)
 for output, page in (
     ("claims", pages.claims_page(pd.read_csv(snakemake.input.claims))),
