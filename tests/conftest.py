@@ -110,6 +110,14 @@ def leaves(tree, path=()):
             yield ".".join((*path, key))
 
 
+def merged(base, overlay):
+    """Deeply, as Snakemake merges configuration files."""
+    return base | {
+        key: merged(base[key], value) if isinstance(value, dict) else value
+        for key, value in overlay.items()
+    }
+
+
 def copy_repository(target):
     """What a study needs, without results; returns `target`."""
     target.mkdir()

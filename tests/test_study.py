@@ -17,6 +17,7 @@ from conftest import (
     assert_says,
     cut,
     heights,
+    merged,
     refusal,
     run_snakemake,
     scan,
@@ -107,6 +108,7 @@ def selected(config, folder):
         ("inference.confidence", 95, ["inference.confidence:", "at most 0.999", "found 95"]),
         ("sphere", "ruby", ["config key sphere:", "a mapping", "found 'ruby'"]),
         ("adhesion.traced_contact.contact", [1], ["at least 2 entries", "found [1]"]),
+        ("elastic.sphere.modulus", "4 GPa", ["5e+10 to 1e+13 Pa", "4 GPa"]),
         ("elastic.sphere.modulus", "365 N", ["config key elastic.sphere.modulus:", "Pa"]),
         ("elastic.substrate.modulus", MISSING, ["key elastic.substrate:", "found no modulus"]),
         ("elastic.sphere.poisson_ratio", 0.7, ["poisson_ratio:", "at most 0.5", "found 0.7"]),
@@ -190,6 +192,13 @@ def test_quantities_become_numbers():
             ("indent.preloads", ["20 uN", "10 uN"]),
             ["indent.preloads", "found 1e-05 N after 2e-05 N"],
         ),
+        (
+            (
+                *("contact.preload", "20 mN", "contact.hardness", "1000 GPa"),
+                *("elastic.sphere.modulus", "50 GPa", "elastic.substrate.modulus", "50 GPa"),
+            ),
+            ["contact.preload", "at most 0.00669 N", "5000 nm", "found 0.02 N"],
+        ),
         (("elastic.window", "50 nm"), ["elastic.window", "16 pixels", "78.12 nm", "found 50 nm"]),
         (("robustness.large.pixels", 4094), ["robustness.large.pixels", "4096", "found 4094"]),
         (("robustness.small.cutoffs", ["2 nm"]), ["robustness.small.cutoffs", "2.441 nm"]),
@@ -214,14 +223,6 @@ def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):
     for overlay in ({}, quick):
         config = study.configuration(merged(PAPER, overlay), SCHEMAS["config"])
         study.check(config, selected(config, tmp_path), PUBLISHED)
-
-
-def merged(base, overlay):
-    """Deeply, as Snakemake merges configuration files."""
-    return base | {
-        key: merged(base[key], value) if isinstance(value, dict) else value
-        for key, value in overlay.items()
-    }
 
 
 # The table of surfaces
