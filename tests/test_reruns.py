@@ -267,7 +267,7 @@ def with_line(path):
 
 
 def with_column(column, text):
-    """The rows of mcd with another text in one column; a measured surface brings its files."""
+    """The rows of mcd with another text in one column, and what that asks for."""
 
     def change(folder):
         path = folder / "config/surfaces.tsv"
@@ -276,6 +276,8 @@ def with_column(column, text):
         if column == "scan":
             rows &= table.scan == "2"
         table.loc[rows, column] = text
+        if column == "surface":  # of which Table 1 has no row to calibrate it to
+            table.loc[rows, "path"] = "resources/spectra/ruby.csv"
         if column == "source":
             table.loc[rows, "path"] = [f"{number}.nc" for number in table.scan[rows]]
             for name in table.path[rows]:
@@ -314,7 +316,11 @@ CHANGES = (
         for key, (value, rules) in KEYS.items()
     }
     | {
-        f"column {name}": ({"scans": [1, 2, 6]}, with_column(name, text), following(rules | KEPT))
+        f"column {name}": (
+            {"scans": [1, 2, 6]} if name == "scan" else {},
+            with_column(name, text),
+            following(rules | KEPT),
+        )
         for name, (text, rules) in COLUMNS.items()
     }
     | {path: ({}, with_line(path), rules) for path, rules in FILES.items()}

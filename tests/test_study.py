@@ -225,6 +225,18 @@ def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):
         study.check(config, selected(config, tmp_path), PUBLISHED)
 
 
+def in_other_order(tree):
+    if not isinstance(tree, dict):
+        return tree
+    return {key: in_other_order(tree[key]) for key in reversed(tree)}
+
+
+def test_keys_may_come_in_any_order(tmp_path, at_root):
+    config = study.configuration(in_other_order(PAPER), SCHEMAS["config"])
+    assert config == numbers()
+    study.check(config, selected(config, tmp_path), PUBLISHED)
+
+
 # The table of surfaces
 
 

@@ -126,7 +126,13 @@ def _check_pair(config, surface, grid, sphere):
     for section in ("contact", "robustness"):
         _refuse_touching(config, section, surface, pixel, images)
     bodies, edge = config["elastic"], min(contact["window"], 2 * grid.size) * 1e-9
-    modulus = effective_modulus(*bodies["sphere"].values(), *bodies["substrate"].values())
+    modulus = effective_modulus(
+        *(
+            bodies[body][key]
+            for body in ("sphere", "substrate")
+            for key in ("modulus", "poisson_ratio")
+        )
+    )
     if contact["preload"] > PRESSURE * modulus * edge**2:
         raise ValueError(
             f"config key contact.preload: expected at most {PRESSURE * modulus * edge**2:.3g} N on "
