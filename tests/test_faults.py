@@ -280,7 +280,8 @@ def test_deleted_results_are_made_again(finished_copy):
         ("store-quick/scans/uncd/scan-1-flat.nc", "a complete netCDF file", ["topography"]),
         ("store-quick/substitutes/uncd/scan-1-flat.nc", "a whole file", ["topography"]),
         ("quick/provenance/fig5.json", "a whole record", []),
-        ("quick/claims.csv", "the file that the study wrote", []),
+        ("quick/claims.csv", "a whole table", []),
+        ("quick/figures/fig5.csv", "the file that the study wrote", []),
     ],
 )
 def test_a_truncated_file_is_deleted_and_made_again(

@@ -2,14 +2,16 @@
 
 import re
 from html import escape
+from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import yaml
 from markdown_it import MarkdownIt
 
 from hardcontact.claims import summary
 
-__all__ = ["claims_page", "departures_page", "parameters_page"]
+__all__ = ["claims_page", "departures_page", "parameters_page", "read_claims"]
 
 STYLE = """
 body { font: 15px/1.5 sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222 }
@@ -40,6 +42,15 @@ def _table(header, rows):
         for row in rows
     )
     return f"<table><tr>{head}</tr>\n" + "\n".join(lines) + "</table>"
+
+
+def read_claims(path):
+    """The table of evaluated claims. Raises ValueError if the file ends within a line."""
+    if not Path(path).read_bytes().endswith(b"\n"):
+        raise ValueError(
+            f"{path}: expected a whole table, found one that is cut short; delete it and run again"
+        )
+    return pd.read_csv(path)
 
 
 def claims_page(claims):

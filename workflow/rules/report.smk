@@ -13,7 +13,6 @@ def page(name, chapter, title):
 rule describe_study:
     input:
         claims=f"{RESULTS}/claims.csv",
-        made=f"{RESULTS}/provenance/claims.json",
         readme="README.md",
         environment="environment.txt",
         code=code("describe_study.py"),

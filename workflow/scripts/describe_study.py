@@ -5,15 +5,12 @@ import re
 from importlib.metadata import version
 from pathlib import Path
 
-import pandas as pd
-
-from hardcontact import dataset, log, pages, provenance
+from hardcontact import dataset, log, pages
 
 log.start(snakemake.log[0])
-provenance.require(snakemake.input.made)
 pinned = re.findall(r"^([\w.-]+)==", Path(snakemake.input.environment).read_text(), re.M)
 for output, page in (
-    ("claims", pages.claims_page(pd.read_csv(snakemake.input.claims))),
+    ("claims", pages.claims_page(pages.read_claims(snakemake.input.claims))),
     ("departures", pages.departures_page(Path(snakemake.input.readme).read_text())),
     (
         "parameters",
