@@ -119,6 +119,12 @@ def configure(folder):
     for name in ("state", "spool"):
         (folder / name).mkdir()
     os.environ["SLURM_CONF"] = str(path)
+    # The executor starts the steps of a job without this variable.
+    srun = folder / "bin/srun"
+    srun.parent.mkdir()
+    srun.write_text(f'#!/bin/sh\nSLURM_CONF={path} exec {shutil.which("srun")} "$@"\n')
+    srun.chmod(0o755)
+    os.environ["PATH"] = f"{srun.parent}:{os.environ['PATH']}"
 
 
 @contextlib.contextmanager

@@ -252,7 +252,7 @@ def test_robustness_without_other_values_has_nothing_more_to_make(finished):
     ],
 )
 def test_named_target(finished, target, last, not_needed):
-    elsewhere = {"study": "elsewhere", "store": "results/elsewhere"}
+    elsewhere = {"study": "elsewhere", "store": "results/store-elsewhere"}
     jobs = counts(planned(finished, elsewhere, targets=[target]))
     assert jobs[last] == 1 and not jobs[not_needed]
 
@@ -312,7 +312,7 @@ def test_every_rule_wrote_its_log_and_benchmark(finished):
             for folder in (finished / "results").glob(f"*/{kind}")
             for path in folder.rglob(f"*{suffix}")
         }
-        assert found == set(RULES) - {"extrapolate_spectrum"}, kind
+        assert found - {"verify"} == set(RULES) - {"extrapolate_spectrum"}, kind
 
 
 def test_library_knows_nothing_of_snakemake():

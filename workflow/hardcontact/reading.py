@@ -156,7 +156,10 @@ def _topography(reader, stated):
         found = " x ".join(map(str, channel.nb_grid_pts))
         raise _Refused(f"expected {least} to {most} pixels along an edge, found {found}")
     if channel.physical_sizes is None and "physical_sizes" not in stated:
-        raise _Refused("expected a file that states the physical size of the scan, found none")
+        raise _Refused(
+            "expected a file that states the physical size of the scan, found none: "
+            "the file is damaged, or its format has none"
+        )
     return reader.topography(**stated)
 
 

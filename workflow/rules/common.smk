@@ -84,4 +84,5 @@ onerror:
     text = "".join(Path(path).read_text() for path in log)
     failed = re.findall(r"^    log: (\S+) \(check log", text, re.M)
     for path in dict.fromkeys(failed):
-        print(f"failed: see {path}", file=sys.stderr)
+        if Path(path).is_file():  # a job that was stopped early has none
+            print(f"failed: see {path}", file=sys.stderr)
