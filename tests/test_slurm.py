@@ -1,4 +1,7 @@
-"""The quick study through SLURM gives what it gives without, also if a job is cancelled."""
+"""Cutoffs through SLURM give what they give without, also if a job is cancelled.
+
+`python tests/slurm.py` runs and compares the whole quick study.
+"""
 
 import subprocess
 import sys
@@ -9,7 +12,7 @@ from conftest import ROOT
 
 def test_slurm_recovers_a_cancelled_job_and_gives_the_same_values(finished):
     run = subprocess.run(
-        [sys.executable, ROOT / "tests/slurm.py", "--reference", finished / "results"],
+        [sys.executable, ROOT / "tests/slurm.py", "--reference", finished / "results", "scales"],
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
