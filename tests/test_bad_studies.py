@@ -240,6 +240,7 @@ def test_what_is_accepted_can_be_computed(at_root):
         ({"bad.yaml": "store: 'results/{scan}'"}, "config key store: expected a path of letters"),
         ({"bad.yaml": "study: store"}, "config key store: expected a folder apart from"),
         ({"bad.yaml": "inference: {confidence: .nan}"}, "confidence: expected a number, found nan"),
+        ({"bad.yaml": "seed: 1\n'seed': 2"}, "bad.yaml: line 2: expected each key once"),
         ({"bad.yaml": "5: 6"}, "config key (top level): expected one of study"),
         ({"bad.yaml": "surfaces: bad.tsv"}, "config key surfaces: expected a table of surfaces"),
         ({"bad.yaml": "surfaces: bad.tsv", "bad.tsv": "\xff"}, "bad.tsv: expected a table of"),

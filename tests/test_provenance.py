@@ -9,7 +9,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 import yaml
-from conftest import ROOT, copy_repository, run_snakemake, snakemake
+from conftest import ROOT, copy_repository, cut, run_snakemake, snakemake
 from rocrate.rocrate import ROCrate
 
 from hardcontact import crate, dataset, folders, provenance
@@ -78,6 +78,19 @@ def test_a_missing_output_is_a_fault_and_a_missing_input_is_counted(finished_cop
     assert run.returncode == 1
     assert "results/quick/figures/fig1.png: expected a file of the study, found none" in run.stdout
     assert "1 faults, 16 inputs not at hand" in run.stdout
+
+
+def test_a_damaged_crate_is_named(finished_copy):
+    cut(finished_copy / "results/quick" / crate.NAME, 0.5)
+    run = run_snakemake(finished_copy, "verify")
+    assert run.returncode == 1
+    expected = f"error: results/quick/{crate.NAME}: expected a whole RO-Crate, found: "
+    assert expected in run.stdout and "Traceback" not in run.stdout
+
+
+def test_what_is_not_there_cannot_be_verified(tmp_path):
+    with pytest.raises(ValueError, match=f"{tmp_path}: expected files of a study, found none"):
+        provenance.check(tmp_path, crate.described(tmp_path))
 
 
 def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch):

@@ -124,6 +124,26 @@ def test_key_refused(key, value, parts):
     assert_says(refusal(numbers, key, value), "config key", "expected", *parts)
 
 
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("scan: {size: 1}\ncontact: {count: 1}\nscan: {pixels: 2}", "line 3: .* found scan again"),
+        ("contact:\n  count: 1\n  count: 2", "line 3: .* found contact.count again"),
+        ("scales: [{small: 1, small: 1}]", None),  # refused for what it is
+        ("scan: &a {size: 1 nm, again: *a}\ncontact: *a", None),
+        ('{\n\t"seed": 1\n}', None),
+        ("", None),
+    ],
+)
+def test_a_key_stands_once_in_a_file(tmp_path, text, found):
+    path = tmp_path / "a.yaml"
+    path.write_text(text)
+    if found is None:
+        return study.refuse_repeated_keys(path)
+    with pytest.raises(ValueError, match=f"{path}: {found}"):
+        study.refuse_repeated_keys(path)
+
+
 def test_quantities_become_numbers():
     config = numbers("sphere.radius", "0.25 mm", "contact.preload", "1.0e-5 N")
     assert config["sphere"]["radius"] == 250e3

@@ -66,9 +66,17 @@ def describe(folder, study, citation, versions):
 
 
 def described(folder):
-    """Path -> SHA-256 of the files that the RO-Crate of a folder describes; none without one."""
+    """Path -> SHA-256 of the files that the RO-Crate of a folder describes; none without one.
+
+    Raises ValueError if it is damaged.
+    """
     path = Path(folder, NAME)
-    graph = json.loads(path.read_text())["@graph"] if path.is_file() else []
+    try:
+        graph = json.loads(path.read_text())["@graph"] if path.is_file() else []
+    except (ValueError, KeyError) as error:
+        raise ValueError(
+            f"{path}: expected a whole RO-Crate, found: {error}; delete it and run again"
+        ) from None
     return {
         Path(folder, entity["@id"]).as_posix(): entity["sha256"]
         for entity in graph

@@ -152,8 +152,8 @@ def _refuse_fine(what, pixel, *grids):
     pixels = round(max(2 * grid.size for grid in grids) / pixel)
     if pixels > LARGEST:
         raise ValueError(
-            f"config key surfaces: expected at most {LARGEST} pixels along an edge of {what} "
-            f"on common pixels of {pixel:.4g} nm, found {pixels}"
+            f"config keys surfaces and scan: expected at most {LARGEST} pixels along an edge of "
+            f"{what} on common pixels of {pixel:.4g} nm, found {pixels}"
         )
 
 

@@ -91,9 +91,12 @@ class Check(NamedTuple):
 def check(folder, described):
     """Compare every file that led to a study's folder with what it says it was made from.
 
-    described: path -> digest of the folder's files in its RO-Crate. Returns a `Check`.
+    described: path -> digest of the folder's files in its RO-Crate. Returns a `Check`. Raises
+    ValueError if there is nothing to compare.
     """
     found, now = traced(folder), cache(lambda path: digest([path]))
+    if not found and not described:
+        raise ValueError(f"{folder}: expected files of a study, found none")
     written = {
         path: record["output_digests"][path]
         for path, record in found.items()

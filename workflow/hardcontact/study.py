@@ -11,13 +11,14 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+import yaml
 
 from hardcontact import limits, schema, spectrum
 from hardcontact.limits import Grid
 from hardcontact.reading import read_scan
 from hardcontact.units import magnitude
 
-__all__ = ["check", "configuration", "selected_scans", "surface_table"]
+__all__ = ["check", "configuration", "refuse_repeated_keys", "selected_scans", "surface_table"]
 
 #: The largest table or description of surfaces in bytes: some ten thousand scans.
 TABLE_LIMIT = 2**20
@@ -32,6 +33,30 @@ MODELS = {
 POINTS = ("wavelength_nm", "c1d_nm3")
 #: Pixel sizes in nm that spectra are known at: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
+
+
+def refuse_repeated_keys(path):
+    """Raise ValueError naming a key that a YAML file gives twice, for only the last would count."""
+    try:
+        pending = [("", yaml.compose(Path(path).read_text("utf-8"), yaml.CSafeLoader))]
+    except yaml.YAMLError:  # JSON with tabs
+        return
+    walked = set()  # an alias is the node that it stands for, which may even hold itself
+    while pending:
+        above, node = pending.pop()
+        if not isinstance(node, yaml.MappingNode) or id(node) in walked:
+            continue
+        walked.add(id(node))
+        keys = set()
+        for key, value in node.value:
+            name = f"{above}{key.value}"
+            if name in keys:
+                raise ValueError(
+                    f"{path}: line {key.start_mark.line + 1}: expected each key once, "
+                    f"found {schema.plain(name)} again"
+                )
+            keys.add(name)
+            pending.append((f"{name}.", value))
 
 
 def configuration(config, rules):

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 
 import yaml
+from snakemake.settings.types import ExecMode
 
 # The library is found here and, through the environment, by every job.
 WORKFLOW = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).parent
@@ -25,6 +26,9 @@ def read_schema(name):
 
 
 try:
+    if workflow.exec_mode == ExecMode.DEFAULT:
+        for path in workflow.configfiles:
+            studies.refuse_repeated_keys(os.path.relpath(path))
     STUDY = studies.configuration(config, read_schema("config.schema.yaml"))
 except ValueError as error:
     sys.exit(f"error: {error}")  # one clear line, before any job starts

@@ -1,7 +1,6 @@
 # The surfaces of the study and their scans, and what stands in the paths of intermediates.
 
 import pandas as pd
-from snakemake.settings.types import ExecMode
 
 from hardcontact.units import token
 

@@ -193,7 +193,8 @@ def _draw_sizes(row: np.ndarray, indent: xr.Dataset) -> None:
             sizes["preload"], DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"])), strict=True
         ):
             values = sizes.sel(preload=preload)
-            axes.plot(values, SHARES, color=colour, label=f"computed, {_print_preload(preload)}")
+            label = f"computed, {_print_preload(preload)}"
+            axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
         axes.axvline(
             indent.attrs[published],
             color=style.PUBLISHED,
