@@ -32,7 +32,7 @@ CASES = [
 
 
 @pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("touching", [1, 9, 90])
+@pytest.mark.parametrize("touching", [1, 9, 90, 4097, 9000])
 def test_lowest_gaps_are_those_of_the_whole_window(case, touching):
     pixels, pixel_size, rms, period, window = case
     substrate, roughness = periodic_surface(pixels, rms, 1), periodic_surface(period, 0.5, 2)

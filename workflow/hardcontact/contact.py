@@ -126,8 +126,10 @@ def lowest_gaps(substrate, position, pixel_size, radius, window, count, roughnes
     whose highest point could reach into the contact are read: an order statistic, not a scan.
     """
     view = _View(substrate, position, pixel_size, radius, window, roughness)
-    # The lowest gaps of the most promising tile bound those of all; this leaves few tiles to read.
-    first = view.gaps(np.array([view.bound.argmin()])).ravel()
+    # The lowest gaps of the most promising tiles, as many as have `count` pixels, bound those of
+    # all; this leaves few tiles to read.
+    most = min(-(-count // TILE**2), view.bound.size)
+    first = view.gaps(np.argpartition(view.bound, most - 1)[:most]).ravel()
     reach = np.partition(first, count - 1)[count - 1] if first.size >= count else np.inf
     candidates = np.flatnonzero(view.bound <= reach)
     candidates = candidates[np.argsort(view.bound[candidates])]
