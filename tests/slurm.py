@@ -183,16 +183,8 @@ def computing(study):
 
 def run_study(study, log, targets):
     """Run targets of the quick study through SLURM and cancel one job; the number of this job."""
-    command = [
-        "-m",
-        "snakemake",
-        *targets,
-        "--workflow-profile",
-        PROFILE,
-        "--configfile",
-        QUICK,
-        *HERE,
-    ]
+    command = ["-m", "snakemake", *targets, "--workflow-profile", PROFILE]
+    command += ["--configfile", QUICK, *HERE]
     with open(log, "w") as out:
         run = subprocess.Popen(
             [sys.executable, *command], cwd=study, stdout=out, stderr=subprocess.STDOUT

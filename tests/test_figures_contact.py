@@ -3,9 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from conftest import PAPER, ROOT, assert_leaves_alone, save_figure
-from docutils.core import publish_doctree
-from jinja2 import Environment, StrictUndefined
+from conftest import assert_leaves_alone, save_figure
 
 from hardcontact.figures import fig5, fig_asperities, fig_elastic, fig_robustness, style
 
@@ -468,24 +466,3 @@ def test_robustness_rows_are_the_variants_in_their_order(robustness, inference):
 
 def test_robustness_draws_one_variant_alone(robustness, inference, tmp_path):
     assert save_figure(fig_robustness, (robustness.isel(variant=[0]), inference), tmp_path)
-
-
-# The texts of the report
-
-
-@pytest.mark.parametrize(
-    "path", sorted((ROOT / "workflow/report").glob("*.rst")), ids=lambda p: p.stem
-)
-def test_report_text_is_restructured_text(path):
-    class Snakemake:
-        config = PAPER
-
-    environment = Environment(trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined)
-    text = environment.from_string(path.read_text()).render(snakemake=Snakemake)
-    document = publish_doctree(text, settings_overrides={"halt_level": 2})
-    assert document.astext().strip() and "{{" not in document.astext()
-
-
-@every_figure
-def test_figure_has_a_caption(module):
-    assert (ROOT / f"workflow/report/{module.__name__.split('.')[-1]}.rst").is_file()

@@ -73,15 +73,15 @@ def described(folder):
     path = Path(folder, NAME)
     try:
         graph = json.loads(path.read_text())["@graph"] if path.is_file() else []
-    except (ValueError, KeyError) as error:
+        return {
+            Path(folder, entity["@id"]).as_posix(): entity["sha256"]
+            for entity in graph
+            if entity["@type"] == "File"
+        }
+    except (ValueError, KeyError, TypeError) as error:
         raise ValueError(
             f"{path}: expected a whole RO-Crate, found: {error}; delete it and run again"
         ) from None
-    return {
-        Path(folder, entity["@id"]).as_posix(): entity["sha256"]
-        for entity in graph
-        if entity["@type"] == "File"
-    }
 
 
 def _files(folder):

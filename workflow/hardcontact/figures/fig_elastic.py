@@ -189,4 +189,4 @@ def _draw_forces(axes: Axes, ratios: xr.DataArray) -> None:
     _draw_contacts(axes, excess)
     axes.axhline(0, color="0.7", lw=0.6, zorder=0)
     axes.set_ylabel("elastic / rigid pull-off − 1 (%)")
-    style.label_panel(axes, "d", f"differs by at most {abs(excess).max().item():.2g} %")
+    style.label_panel(axes, "d", f"differs by up to {abs(excess).max().item():.2g} %")
