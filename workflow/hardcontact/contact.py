@@ -129,7 +129,8 @@ def lowest_gaps(substrate, position, pixel_size, radius, window, count, roughnes
     # The lowest gaps of the most promising tiles, as many as have `count` pixels, bound those of
     # all; this leaves few tiles to read.
     most = min(-(-count // TILE**2), view.bound.size)
-    first = view.gaps(np.argpartition(view.bound, most - 1)[:most]).ravel()
+    best = [view.bound.argmin()] if most == 1 else np.argpartition(view.bound, most - 1)[:most]
+    first = view.gaps(np.array(best)).ravel()
     reach = np.partition(first, count - 1)[count - 1] if first.size >= count else np.inf
     candidates = np.flatnonzero(view.bound <= reach)
     candidates = candidates[np.argsort(view.bound[candidates])]
