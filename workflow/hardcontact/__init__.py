@@ -1,1 +1,5 @@
-"""Adhesion of hard, rough contacts: from topography to pull-off force, scale by scale."""
+"""From AFM scans to pull-off forces, the work and range of adhesion, and the critical band.
+
+The rooms, each of which imports only from those above it: `random` and `statistics`, `records`,
+`surfaces`, `contact`, `adhesion`, `claims`, `figures`, `study`.
+"""

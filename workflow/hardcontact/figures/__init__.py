@@ -1,1 +1,1 @@
-"""The figures of the study, one module a figure, drawn from the aggregated datasets alone."""
+"""Figures, a module each, drawn from the final datasets and the published tables alone."""

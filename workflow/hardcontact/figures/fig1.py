@@ -13,7 +13,7 @@ from hardcontact.figures import style
 
 __all__ = ["draw", "table"]
 
-COLUMNS = 3
+MAPS_IN_A_ROW = 3
 AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"
 
@@ -21,8 +21,16 @@ SUBTRACTED = "sphere subtracted"
 def table(topography: xr.Dataset) -> pd.DataFrame:
     """Return rms height and height range of each map drawn, beside the mean over all scans.
 
-    One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
-    scans. The maps themselves stay in topography.nc.
+    Parameters
+    ----------
+    topography : xarray.Dataset
+        As `draw` takes it, with `rms_height_mean(surface)` and `rms_height_std(surface)` in nm.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
+        scans. The maps themselves stay in topography.nc.
     """
     rows = []
     for letter, (surface, state, heights) in zip(
@@ -48,13 +56,21 @@ def table(topography: xr.Dataset) -> pd.DataFrame:
 def draw(topography: xr.Dataset) -> Figure:
     """Draw Fig. 1: one levelled scan of each substrate, the sphere with and without its curvature.
 
-    Uses `example_heights(surface, row, column)` and `sphere_as_scanned(row, column)`, both in nm,
-    and `scan_size(surface)` in nm.
+    Parameters
+    ----------
+    topography : xarray.Dataset
+        With `example_heights(surface, row, column)`, `sphere_as_scanned(row, column)` and
+        `scan_size(surface)`, all in nm.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
     panels = _panels(topography)
-    rows = math.ceil(len(panels) / COLUMNS)
+    rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
     figure = style.create(2.15 * rows + style.FOOTER)
-    grid = figure.subplots(rows, COLUMNS, squeeze=False).ravel()
+    grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
         _draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
@@ -105,7 +121,7 @@ def _draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
     axes.set(xticks=[], yticks=[])
     length = _round_length(size / 4)
     start = 0.06 * size
-    # white on a dark edge: readable on every height
+    # A white bar with a dark edge is visible on every colour of the map.
     axes.plot([start, start + length], [start, start], color="black", lw=4, solid_capstyle="butt")
     axes.plot([start, start + length], [start, start], color="white", lw=2, solid_capstyle="butt")
     axes.text(

@@ -8,62 +8,80 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import ROW_COLUMNS
 
 __all__ = ["draw", "table"]
 
 MICRONEWTON = 1e-6
-ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper, of no surface
+ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
-DEPTHS = mpl.colormaps["Purples"]  # also of the preloads: black is what is published
-SIZES = {
-    "depth": ("deepest point", "depth (nm)", "published_depth"),
-    "edge_length": ("largest indent: √area", "edge length (nm)", "published_edge_length"),
-    "lateral_size": ("largest indent: longer side", "lateral size (nm)", "published_edge_length"),
+DEPTHS = mpl.colormaps["Purples"]  # preloads have its colours too, as black is for published values
+SIZES = {  # title, axis, published constant
+    "depth": ("deepest point", "depth (nm)", "indent_depth"),
+    "edge_length": ("largest indent: √area", "edge length (nm)", "indent_edge_length"),
+    "lateral_size": ("largest indent: longer side", "lateral size (nm)", "indent_edge_length"),
 }
+PRELOAD = "preload_indentation"  # the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
-COLUMNS = [
-    "panel",
-    "surface",
-    "label",
-    "basis",
-    "origin",
-    "quantity",
-    "preload",
-    "position",
-    "share",
-    "value",
-    "unit",
-]
+COLUMNS = [*ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 
 
-def table(indent: xr.Dataset) -> pd.DataFrame:
+def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the line scans and the distributions of Fig. 5, one row a point, values in nm.
 
-    Line scans (panels b, c): height of the sphere before and after against `position` in nm.
-    Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
-    `preload` in N. The map stays in indent.nc.
+    Parameters
+    ----------
+    indent, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Line scans (panels b, c): height of the sphere before and after against `position` in nm.
+        Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
+        `preload` in N. The map stays in indent.nc.
     """
+    published = published_constants["value"]
+    shown = _at_preload(indent, published[PRELOAD])
     frames = [
-        *(_line_rows(indent, panel, along) for panel, along in zip("bc", ALONG, strict=True)),
-        *(_size_rows(indent, panel, name) for panel, name in zip("def", SIZES, strict=True)),
+        *(_line_rows(shown, panel, along) for panel, along in zip("bc", ALONG, strict=True)),
+        *(
+            _size_rows(indent, published, panel, name)
+            for panel, name in zip("def", SIZES, strict=True)
+        ),
     ]
     whole = {name: indent.attrs[name] for name in ("surface", "label", "basis")}
     return pd.concat(frames, ignore_index=True).assign(unit="nm", **whole)[COLUMNS]
 
 
 @style.print_style()
-def draw(indent: xr.Dataset) -> Figure:
+def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 5: (a) one contact, (b, c) lines through its deepest point, (d-f) all contacts.
 
-    Uses `indentation(preload, y, x)` and `sphere_height(y, x)`, up from its apex, and of each
-    contact `depth`, `edge_length` and `lateral_size`, all in nm; preloads in N.
+    Parameters
+    ----------
+    indent : xarray.Dataset
+        With `indentation(preload, y, x)` and `sphere_height(y, x)`, up from its apex, and of each
+        contact `depth`, `edge_length` and `lateral_size`, all in nm; preloads in N.
+    published_constants : pandas.DataFrame
+        With depth and edge length (nm) of an indent and the preload (N) they belong to.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
+    published = published_constants["value"]
+    shown = _at_preload(indent, published[PRELOAD])
     figure = style.create(5.3)
-    above, below = figure.add_gridspec(2, 1, height_ratios=(1.5, 1))
-    depths, lines = above.subgridspec(1, 2, width_ratios=(1, 1.3))
-    _draw_map(figure.add_subplot(depths), indent)
-    _draw_lines(lines.subgridspec(2, 1).subplots(sharey=True), indent)
-    _draw_sizes(below.subgridspec(1, 3).subplots(sharey=True), indent)
+    rows = figure.add_gridspec(2, 1, height_ratios=(1.5, 1))
+    above, below = rows[0], rows[1]
+    columns = above.subgridspec(1, 2, width_ratios=(1, 1.3))
+    _draw_map(figure.add_subplot(columns[0]), shown)
+    lines = columns[1].subgridspec(2, 1).subplots(sharey=True, squeeze=False)
+    _draw_lines(lines[:, 0], shown)
+    sizes = below.subgridspec(1, 3).subplots(sharey=True, squeeze=False)
+    _draw_sizes(sizes[0], indent, published)
     handles, labels = figure.axes[-1].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
     style.mark_basis(figure, _surfaces(indent))
@@ -75,41 +93,41 @@ def _surfaces(indent: xr.Dataset) -> xr.Dataset:
     return xr.Dataset({name: ("surface", [indent.attrs[name]]) for name in ("label", "basis")})
 
 
-def _shown(indent: xr.Dataset) -> xr.Dataset:
-    """Return the contact at the computed preload nearest to the published one."""
-    return indent.sel(preload=indent.attrs["published_preload"], method="nearest")
+def _at_preload(indent: xr.Dataset, preload: float) -> xr.Dataset:
+    """Return the indents at the computed preload nearest to a given one (N)."""
+    return indent.sel(preload=preload, method="nearest")
 
 
-def _deepest(indent: xr.Dataset) -> dict[str, float]:
+def _deepest(shown: xr.Dataset) -> dict[str, float]:
     """Return where the sphere is pressed in deepest, x and y in nm."""
-    depths = _shown(indent)["indentation"]
-    return {along: place.item() for along, place in depths[depths.argmax(...)].coords.items()}
+    depths = shown["indentation"]
+    return {str(along): place.item() for along, place in depths[depths.argmax(...)].coords.items()}
 
 
-def _line(indent: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
+def _line(shown: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
     """Return the sphere's height (nm) before and after, along x or y through the deepest point.
 
-    The sphere stands on its head here, as under a microscope: indents point downwards.
+    Heights point out of the sphere, as under a microscope: indents point downwards.
     """
     across = "y" if along == "x" else "x"
-    line = _shown(indent).sel({across: _deepest(indent)[across]})
+    line = shown.sel({across: _deepest(shown)[across]})
     before = -line["sphere_height"]
     return {"height_before": before, "height_after": before - line["indentation"]}
 
 
-def _line_rows(indent: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
+def _line_rows(shown: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
     return pd.concat(
         pd.DataFrame(
             {
                 "panel": panel,
                 "origin": "computed",
                 "quantity": quantity,
-                "preload": _shown(indent)["preload"].item(),
+                "preload": shown["preload"].item(),
                 "position": heights[along].values,
                 "value": heights.values,
             }
         )
-        for quantity, heights in _line(indent, along).items()
+        for quantity, heights in _line(shown, along).items()
     )
 
 
@@ -120,23 +138,18 @@ def _distribution(indent: xr.Dataset, name: str) -> xr.DataArray:
     return values.transpose("preload", "quantile")
 
 
-def _size_rows(indent: xr.Dataset, panel: str, name: str) -> pd.DataFrame:
+def _size_rows(indent: xr.Dataset, published: pd.Series, panel: str, name: str) -> pd.DataFrame:
     computed = _distribution(indent, name).to_dataframe("value").reset_index()
-    published = {
-        "preload": indent.attrs["published_preload"],
-        "value": indent.attrs[SIZES[name][-1]],
-        "origin": "published",
-    }
+    size = published[SIZES[name][-1]]
     rows = [
         computed.rename(columns={"quantile": "share"}).assign(origin="computed"),
-        pd.DataFrame([published]),
+        pd.DataFrame([{"preload": published[PRELOAD], "value": size, "origin": "published"}]),
     ]
     return pd.concat(rows).assign(panel=panel, quantity=name)
 
 
-def _draw_map(axes: Axes, indent: xr.Dataset) -> None:
+def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
     """Map how deep (nm) the sphere is pressed in, with the two lines drawn beside."""
-    shown = _shown(indent)
     image = axes.pcolormesh(
         shown["x"],
         shown["y"],
@@ -145,20 +158,20 @@ def _draw_map(axes: Axes, indent: xr.Dataset) -> None:
         shading="nearest",
         rasterized=True,
     )
-    deepest = _deepest(indent)
+    deepest = _deepest(shown)
     axes.axhline(deepest["y"], color=ALONG["x"], lw=0.8)
     axes.axvline(deepest["x"], color=ALONG["y"], lw=0.8)
-    axes.set(xlim=_view(indent, "x"), ylim=_view(indent, "y"), aspect="equal")
+    axes.set(xlim=_view(shown, "x"), ylim=_view(shown, "y"), aspect="equal")
     axes.set(xlabel="x (nm)", ylabel="y (nm)")
     axes.locator_params(nbins=5)
     axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
-    label, preload = indent.attrs["label"], _print_preload(shown["preload"])
+    label, preload = shown.attrs["label"], _print_preload(shown["preload"])
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
-def _view(indent: xr.Dataset, along: str) -> tuple[float, float]:
-    """Return limits (nm) about the deepest point that show every indent in the map, and as much."""
-    depths, deepest = _shown(indent)["indentation"], _deepest(indent)
+def _view(shown: xr.Dataset, along: str) -> tuple[float, float]:
+    """Return limits (nm) about the deepest point, twice as far as the farthest indent."""
+    depths, deepest = shown["indentation"], _deepest(shown)
     reach = 2 * max(
         abs(depths[name] - deepest[name]).where(depths > 0).max().item() for name in ALONG
     )
@@ -169,25 +182,25 @@ def _view(indent: xr.Dataset, along: str) -> tuple[float, float]:
     )
 
 
-def _draw_lines(column: np.ndarray, indent: xr.Dataset) -> None:
+def _draw_lines(column: np.ndarray, shown: xr.Dataset) -> None:
     """Draw the sphere before and after (nm), along x above and along y below."""
     for axes, letter, (along, colour) in zip(column, "bc", ALONG.items(), strict=True):
-        line = _line(indent, along)
+        line = _line(shown, along)
         before, after = line["height_before"], line["height_after"]
         place = before[along]
         axes.fill_between(place, after, before, color=colour, alpha=0.25, lw=0)
         axes.plot(place, before, color=BEFORE, lw=0.8, label="before")
         axes.plot(place, after, color=colour, label="after")
-        axes.set(xlim=_view(indent, along), xlabel=f"{along} (nm)", ylabel="height (nm)")
+        axes.set(xlim=_view(shown, along), xlabel=f"{along} (nm)", ylabel="height (nm)")
         axes.locator_params(axis="y", nbins=5)
         axes.legend(loc="lower left")
         style.label_panel(axes, letter, f"sphere along {along}")
 
 
-def _draw_sizes(row: np.ndarray, indent: xr.Dataset) -> None:
+def _draw_sizes(row: np.ndarray, indent: xr.Dataset, published: pd.Series) -> None:
     """Draw the distribution over all contacts of each size (nm), and its published value."""
     for axes, letter, name in zip(row, "def", SIZES, strict=True):
-        title, quantity, published = SIZES[name]
+        title, quantity, constant = SIZES[name]
         sizes = _distribution(indent, name)
         for preload, colour in zip(
             sizes["preload"], DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"])), strict=True
@@ -196,11 +209,11 @@ def _draw_sizes(row: np.ndarray, indent: xr.Dataset) -> None:
             label = f"computed, {_print_preload(preload)}"
             axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
         axes.axvline(
-            indent.attrs[published],
+            published[constant],
             color=style.PUBLISHED,
             lw=1.0,
             ls="--",
-            label=f"published, {_print_preload(indent.attrs['published_preload'])}",
+            label=f"published, {_print_preload(published[PRELOAD])}",
         )
         axes.set(xlabel=quantity, ylim=(0, 1))
         axes.set_xlim(left=0)

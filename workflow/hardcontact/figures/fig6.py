@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import VALUE_COLUMNS, bounded, label_surfaces, value_and_bounds
 
 __all__ = ["draw", "table"]
 
@@ -15,78 +16,82 @@ SIDES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
+COLUMNS = [
+    "side", "group", "label", "basis", "origin", "quantity", "realization", "cutoff_wavelength",
+    *VALUE_COLUMNS,
+]  # fmt: skip
 
 
-def table(inference: xr.Dataset, scales: xr.Dataset) -> pd.DataFrame:
+def table(band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return force ratios and critical wavelengths of Fig. 6, one row a point.
 
-    `ratio` (1) against `cutoff_wavelength` (nm): the mean over realizations with its 95 % interval
-    (`realization` empty) and each realization; `critical_wavelength` (nm), empty where the ratio
-    never leaves 1 +- tolerance, and its published value.
+    Parameters
+    ----------
+    band, scales, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        `ratio` (1) against `cutoff_wavelength` (nm): the mean over realizations with its interval
+        (`realization` empty) and each realization; `critical_wavelength` (nm), empty where the
+        ratio never leaves 1 +- tolerance, and its published value.
     """
     rows = pd.concat(
         frame
         for side in SIDES
         for frame in (
-            _mean_rows(inference.sel(side=side)),
+            _mean_rows(band.sel(side=side)),
             _realization_rows(scales.sel(side=side)),
-            _critical_rows(inference.sel(side=side)),
-            _published_row(inference, side),
+            _critical_rows(band.sel(side=side)),
+            _published_row(side, _published_cutoff(published_constants, side)),
         )
     )
-    columns = [
-        "side",
-        "group",
-        "label",
-        "basis",
-        "origin",
-        "quantity",
-        "realization",
-        "cutoff_wavelength",
-        "value",
-        "low",
-        "high",
-        "unit",
-    ]
-    named = inference[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    return rows.join(named, on="group")[columns].reset_index(drop=True)
+    return label_surfaces(rows, band, "group")[COLUMNS].reset_index(drop=True)
 
 
 @style.print_style()
-def draw(inference: xr.Dataset, scales: xr.Dataset) -> Figure:
+def draw(band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 6: pull-off force of filtered surfaces over that of the unfiltered ones.
 
-    Panel a against the short-, b against the long-wavelength cutoff (nm); the row below each shows
-    where the ratio leaves 1 +- attrs["scale_tolerance"], and the published cutoff (attrs
-    published_cutoff_small, published_cutoff_large, nm) runs through both.
+    Panel a against the short-, b against the long-wavelength cutoff; the row below each shows where
+    the ratio leaves 1 +- tolerance, and the published cutoff runs through both.
+
+    Parameters
+    ----------
+    band : xarray.Dataset
+        With `scale_ratio(group, side, cutoff_wavelength)`, `critical_wavelength(side, group)` in nm
+        and their intervals, and the attribute `scale_tolerance`.
+    scales : xarray.Dataset
+        With `ratio(surface, realization, side, cutoff_wavelength)`.
+    published_constants : pandas.DataFrame
+        With the critical wavelengths of both sides (nm).
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
     figure = style.create(4.6)
     grid = figure.subplots(2, 2, sharex="col", height_ratios=(3, 1))
     grid[1, 1].sharey(grid[1, 0])
     for letter, side, (above, below) in zip("ab", SIDES, grid.T, strict=True):
-        of_side = inference.sel(side=side)
-        _draw_ratios(above, of_side, scales.sel(side=side))
-        _draw_critical(below, of_side)
+        _draw_ratios(above, band.sel(side=side), scales.sel(side=side))
+        _draw_critical(below, band.sel(side=side))
+        published = _published_cutoff(published_constants, side)
         for axes in (above, below):
-            axes.axvline(
-                inference.attrs[f"published_cutoff_{side}"],
-                color="0.4",
-                lw=1.0,
-                ls="--",
-                label="published cutoff",
-            )
+            axes.axvline(published, color="0.4", lw=1.0, ls="--", label="published cutoff")
         style.label_panel(above, letter, SIDES[side])
         below.label_outer()
     grid[0, 0].set_ylabel("pull-off force / unfiltered")
     handles, labels = grid[0, 0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=4)
-    style.mark_basis(figure, inference)
+    style.mark_basis(figure, band)
     return figure
 
 
 def _mean_rows(of_side: xr.Dataset) -> pd.DataFrame:
-    names = {"scale_ratio": "value", "scale_ratio_low": "low", "scale_ratio_high": "high"}
-    frame = of_side[list(names)].rename(names).to_dataframe().dropna(subset="value").reset_index()
+    frame = bounded(of_side, "scale_ratio").to_dataframe().dropna(subset="value").reset_index()
     return frame.assign(origin="computed", quantity="ratio", unit="1")
 
 
@@ -97,16 +102,16 @@ def _realization_rows(of_side: xr.Dataset) -> pd.DataFrame:
 
 
 def _critical_rows(of_side: xr.Dataset) -> pd.DataFrame:
-    names = {
-        "critical_wavelength": "value",
-        "critical_wavelength_low": "low",
-        "critical_wavelength_high": "high",
-    }
-    frame = of_side[list(names)].rename(names).to_dataframe().reset_index()
+    frame = bounded(of_side, "critical_wavelength").to_dataframe().reset_index()
     return frame.assign(origin="computed", quantity="critical_wavelength", unit="nm")
 
 
-def _published_row(inference: xr.Dataset, side: str) -> pd.DataFrame:
+def _published_cutoff(published_constants: pd.DataFrame, side: str) -> float:
+    """Return the published critical wavelength (nm) of one side of the band."""
+    return float(published_constants["value"][f"critical_wavelength_{side}"])
+
+
+def _published_row(side: str, cutoff: float) -> pd.DataFrame:
     return pd.DataFrame(
         {
             "side": [side],
@@ -114,21 +119,20 @@ def _published_row(inference: xr.Dataset, side: str) -> pd.DataFrame:
             "origin": "published",
             "unit": "nm",
             "quantity": "critical_wavelength",
-            "value": inference.attrs[f"published_cutoff_{side}"],
+            "value": cutoff,
         }
     )
 
 
-def _colours(inference: xr.Dataset) -> dict[str, str]:
+def _colours(band: xr.Dataset) -> dict[str, str]:
     """Return the colour of each group: that of its surface, black for all of them pooled."""
-    return {**style.colours(inference["surface"].values), POOLED: style.PUBLISHED}
+    return {**style.colours(band["surface"].values), POOLED: style.PUBLISHED}
 
 
-def _labels(inference: xr.Dataset) -> dict[str, str]:
+def _labels(band: xr.Dataset) -> dict[str, str]:
     """Return the printed name of each group."""
     names = {
-        str(name): str(inference["label"].sel(surface=name).item())
-        for name in inference["surface"].values
+        str(name): str(band["label"].sel(surface=name).item()) for name in band["surface"].values
     }
     return {**names, POOLED: "all pooled"}
 
@@ -137,23 +141,24 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, scales: xr.Dataset) -> None:
     """Draw ratio against cutoff (nm) of each group, with band and single realizations."""
     tolerance, labels = of_side.attrs["scale_tolerance"], _labels(of_side)
     axes.axhspan(
-        1 - tolerance, 1 + tolerance, color="0.88", zorder=0, label=f"within ±{tolerance:.0%}"
+        1 - tolerance,
+        1 + tolerance,
+        color="0.88",
+        zorder=0,
+        label=f"within ±{style.print_share(tolerance)}",
     )
+    curves = bounded(of_side, "scale_ratio")
     for group, colour in _colours(of_side).items():
-        mean = of_side.sel(group=group).dropna("cutoff_wavelength", subset=["scale_ratio"])
+        mean = curves.sel(group=group).dropna("cutoff_wavelength", subset=["value"])
         cutoff = mean["cutoff_wavelength"]
-        low, high = mean["scale_ratio_low"], mean["scale_ratio_high"]
-        if group == POOLED:  # outlined, as a filled band would hide those of the surfaces
-            axes.plot(cutoff, low, cutoff, high, color=colour, lw=0.8, ls=":")
+        width = 1.2
+        if group == POOLED:
+            # Only the outline of this band is drawn, as a filled one would hide the others.
+            axes.plot(cutoff, mean["low"], cutoff, mean["high"], color=colour, lw=0.8, ls=":")
+            width = 1.8
         else:
-            axes.fill_between(cutoff, low, high, color=colour, alpha=0.18, lw=0)
-        axes.plot(
-            cutoff,
-            mean["scale_ratio"],
-            color=colour,
-            label=labels[group],
-            lw=1.8 if group == POOLED else 1.2,
-        )
+            axes.fill_between(cutoff, mean["low"], mean["high"], color=colour, alpha=0.18, lw=0)
+        axes.plot(cutoff, mean["value"], color=colour, label=labels[group], lw=width)
     _draw_realizations(axes, scales, _colours(of_side))
     axes.set(xscale="log", yscale="log")
     style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
@@ -173,13 +178,10 @@ def _draw_critical(axes: Axes, of_side: xr.Dataset) -> None:
     """Mark the critical wavelength (nm) and its interval of each group, one row a group."""
     colours, labels = _colours(of_side), _labels(of_side)
     for row, (group, colour) in enumerate(colours.items()):
-        critical, low, high = (
-            of_side[f"critical_wavelength{end}"].sel(group=group).item()
-            for end in ("", "_low", "_high")
-        )
-        axes.plot([low, high], [row, row], color=colour, lw=1.4)
-        axes.plot([critical], [row], color=colour, marker="o", ls="none")
-        if not np.isfinite(critical):
+        of_group = value_and_bounds(of_side.sel(group=group), "critical_wavelength")
+        axes.plot([of_group["low"], of_group["high"]], [row, row], color=colour, lw=1.4)
+        axes.plot([of_group["value"]], [row], color=colour, marker="o", ls="none")
+        if not np.isfinite(of_group["value"]):
             axes.text(
                 0.02,
                 row,

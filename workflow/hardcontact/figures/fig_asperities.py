@@ -5,11 +5,13 @@ from typing import NamedTuple
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, label_surfaces, value_and_bounds
 
 __all__ = ["draw", "table"]
 
@@ -19,7 +21,7 @@ QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 
 
 class _Quantity(NamedTuple):
-    """What one panel shows, and how it is printed."""
+    """The quantity of one panel, and how it is printed."""
 
     panel: str
     title: str
@@ -40,44 +42,53 @@ SMOOTH = {
     "smooth_extent": ("smooth sphere on a plane (d)", "-"),
     "interaction_radius": ("interaction radius √(2Rρ) (d)", "-."),
 }
-COLUMNS = [
-    "panel",
-    "surface",
-    "label",
-    "basis",
-    "origin",
-    "quantity",
-    "rho",
-    "value",
-    "low",
-    "high",
-    "unit",
-]
+COLUMNS = [*ROW_COLUMNS, "rho", *VALUE_COLUMNS]
 
 
-def table(asperities: xr.Dataset, inference: xr.Dataset) -> pd.DataFrame:
+def table(
+    asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
+) -> pd.DataFrame:
     """Return the curves against the range of adhesion rho (nm) and the lengths beside them.
 
-    Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
-    diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and the
-    diameter that holds the same share of the force, and the long critical wavelength with its
-    95 % interval, computed and published.
+    Parameters
+    ----------
+    asperities, band, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
+        diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and
+        the diameter that holds the same share of the force, and the long critical wavelength,
+        computed with its interval and published.
     """
     frames = [
         *(_curve_rows(asperities, name) for name in QUANTITIES),
         *(_smooth_rows(asperities, name) for name in SMOOTH),
-        _critical_rows(inference),
+        _critical_rows(band, published_constants),
     ]
-    named = asperities[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    return pd.concat(frames, ignore_index=True).join(named, on="surface")[COLUMNS]
+    return label_surfaces(pd.concat(frames, ignore_index=True), asperities)[COLUMNS]
 
 
 @style.print_style()
-def draw(asperities: xr.Dataset, inference: xr.Dataset) -> Figure:
+def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
 
-    From `asperities` the shares (1), patches (1) and extent (nm) of each contact against `rho`
-    (nm), attrs["sphere_radius"] in nm; from `inference` the critical wavelengths (nm).
+    Parameters
+    ----------
+    asperities : xarray.Dataset
+        With the shares (1), patches (1) and extent (nm) of each contact against `rho` (nm), and the
+        attributes `share` and `sphere_radius` (nm).
+    band : xarray.Dataset
+        With `critical_wavelength(side, group)` in nm and its interval.
+    published_constants : pandas.DataFrame
+        With the long critical wavelength (nm).
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
     figure = style.create(5.2)
     grid = figure.subplots(2, 2, sharex=True)
@@ -90,7 +101,7 @@ def draw(asperities: xr.Dataset, inference: xr.Dataset) -> Figure:
         axes.axhline(0.5, color="0.4", lw=0.8, ls=":", label="half of the force (a, b)")
         axes.set_ylim(0, 1)
     _draw_smooth(grid[1, 1], asperities)
-    _draw_critical(grid[1, 1], inference)
+    _draw_critical(grid[1, 1], band, published_constants)
     for axes in grid[1]:
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis)
@@ -116,11 +127,14 @@ def _smooth(asperities: xr.Dataset) -> dict[str, xr.DataArray]:
     return {"smooth_extent": 2 * radius * np.sqrt(-np.log(outside)), "interaction_radius": radius}
 
 
-def _critical(inference: xr.Dataset) -> dict[str, float]:
-    """Return the long critical wavelength (nm) of all substrates and its 95 % interval."""
-    pooled = inference.sel(side="large", group=POOLED)
-    ends = {"value": "", "low": "_low", "high": "_high"}
-    return {name: pooled[f"critical_wavelength{end}"].item() for name, end in ends.items()}
+def _critical(band: xr.Dataset) -> dict[str, float]:
+    """Return the long critical wavelength (nm) of all substrates and its interval."""
+    return value_and_bounds(band.sel(side="large", group=POOLED), "critical_wavelength")
+
+
+def _published_critical(published_constants: pd.DataFrame) -> float:
+    """Return the published long critical wavelength (nm)."""
+    return float(published_constants["value"]["critical_wavelength_large"])
 
 
 def _curve_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
@@ -134,29 +148,20 @@ def _smooth_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
     return rows.assign(panel="d", origin="computed", quantity=name, unit="nm")
 
 
-def _critical_rows(inference: xr.Dataset) -> pd.DataFrame:
+def _critical_rows(band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     both = [
-        {"origin": "computed", **_critical(inference)},
-        {"origin": "published", "value": inference.attrs["published_cutoff_large"]},
+        {"origin": "computed", **_critical(band)},
+        {"origin": "published", "value": _published_critical(published_constants)},
     ]
     return pd.DataFrame(both).assign(panel="d", quantity="critical_wavelength", unit="nm")
 
 
 def _draw_curves(axes: Axes, asperities: xr.Dataset, name: str) -> None:
     """Draw median and quartiles of each surface against rho (nm)."""
-    surfaces = asperities["surface"].values
-    colours, markers = style.colours(surfaces), style.markers(surfaces)
     curves = _quartiles(asperities, name) / QUANTITIES[name].printed_unit
-    for surface in map(str, surfaces):
-        curve, colour = curves.sel(surface=surface), colours[surface]
-        axes.fill_between(curve["rho"], curve["low"], curve["high"], color=colour, alpha=0.15, lw=0)
-        axes.plot(
-            curve["rho"],
-            curve["value"],
-            color=colour,
-            marker=markers[surface],
-            label=str(asperities["label"].sel(surface=surface).item()),
-        )
+    for surface, look in style.looks(asperities["surface"].values).items():
+        label = str(asperities["label"].sel(surface=surface).item())
+        style.draw_over_range(axes, curves.sel(surface=surface), band=0.15, label=label, **look)
 
 
 def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
@@ -168,21 +173,19 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
         )
 
 
-def _draw_critical(axes: Axes, inference: xr.Dataset) -> None:
+def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long critical wavelength (µm), computed with its interval, and published."""
-    value, low, high = (length / MICROMETRE for length in _critical(inference).values())
-    published = inference.attrs["published_cutoff_large"] / MICROMETRE
+    value, low, high = (length / MICROMETRE for length in _critical(band).values())
+    published = _published_critical(published_constants) / MICROMETRE
+    confidence = style.print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
     if np.isfinite([low, high]).all():
-        axes.axhspan(low, high, color="0.85", zorder=0, label="its 95 % interval (d)")
+        axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")
     axes.axhline(published, color="0.4", lw=1.0, ls="--", label="published $λ_L$ (d)")
 
 
-def _legend_entries(grid: np.ndarray) -> tuple[list, list[str]]:
+def _legend_entries(grid: np.ndarray) -> tuple[list[Artist], list[str]]:
     """Return handles and labels: the surfaces, what bands are, and the lines of panels a and d."""
-    entries = {}
-    for axes in (grid[0, 0], grid[1, 1]):
-        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
-            entries.setdefault(label, handle)
+    entries = style.legend_entries((grid[0, 0], grid[1, 1]))
     entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=0.25, lw=0)
     return list(entries.values()), list(entries)

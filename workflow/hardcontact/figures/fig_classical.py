@@ -1,4 +1,6 @@
-"""Classical models: pull-off of rough spheres by them, and the effective work of adhesion."""
+"""Classical models: their pull-off forces of rough spheres, and the effective work of adhesion."""
+
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -9,15 +11,16 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
 
 __all__ = ["draw", "table"]
 
 MICRONEWTON = 1e-6
 MILLIJOULE = 1e-3
-VANISHED = 1e-12  # N; models that say less say that nothing sticks
+VANISHED = 1e-12  # N; a model that predicts less predicts no force at all
 METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
 AGAINST = {"published": style.PUBLISHED, "computed": "0.55"}
-WAYS = {  # of the effective work of adhesion: forces, Tabor parameter, marker
+EFFECTIVE_WORKS = {  # forces, Tabor parameter, marker
     "published force, printed µ": ("published", "printed", "s"),
     "published force, µ from inputs": ("published", "computed", "^"),
     "published force, µ of the result": ("published", "self_consistent", "v"),
@@ -25,26 +28,9 @@ WAYS = {  # of the effective work of adhesion: forces, Tabor parameter, marker
 }
 TRANSITIONS = {"fit": ("fit", "--"), "maugis_dugdale": ("Maugis–Dugdale", "-")}
 COLUMNS = [
-    "panel",
-    "surface",
-    "label",
-    "basis",
-    "origin",
-    "quantity",
-    "model",
-    "metrics",
-    "against",
-    "tabor",
-    "transition",
-    "rms_parameter",
-    "x",
-    "value",
-    "low",
-    "high",
-    "unit",
-    "model_roughness",
-    "model_verified",
-]
+    *ROW_COLUMNS, "model", "metrics", "against", "tabor", "transition", "rms_parameter", "x",
+    *VALUE_COLUMNS, "model_roughness", "model_verified",
+]  # fmt: skip
 QUANTITIES = {  # panel, origin; empty: not drawn
     "published_mean_force": ("a", "published"),
     "computed_mean_force": ("a", "computed"),
@@ -68,31 +54,52 @@ QUANTITIES = {  # panel, origin; empty: not drawn
 }
 
 
-def table(classical: xr.Dataset) -> pd.DataFrame:
-    """Return the numbers of all panels and the tests of models that stand beside them.
+def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+    """Return the numbers of all panels, and further tests of the models.
 
-    Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it has
-    any; each model with its definition of roughness and what its formula was checked against. `x`
-    is the Tabor parameter of `transition_coefficient`; `panel` is empty for what is not
-    drawn.
+    Parameters
+    ----------
+    classical, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it
+        has any; each model with its definition of roughness and what its formula was checked
+        against. `x` is the Tabor parameter of `transition_coefficient`; `panel` is empty for what
+        is not drawn.
     """
     rows = pd.concat([_rows(classical, name) for name in QUANTITIES], ignore_index=True)
-    named = classical[["label", "basis"]].to_dataframe()[["label", "basis"]]
     described = classical[["model_roughness", "model_verified"]].to_dataframe()
-    return rows.join(named, on="surface").join(described, on="model").reindex(columns=COLUMNS)
+    return label_surfaces(rows, classical).join(described, on="model").reindex(columns=COLUMNS)
 
 
 @style.print_style()
-def draw(classical: xr.Dataset) -> Figure:
+def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) forces, (b) errors of the models, (c) effective works, (d) the transition.
 
-    Forces in N, works of adhesion in J/m2; everything but the style is in the dataset.
+    Parameters
+    ----------
+    classical : xarray.Dataset
+        With the variables of `QUANTITIES`: forces in N, works of adhesion in J/m2, all else 1.
+    published_constants : pandas.DataFrame
+        With the work of adhesion (J/m2) that the models are computed at.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
+    work = published_constants["value"]["work_of_adhesion"]
     figure = style.create(6.0)
-    above, below = figure.add_gridspec(2, 1, height_ratios=(1.15, 1))
+    rows = figure.add_gridspec(2, 1, height_ratios=(1.15, 1))
+    above, below = rows[0], rows[1]
     forces = figure.add_subplot(above)
-    errors, works, transition = below.subgridspec(1, 3, width_ratios=(0.8, 1.35, 0.9)).subplots()
+    columns = below.subgridspec(1, 3, width_ratios=(0.8, 1.35, 0.9))
+    errors, works, transition = columns.subplots(squeeze=False)[0]
     _draw_forces(forces, classical)
+    style.label_panel(forces, "a", f"models at the published $W$ = {work / MILLIJOULE:g} mJ/m²")
     _draw_errors(errors, classical)
     _draw_works(works, classical)
     _draw_transition(transition, classical)
@@ -104,53 +111,46 @@ def draw(classical: xr.Dataset) -> Figure:
 def _rows(classical: xr.Dataset, name: str) -> pd.DataFrame:
     """Return one row a number of a variable, with its interval where it has one."""
     panel, origin = QUANTITIES[name]
-    names = {name: "value"}
-    if f"{name}_low" in classical:
-        names |= {f"{name}_low": "low", f"{name}_high": "high"}
-    data = classical[list(names)].rename(names).reset_coords(drop=True)
+    if f"{name}_interval" in classical:
+        data = bounded(classical, name)
+    else:
+        data = classical[[name]].rename({name: "value"})
+    data = data.reset_coords(drop=True)
     frame = data.expand_dims("row").to_dataframe().reset_index()
     unit = classical[name].attrs["units"].replace(" m-2", "/m2")
     named = frame.assign(panel=panel, origin=origin, quantity=name, unit=unit)
     return named.rename(columns={"tabor_axis": "x"})
 
 
-def _bounded(classical: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable and its bounds under the names value, low, high."""
-    names = {name: "value", f"{name}_low": "low", f"{name}_high": "high"}
-    return classical[list(names)].rename(names)
-
-
 def _places(count: int, width: float) -> np.ndarray:
-    """Return places side by side, about zero."""
+    """Return positions side by side, centred on zero."""
     return np.linspace(-width / 2, width / 2, count) if count > 1 else np.zeros(1)
 
 
-def _draw_point(axes: Axes, x: float, point: xr.Dataset, **how) -> None:
+def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
     """Draw a value with its interval as an error bar."""
     value, low, high = (point[name].item() for name in ("value", "low", "high"))
-    if np.isfinite(low):  # the interval of a skewed distribution need not hold the value
-        axes.plot([x, x], [low, high], color=how["color"], lw=0.8)
-    axes.plot([x], [value], ls="none", mew=0.8, **how)
+    if np.isfinite(low):  # drawn by itself, as the interval of a skewed distribution may miss it
+        axes.plot([x, x], [low, high], color=look["color"], lw=0.8)
+    axes.plot([x], [value], ls="none", mew=0.8, **look)
 
 
 def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the forces (µN) on each surface: published, computed, and by each model."""
-    names = [str(name) for name in classical["surface"].values]
-    colours, markers = style.colours(names), style.markers(names)
+    looks = style.looks(classical["surface"].values)
     bottom, top = _limits(classical)
-    for name, offset in zip(names, _places(len(names), 0.6), strict=True):
-        of_surface, colour = classical.sel(surface=name), colours[name]
-        how = {"color": colour, "marker": markers[name]}
+    for (name, look), offset in zip(looks.items(), _places(len(looks), 0.6), strict=True):
+        of_surface, colour = classical.sel(surface=name), look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
-            _draw_point(axes, x + offset, _bounded(of_surface, variable) / MICRONEWTON, **how)
+            _draw_point(axes, x + offset, bounded(of_surface, variable) / MICRONEWTON, **look)
         published = of_surface["published_mean_force"].item() / MICRONEWTON
         axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, aside in zip(METRICS, (-0.04, 0.04), strict=True):
-                force = _bounded(of_surface, "pull_off_force").sel(model=model, metrics=metrics)
+                force = bounded(of_surface, "pull_off_force").sel(model=model, metrics=metrics)
                 shown = force.where(~(force < VANISHED), bottom * 1.7 * MICRONEWTON) / MICRONEWTON
                 face = colour if metrics == "afm" else "white"
-                _draw_point(axes, x + offset + aside, shown, mfc=face, **how)
+                _draw_point(axes, x + offset + aside, shown, mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
     axes.text(-0.45, 1.7 * bottom, "no force: less than 1 pN", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
@@ -159,20 +159,18 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     axes.set(xlim=(-0.5, len(labels) - 0.5), yscale="log", ylim=(bottom, top))
     axes.set_ylabel("pull-off force (µN)")
     _label_above(axes, 3 * bottom, top)
-    work = classical.attrs["published_work"] / MILLIJOULE
-    style.label_panel(axes, "a", f"models at the published $W$ = {work:g} mJ/m²")
 
 
 def _label_above(axes: Axes, low: float, high: float) -> None:
-    """Put ticks on the vertical axis from `low` on: below stands no scale."""
+    """Put ticks on the vertical axis from `low` on; the strip below has no scale."""
     decades = 10.0 ** np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1)
-    axes.yaxis.set_major_locator(FixedLocator(decades[decades >= low]))
+    axes.yaxis.set_major_locator(FixedLocator(decades[decades >= low].tolist()))
     minor = np.outer(decades, range(2, 10)).ravel()
-    axes.yaxis.set_minor_locator(FixedLocator(minor[minor >= low]))
+    axes.yaxis.set_minor_locator(FixedLocator(minor[minor >= low].tolist()))
 
 
 def _limits(classical: xr.Dataset) -> tuple[float, float]:
-    """Return limits (µN) that hold all forces that are any, with a strip below for the others."""
+    """Return limits (µN) about all forces that do not vanish, with a strip below for the rest."""
     names = ("published_mean_force", "computed_mean_force", "pull_off_force")
     values = np.concatenate([classical[name].values.ravel() for name in names]) / MICRONEWTON
     shown = values[values > VANISHED / MICRONEWTON]
@@ -181,7 +179,7 @@ def _limits(classical: xr.Dataset) -> tuple[float, float]:
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the least mean relative error of each model to the published and computed forces."""
-    errors = _bounded(classical, "mean_relative_error")
+    errors = bounded(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
     for against, side in (("published", -1), ("computed", 1)):
@@ -190,8 +188,8 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
             for x, model in enumerate(classical["model"].values):
                 point = errors.sel(model=model, metrics=metrics, against=against)
                 face = colour if metrics == "afm" else "white"
-                how = {"color": colour, "marker": "o", "mfc": face}
-                _draw_point(axes, x + 0.17 * side + aside, point, **how)
+                look = {"color": colour, "marker": "o", "mfc": face}
+                _draw_point(axes, x + 0.17 * side + aside, point, **look)
         axes.plot([], [], "o", color=colour, label=f"to {against} forces")
     axes.text(-0.4, threshold / 2, f"below {threshold:g}", fontsize=7, va="center")
     labels = [str(text) for text in classical["model_label"].values]
@@ -202,29 +200,29 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
 
 
 def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
-    """Draw effective works of adhesion over the printed ones, which stand below."""
-    names = [str(name) for name in classical["surface"].values]
-    colours, works = style.colours(names), _bounded(classical, "effective_work_of_adhesion")
-    printed = _bounded(classical, "published_effective_work_of_adhesion")
-    for x, name in enumerate(names):
+    """Draw effective works of adhesion divided by the printed ones, which the axis names."""
+    colours = style.colours(classical["surface"].values)
+    works = bounded(classical, "effective_work_of_adhesion")
+    printed = bounded(classical, "published_effective_work_of_adhesion")
+    for x, (name, colour) in enumerate(colours.items()):
         value = printed["value"].sel(surface=name).item()
         rounding = printed.sel(surface=name) / value
         axes.fill_between(
             [x - 0.4, x + 0.4], rounding["low"], rounding["high"], color="0.85", lw=0, zorder=0
         )
         for offset, (against, tabor, marker) in zip(
-            _places(len(WAYS), 0.54), WAYS.values(), strict=True
+            _places(len(EFFECTIVE_WORKS), 0.54), EFFECTIVE_WORKS.values(), strict=True
         ):
             point = works.sel(surface=name, against=against, tabor=tabor) / value
-            _draw_point(axes, x + offset, point, color=colours[name], marker=marker)
-    for label, (_, _, marker) in WAYS.items():
+            _draw_point(axes, x + offset, point, color=colour, marker=marker)
+    for label, (_, _, marker) in EFFECTIVE_WORKS.items():
         axes.plot([], [], marker, color="0.3", label=label)
     axes.axhline(1, color="0.4", lw=0.6)
     labels = [
         f"{label}\n{value / MILLIJOULE:.2f}" if np.isfinite(value) else f"{label}\n–"
         for label, value in zip(classical["label"].values, printed["value"].values, strict=True)
     ]
-    axes.set_xticks(range(len(names)), labels)
+    axes.set_xticks(range(len(colours)), labels)
     highest = (works["high"] / printed["value"]).max().item()
     axes.set(ylim=(0, 1.7 * max(highest, 1.3)), ylabel="$W_{eff}$ / printed")
     axes.set_xlabel("printed $W_{eff}$ (mJ/m²)")
@@ -237,13 +235,11 @@ def _draw_transition(axes: Axes, classical: xr.Dataset) -> None:
     for name, (label, dashes) in TRANSITIONS.items():
         curve = classical["transition_coefficient"].sel(transition=name)
         axes.plot(curve["tabor_axis"], curve, dashes, color="black", lw=1.0, label=label)
-    names = [str(name) for name in classical["surface"].values]
-    colours, markers = style.colours(names), style.markers(names)
-    implied = _bounded(classical, "implied_pull_off_coefficient")
+    looks = style.looks(classical["surface"].values)
+    implied = bounded(classical, "implied_pull_off_coefficient")
     printed = classical["printed_tabor_parameter"].item()
-    for name, aside in zip(names, 1.11 ** _places(len(names), 3), strict=True):
-        how = {"color": colours[name], "marker": markers[name]}
-        _draw_point(axes, printed * aside, implied.sel(surface=name), **how)
+    for (name, look), aside in zip(looks.items(), 1.11 ** _places(len(looks), 3), strict=True):
+        _draw_point(axes, printed * aside, implied.sel(surface=name), **look)
     inputs = classical["tabor_parameter"].item()
     for value, dashes, label in ((printed, "--", "printed"), (inputs, ":", "from inputs")):
         label = f"µ {label}: {value:.2f}"
@@ -255,16 +251,10 @@ def _draw_transition(axes: Axes, classical: xr.Dataset) -> None:
     style.label_panel(axes, "d", "symbols: as printed")
 
 
-def _legend_handles(classical: xr.Dataset) -> list:
+def _legend_handles(classical: xr.Dataset) -> list[Line2D]:
     """Return one entry a surface, and the two sets of roughness metrics."""
-    names = [str(name) for name in classical["surface"].values]
-    colours, markers = style.colours(names), style.markers(names)
-    of_surfaces = [
-        Line2D([], [], color=colours[name], marker=markers[name], ls="none", label=str(label))
-        for name, label in zip(names, classical["label"].values, strict=True)
-    ]
     of_metrics = [
         Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
         for face, label in zip(("0.3", "white"), METRICS.values(), strict=True)
     ]
-    return [*of_surfaces, *of_metrics]
+    return [*style.surface_handles(classical, ls="none"), *of_metrics]

@@ -1,4 +1,4 @@
-"""Elastic contact: its pressure beside the hardness, its pull-off force beside the rigid one."""
+"""Elastic contact: its pressure over the hardness, its pull-off force over the rigid one."""
 
 import numpy as np
 import pandas as pd
@@ -8,62 +8,73 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, label_surfaces
 
 __all__ = ["draw", "table"]
 
 GIGAPASCAL = 1e9
 PERCENT = 1e-2
-PRESSURES = "RdBu_r"  # white in the middle: the hardness
+PRESSURES = "RdBu_r"  # white at the hardness
 TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
 NO_CONTACT = "0.75"
-MOST = 0.5  # "in most of the contact area" is in more than half of it
-LEVELS = ("hardness", "smooth sphere (Hertz)")
+MOST = 0.5  # share of the contact area that the paper calls "most"
+LEVELS = {  # attribute: origin, label, line
+    "hardness": ("given", "hardness", "-"),
+    "hertz_peak_pressure": ("computed", "smooth sphere (Hertz)", "--"),
+}
 SPREAD = 0.6  # of the scans of one surface, in places of surfaces
-PANELS = {"hard_share": "b", "peak_pressure": "c", "elastic_over_rigid": "d"}
-UNITS = {"hard_share": "1", "peak_pressure": "Pa", "elastic_over_rigid": "1"}
-COLUMNS = [
-    "panel",
-    "surface",
-    "label",
-    "basis",
-    "origin",
-    "quantity",
-    "scan",
-    "contact",
-    "value",
-    "low",
-    "high",
-    "unit",
-]
+QUANTITIES = {  # panel, unit
+    "hard_share": ("b", "1"),
+    "peak_pressure": ("c", "Pa"),
+    "elastic_over_rigid": ("d", "1"),
+}
+COLUMNS = [*ROW_COLUMNS, "scan", "contact", *VALUE_COLUMNS]
 
 
 def table(elastic: xr.Dataset) -> pd.DataFrame:
     """Return what panels b to d are drawn from, one row a number.
 
-    Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
-    elastic over its rigid pull-off force (1); of each surface their medians; and the levels they
-    are set against, the published one as `low` to `high`. The maps stay in elastic.nc.
+    Parameters
+    ----------
+    elastic : xarray.Dataset
+        As `draw` takes it.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
+        elastic over its rigid pull-off force (1); of each surface their medians; and the levels
+        they are compared with, the published one as `low` to `high`. The maps stay in elastic.nc.
     """
     contacts = _contacts(elastic)
     rows = pd.concat(
         [*(_rows(values, str(name)) for name, values in contacts.items()), _level_rows(elastic)]
     )
-    named = elastic[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    return rows.join(named, on="surface")[COLUMNS].reset_index(drop=True)
+    return label_surfaces(rows, elastic)[COLUMNS].reset_index(drop=True)
 
 
 @style.print_style()
 def draw(elastic: xr.Dataset) -> Figure:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
 
-    Uses `pressure(surface, y, x)` and attrs["hardness"] in Pa, and of each contact `hard_share`
-    (1), `peak_pressure` (Pa), `rigid_pull_off_force` and `elastic_pull_off_force` (N).
+    Parameters
+    ----------
+    elastic : xarray.Dataset
+        With `pressure(surface, y, x)` and the attribute `hardness` in Pa, and of each contact
+        `hard_share` (1), `peak_pressure` (Pa), `rigid_pull_off_force` and `elastic_pull_off_force`
+        (N).
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
     contacts = _contacts(elastic)
     figure = style.create(4.6)
-    above, below = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))
+    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))
+    above, below = rows[0], rows[1]
     maps = above.subgridspec(1, elastic.sizes["surface"]).subplots(sharey=True, squeeze=False)[0]
-    shares, peaks, forces = below.subgridspec(1, 3).subplots()
+    shares, peaks, forces = below.subgridspec(1, 3).subplots(squeeze=False)[0]
     _draw_pressures(maps, elastic)
     _draw_shares(shares, contacts["hard_share"])
     _draw_peaks(peaks, contacts["peak_pressure"], elastic)
@@ -83,10 +94,8 @@ def draw(elastic: xr.Dataset) -> Figure:
 def _contacts(elastic: xr.Dataset) -> xr.Dataset:
     """Return the quantities drawn of each contact (surface, scan, contact)."""
     ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
-    contacts = elastic.assign(elastic_over_rigid=ratio)[list(PANELS)]
-    return contacts.drop_vars(["label", "basis"], errors="ignore").transpose(
-        "surface", "scan", "contact"
-    )
+    contacts = elastic.assign(elastic_over_rigid=ratio)[list(QUANTITIES)]
+    return contacts.transpose("surface", "scan", "contact")
 
 
 def _rows(values: xr.DataArray, name: str) -> pd.DataFrame:
@@ -94,34 +103,33 @@ def _rows(values: xr.DataArray, name: str) -> pd.DataFrame:
     of_contacts = values.to_series().rename("value").dropna().reset_index()
     medians = values.median(["scan", "contact"]).to_series().rename("value").reset_index()
     rows = [of_contacts.assign(quantity=name), medians.assign(quantity=f"{name}_median")]
-    return pd.concat(rows).assign(panel=PANELS[name], origin="computed", unit=UNITS[name])
+    panel, unit = QUANTITIES[name]
+    return pd.concat(rows).assign(panel=panel, origin="computed", unit=unit)
 
 
 def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
     most = {"panel": "b", "origin": "published", "quantity": "hard_share", "unit": "1"}
     rows = [
-        {"panel": "c", "origin": origin, "quantity": name, "value": level, "unit": "Pa"}
-        for name, (origin, level) in _pressure_levels(elastic).items()
+        {
+            "panel": "c",
+            "origin": origin,
+            "quantity": name,
+            "value": elastic.attrs[name],
+            "unit": "Pa",
+        }
+        for name, (origin, _, _) in LEVELS.items()
     ]
     return pd.DataFrame([{**most, "low": MOST, "high": 1.0}, *rows])
 
 
-def _pressure_levels(elastic: xr.Dataset) -> dict[str, tuple[str, float]]:
-    """Return origin and pressure (Pa) of the levels that peak pressures are set against."""
-    return {
-        "hardness": ("given", elastic.attrs["hardness"]),
-        "hertz_peak_pressure": ("computed", elastic.attrs["hertz_peak_pressure"]),
-    }
-
-
 def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
-    """Map the pressure of one contact a surface, in colours that turn at the hardness."""
+    """Map the pressure of one contact of each surface, white at the hardness."""
     hardness = elastic.attrs["hardness"] / GIGAPASCAL
     ticks = hardness * TICKS
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
     reach = _reach(pressure)
     for place, (axes, of_surface) in enumerate(zip(row, pressure, strict=True), start=1):
-        # Surfaces of other pixels have other positions, missing here.
+        # Positions that belong to the pixels of other surfaces alone hold no value here.
         of_surface = of_surface.dropna("y", how="all").dropna("x", how="all")
         image = axes.pcolormesh(
             of_surface["x"],
@@ -146,8 +154,9 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 
 def _reach(pressure: xr.DataArray) -> float:
     """Return the half width (nm) about the peaks that shows the contact of every surface."""
-    largest = np.maximum(abs(pressure["x"]), abs(pressure["y"]))
-    return 1.1 * largest.where((pressure > 0).any("surface")).max().item()
+    in_contact = (pressure > 0).any("surface")
+    farthest = (abs(pressure[along]).where(in_contact).max().item() for along in "xy")
+    return 1.1 * float(max(farthest))
 
 
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
@@ -174,9 +183,9 @@ def _draw_shares(axes: Axes, shares: xr.DataArray) -> None:
 def _draw_peaks(axes: Axes, peaks: xr.DataArray, elastic: xr.Dataset) -> None:
     """Draw the peak pressure (GPa) of each contact, the hardness and Hertz' peak pressure."""
     _draw_contacts(axes, peaks / GIGAPASCAL)
-    levels = _pressure_levels(elastic).values()
-    for (_, level), name, dashes in zip(levels, LEVELS, ("-", "--"), strict=True):
-        axes.axhline(level / GIGAPASCAL, color="black", lw=0.9, ls=dashes, label=name)
+    for name, (_, label, dashes) in LEVELS.items():
+        level = elastic.attrs[name] / GIGAPASCAL
+        axes.axhline(level, color="black", lw=0.9, ls=dashes, label=label)
     axes.set(yscale="log", ylabel="peak pressure (GPa)")
     style.label_logarithmic(axes.yaxis, at=(1,))
     axes.legend()

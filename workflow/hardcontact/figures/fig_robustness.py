@@ -1,6 +1,6 @@
 """Robustness: range, work of adhesion and critical band under other assumptions."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -11,32 +11,22 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import VALUE_COLUMNS, published_value, value_and_bounds
 
 __all__ = ["draw", "table"]
 
 BASELINE = "baseline"
 FULL = "the study itself"
-OF_STUDY = {"contact_model": "plastic", "group": "pooled"}  # what variants are variants of
-ABOVE = 0.4  # rows from the baseline up to the study in full
+CONTACT_MODEL, GROUP = "plastic", "pooled"  # what the variants are computed with and for
+ABOVE = 0.4  # rows between the baseline and the study itself
 GAP = 0.4  # rows between groups of variants
-VARIANT = {"color": "0.15", "marker": "o"}
-STUDY = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
-COLUMNS = [
-    "panel",
-    "variant",
-    "label",
-    "group",
-    "origin",
-    "quantity",
-    "value",
-    "low",
-    "high",
-    "unit",
-]
+VARIANT: dict[str, Any] = {"color": "0.15", "marker": "o"}
+STUDY: dict[str, Any] = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
+COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *VALUE_COLUMNS]
 
 
 class _Quantity(NamedTuple):
-    """What one panel shows, and how it is printed."""
+    """The quantity of one panel, and how it is printed."""
 
     panel: str
     title: str
@@ -44,80 +34,90 @@ class _Quantity(NamedTuple):
     unit: str
     printed_unit: float  # in `unit`
     ticks: tuple[int, ...]  # digits labelled in each decade
-    published: str  # attribute
     missing: str  # said of a variant without a value
 
 
-QUANTITIES = {
+QUANTITIES = {  # by the name of the published constant
     "range_of_adhesion": _Quantity(
-        "a", "range of adhesion", "ρ (nm)", "nm", 1, (1, 3), "published_range", "not affected"
+        "a", "range of adhesion", "ρ (nm)", "nm", 1, (1, 3), "not affected"
     ),
     "work_of_adhesion": _Quantity(
-        "b",
-        "work of adhesion",
-        "$W$ (mJ/m²)",
-        "J/m2",
-        1e-3,
-        (1, 3),
-        "published_work",
-        "not affected",
+        "b", "work of adhesion", "$W$ (mJ/m²)", "J/m2", 1e-3, (1, 3), "not affected"
     ),
     "critical_wavelength_small": _Quantity(
-        "c",
-        "short cutoff",
-        "$λ_S$ (nm)",
-        "nm",
-        1,
-        (1, 2, 3, 4, 5, 7),
-        "published_cutoff_small",
-        "never reached",
+        "c", "short cutoff", "$λ_S$ (nm)", "nm", 1, (1, 2, 3, 4, 5, 7), "never reached"
     ),
     "critical_wavelength_large": _Quantity(
-        "d",
-        "long cutoff",
-        "$λ_L$ (µm)",
-        "nm",
-        1000,
-        (1, 2, 3, 5),
-        "published_cutoff_large",
-        "never reached",
+        "d", "long cutoff", "$λ_L$ (µm)", "nm", 1000, (1, 2, 3, 5), "never reached"
     ),
 }
 
 
-def table(robustness: xr.Dataset, inference: xr.Dataset) -> pd.DataFrame:
+def table(
+    robustness: xr.Dataset,
+    inference: xr.Dataset,
+    band: xr.Dataset,
+    published_constants: pd.DataFrame,
+) -> pd.DataFrame:
     """Return the four quantities, one row each of a variant, of the study and of the paper.
 
-    Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its 95 %
-    interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity or
-    the force never leaves the band. `variant` is empty but for variants.
+    Parameters
+    ----------
+    robustness, inference, band, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its
+        interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity
+        or the force never leaves the band. `variant` is empty but for variants.
     """
+    of_study = inference.sel(contact_model=CONTACT_MODEL).merge(
+        band.sel(group=GROUP), compat="override"
+    )
     study = {"label": FULL, "origin": "computed"}
     rows = [
         {"panel": quantity.panel, "quantity": name, "unit": quantity.unit, **row}
         for name, quantity in QUANTITIES.items()
         for row in (
             *_variant_rows(robustness, name),
-            {**study, **_result(inference.sel(OF_STUDY), name)},
-            {"origin": "published", **_published(robustness, quantity.published)},
+            {**study, **_result(of_study, name)},
+            {"origin": "published", **published_value(published_constants, name)},
         )
     ]
     return pd.DataFrame(rows)[COLUMNS]
 
 
 @style.print_style()
-def draw(robustness: xr.Dataset, inference: xr.Dataset) -> Figure:
+def draw(
+    robustness: xr.Dataset,
+    inference: xr.Dataset,
+    band: xr.Dataset,
+    published_constants: pd.DataFrame,
+) -> Figure:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
-    From `robustness` the quantities (variant) in nm and J/m2, from `inference` those of the study
-    itself, which has more contacts, pixels and realizations than its variants.
+    Parameters
+    ----------
+    robustness : xarray.Dataset
+        With the quantities (variant) in nm and J/m2.
+    inference, band : xarray.Dataset
+        With those of the study itself, which has more contacts, pixels and realizations.
+    published_constants : pandas.DataFrame
+        With the published ones and their uncertainties.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
     """
-    rows = table(robustness, inference).set_index("quantity")
+    rows = table(robustness, inference, band, published_constants)
     heights = _heights(robustness)
     figure = style.create(0.24 * heights[-1] + 1.6)
     row = figure.subplots(1, len(QUANTITIES), sharey=True)
     for axes, (name, quantity) in zip(row, QUANTITIES.items(), strict=True):
-        _draw_quantity(axes, rows.loc[name], quantity, heights)
+        _draw_quantity(axes, rows[rows["quantity"] == name], quantity, heights)
     row[0].set_yticks(heights, robustness["variant_label"].values)
     row[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
     figure.legend(handles=_legend_handles(robustness), loc="outside upper center", ncols=3)
@@ -129,12 +129,11 @@ def _result(data: xr.Dataset, name: str) -> dict[str, float]:
     """Return value, low and high of a quantity of one variant, or of the study."""
     variable, _, side = name.partition("_wavelength_")
     if side:
-        data, name = data.sel(side=side), f"{variable}_wavelength"
-    ends = {"value": "", "low": "_low", "high": "_high"}
-    return {key: data[f"{name}{end}"].item() for key, end in ends.items()}
+        return value_and_bounds(data.sel(side=side), f"{variable}_wavelength")
+    return value_and_bounds(data, name)
 
 
-def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict]:
+def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict[str, Any]]:
     return [
         {
             "variant": str(variant),
@@ -145,13 +144,6 @@ def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict]:
         }
         for variant in robustness["variant"].values
     ]
-
-
-def _published(robustness: xr.Dataset, attribute: str) -> dict[str, float]:
-    """Return a published value and its ends, NaN where no uncertainty is published."""
-    value = robustness.attrs[attribute]
-    spread = robustness.attrs.get(f"{attribute}_uncertainty", np.nan)
-    return {"value": value, "low": value - spread, "high": value + spread}
 
 
 def _heights(robustness: xr.Dataset) -> np.ndarray:
@@ -183,7 +175,7 @@ def _draw_quantity(
 
 
 def _draw_result(
-    axes: Axes, height: float, result: pd.Series, quantity: _Quantity, look: dict[str, str]
+    axes: Axes, height: float, result: pd.Series, quantity: _Quantity, look: dict[str, Any]
 ) -> None:
     """Draw a value and its interval, or say why there is none."""
     value, low, high = result[["value", "low", "high"]].astype(float) / quantity.printed_unit
@@ -202,14 +194,15 @@ def _draw_result(
         )
 
 
-def _legend_handles(robustness: xr.Dataset) -> list:
+def _legend_handles(robustness: xr.Dataset) -> list[Line2D | Patch]:
     """Return one entry for each kind of mark; the dotted line has the name of the top row."""
     baseline = robustness["variant_label"].values[robustness["group"].values == BASELINE][0]
-    size = (
-        "{count:g} x {count:g} contacts, {realizations:g} realizations of "
-        "{pixels_small:g}² and {pixels_large:g}² pixels"
+    size = robustness.attrs
+    plural = "" if size["realizations"] == 1 else "s"
+    variants = (
+        f"variants: {size['count']} x {size['count']} contacts, {size['realizations']} "
+        f"realization{plural} of {size['pixels_small']}² and {size['pixels_large']}² pixels"
     )
-    variants = f"variants: {size.format(**robustness.attrs)}"
     return [
         Line2D([], [], lw=1.2, label=variants, **VARIANT),
         Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY),

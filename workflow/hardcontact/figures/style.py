@@ -1,48 +1,49 @@
-"""What every figure shares: print style, the surfaces' colours, the mark of substitutes, saving."""
+"""Style of all figures: fonts, colours and markers of surfaces, axes, note on substitutes."""
 
-from collections.abc import Iterable
-from contextlib import ExitStack
-from typing import Any, Protocol
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from itertools import cycle
+from typing import Any
 
 import matplotlib as mpl
-import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
-from hardcontact.dataset import atomic_path, record
 
 __all__ = [
     "FOOTER",
     "PUBLISHED",
     "SPHERE",
     "WIDTH",
-    "Files",
     "colours",
     "create",
+    "draw_over_range",
     "label_logarithmic",
     "label_panel",
+    "legend_entries",
+    "looks",
     "mark_basis",
-    "markers",
+    "print_share",
     "print_style",
-    "save",
+    "surface_handles",
 ]
 
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
-RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
 
-# Okabe & Ito (2008), readable with every common colour blindness; their grey is the sphere's,
-# their black the published values' and the pooled line's, their yellow too pale for a thin line.
+# The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
+# for the sphere, its black for published and pooled values; its yellow is too pale for thin lines.
 SUBSTRATES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SPHERE = "#7F7F7F"
 PUBLISHED = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
-RC = {
+RC: dict[Any, Any] = {
     "font.family": "DejaVu Sans",  # ships with matplotlib: the same bytes on every machine
     "font.size": 8.0,
     "axes.titlesize": 8.0,
@@ -57,32 +58,29 @@ RC = {
     "lines.markersize": 3.5,
     "xtick.major.width": 0.6,
     "ytick.major.width": 0.6,
-    "image.interpolation": "nearest",  # a pixel is a datum
-    "pdf.fonttype": 42,  # text stays text
+    "image.interpolation": "nearest",  # every pixel of a height map is shown as it is
+    "pdf.fonttype": 42,  # text in the PDF can be searched and copied
 }
 
 
-def print_style():
-    """Return the context, or decorator, under which figures are drawn and saved at print size."""
-    return mpl.rc_context(RC)
+@contextmanager
+def print_style() -> Iterator[None]:
+    """Set the style of print for a block or, as a decorator, for a function."""
+    with mpl.rc_context(RC):
+        yield
 
 
 def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
     """Return the colour of each surface: by its place among the substrates, grey for the sphere."""
-    return _by_order(surfaces, SUBSTRATES, sphere, SPHERE)
-
-
-def markers(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
-    """Return the marker of each surface, so that it is also told without colour."""
-    return _by_order(surfaces, MARKERS, sphere, "x")
-
-
-def _by_order(
-    surfaces: Iterable[str], choices: tuple[str, ...], sphere: str | None, of_sphere: str
-) -> dict[str, str]:
     substrates = [str(name) for name in surfaces if str(name) != sphere]
-    chosen = {name: choices[i % len(choices)] for i, name in enumerate(substrates)}
-    return chosen if sphere is None else {**chosen, sphere: of_sphere}
+    chosen = dict(zip(substrates, cycle(SUBSTRATES), strict=False))
+    return chosen if sphere is None else {**chosen, sphere: SPHERE}
+
+
+def looks(substrates: Iterable[str]) -> dict[str, dict[str, Any]]:
+    """Return colour and marker of each substrate, as plots take them: told also without colour."""
+    chosen = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
+    return {name: {"color": colour, "marker": marker} for (name, colour), marker in chosen}
 
 
 def create(height: float) -> Figure:
@@ -105,10 +103,45 @@ def label_logarithmic(axis: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
+def draw_over_range(axes: Axes, curve: xr.Dataset, band: float, **look: Any) -> None:
+    """Draw `value` against `rho`, and the band from `low` to `high` with the opacity `band`."""
+    axes.fill_between(
+        curve["rho"], curve["low"], curve["high"], color=look["color"], alpha=band, lw=0
+    )
+    axes.plot(curve["rho"], curve["value"], **look)
+
+
+def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D]:
+    """Return one entry of a legend for each substrate of a dataset with `label(surface)`."""
+    labelled = zip(looks(dataset["surface"].values).values(), dataset["label"].values, strict=True)
+    return [
+        Line2D([], [], **of_surface, **look, label=str(label)) for of_surface, label in labelled
+    ]
+
+
+def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
+    """Return the handle of each label in the panels, each label once."""
+    entries: dict[str, Artist] = {}
+    for axes in panels:
+        for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
+            entries.setdefault(label, handle)
+    return entries
+
+
+def print_share(share: float) -> str:
+    """Return a share of 1 in percent, as a confidence of 0.95 is printed: "95 %"."""
+    return f"{100 * share:g} %"
+
+
 def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
     """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
 
-    `dataset` holds `label(surface)` and `basis(surface)`, the latter "substitute" or "measured".
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        With room for one line at its foot.
+    dataset : xarray.Dataset
+        With `label(surface)` and `basis(surface)`, the latter "substitute" or "measured".
     """
     substitutes = dataset["label"].values[dataset["basis"].values == "substitute"]
     note = "all surfaces measured"
@@ -116,47 +149,3 @@ def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
         names = ", ".join(map(str, substitutes))
         note = f"substitute surfaces: {names} (synthesised from published statistics)"
     figure.text(0.006, 0.05 / figure.get_figheight(), note, fontsize=7, style="italic", va="bottom")
-
-
-class Files(Protocol):
-    """The files of a figure: two pictures, the table they are drawn from, and what made them."""
-
-    pdf: str
-    png: str
-    csv: str
-    record: str
-
-
-@print_style()
-def save(
-    figure: Figure, table: pd.DataFrame, files: Files, *, title: str, **made_from: Any
-) -> None:
-    """Write a figure as PDF and PNG and its table as CSV, the same bytes each time, all or none.
-
-    `made_from` are the parameters, inputs and code that `dataset.record` writes beside them.
-    """
-    _freeze_layout(figure)
-    with ExitStack() as stack:
-        pdf, png, csv = (
-            stack.enter_context(atomic_path(path)) for path in (files.pdf, files.png, files.csv)
-        )
-        table.to_csv(csv, index=False, float_format="%.8g", lineterminator="\n")
-        figure.savefig(
-            png, format="png", dpi=RESOLUTION, metadata={"Title": title, "Software": None}
-        )
-        figure.savefig(
-            pdf, format="pdf", dpi=RESOLUTION, metadata={"Title": title, "CreationDate": None}
-        )
-    record(files.record, (files.pdf, files.png, files.csv), **made_from)
-
-
-def _freeze_layout(figure: Figure) -> None:
-    """Lay the figure out once and keep the positions to a millionth of its size.
-
-    Beyond that the solver's digits differ from run to run, and with them the bytes of the PDF.
-    """
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
-    for axes in figure.axes:
-        bounds = axes.get_position(original=True).bounds
-        axes.set_position([round(bound, 6) for bound in bounds])

@@ -2,7 +2,7 @@
 
 import json
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -11,6 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import label_surfaces
 
 __all__ = ["draw", "table"]
 
@@ -22,104 +23,95 @@ SCOPES = {
 }
 CALIBRATED = "†"
 NOTE = f"{CALIBRATED} substitute calibrated to this row, with others: it tests nothing"
+COLUMNS = [
+    "scope", "quantity", "definition", "surface", "label", "basis", "origin",
+    "value", "uncertainty", "unit", "calibrated",
+]  # fmt: skip
+
+
+DEFINITIONS = {  # variable: definition
+    "height": {"rms_height": ""},
+    "slope": {"rms_gradient": "gradient", "rms_profile_slope": "slope of profiles"},
+    "curvature": {"rms_half_laplacian": "half the Laplacian", "rms_laplacian": "Laplacian"},
+}
 
 
 class _Quantity(NamedTuple):
-    """A row of the paper's Table 1 and the definitions under which it can be computed."""
+    """A row of the paper's Table 1."""
 
     name: str  # as in resources/paper/table1.csv
     scope: str
     title: str
     unit: str
-    printed_unit: float  # the unit printed, in `unit`
-    definitions: dict[str, str]  # variable: definition
+    printed_unit: float = 1  # in `unit`
+
+    @property
+    def definitions(self) -> dict[str, str]:
+        """Definition of each variable that it can be computed as."""
+        variables = DEFINITIONS[self.name.rpartition("_")[-1]]
+        prefix = "all_scales_" if self.scope == "all scales" else ""
+        return {f"{prefix}{variable}": definition for variable, definition in variables.items()}
 
 
-GRADIENT, PROFILE = "gradient", "slope of profiles"
-HALF_LAPLACIAN, LAPLACIAN = "half the Laplacian", "Laplacian"
 QUANTITIES = (
-    _Quantity("afm_rms_height", "AFM scans", "rms height (nm)", "nm", 1, {"rms_height": ""}),
-    _Quantity(
-        "afm_rms_slope",
-        "AFM scans",
-        "rms slope",
-        "1",
-        1,
-        {"rms_gradient": GRADIENT, "rms_profile_slope": PROFILE},
-    ),
-    _Quantity(
-        "afm_rms_curvature",
-        "AFM scans",
-        "rms curvature (10⁻³ nm⁻¹)",
-        "nm-1",
-        1e-3,
-        {"rms_half_laplacian": HALF_LAPLACIAN, "rms_laplacian": LAPLACIAN},
-    ),
-    _Quantity(
-        "all_rms_height", "all scales", "rms height (nm)", "nm", 1, {"all_scales_rms_height": ""}
-    ),
-    _Quantity(
-        "all_rms_slope",
-        "all scales",
-        "rms slope",
-        "1",
-        1,
-        {"all_scales_rms_gradient": GRADIENT, "all_scales_rms_profile_slope": PROFILE},
-    ),
-    _Quantity(
-        "all_rms_curvature",
-        "all scales",
-        "rms curvature (nm⁻¹)",
-        "nm-1",
-        1,
-        {
-            "all_scales_rms_half_laplacian": HALF_LAPLACIAN,
-            "all_scales_rms_laplacian": LAPLACIAN,
-        },
-    ),
+    _Quantity("afm_rms_height", "AFM scans", "rms height (nm)", "nm"),
+    _Quantity("afm_rms_slope", "AFM scans", "rms slope", "1"),
+    _Quantity("afm_rms_curvature", "AFM scans", "rms curvature (10⁻³ nm⁻¹)", "nm-1", 1e-3),
+    _Quantity("all_rms_height", "all scales", "rms height (nm)", "nm"),
+    _Quantity("all_rms_slope", "all scales", "rms slope", "1"),
+    _Quantity("all_rms_curvature", "all scales", "rms curvature (nm⁻¹)", "nm-1"),
 )
 
 
-def table(topography: xr.Dataset, table1_published: pd.DataFrame) -> pd.DataFrame:
+def table(topography: xr.Dataset, published_table1: pd.DataFrame) -> pd.DataFrame:
     """Return the published and the computed values of Table 1, one row a value.
 
-    Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the standard
-    deviation over the scans (none for the moments of the joined spectrum). `calibrated` says that a
-    substitute was made to meet the published value under this definition.
+    Parameters
+    ----------
+    topography, published_table1 : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the
+        standard deviation over the scans (none for the moments of the joined spectrum).
+        `calibrated` says that a substitute was made to meet the published value under this
+        definition.
     """
     rows = [
         row
         for quantity in QUANTITIES
         for surface in map(str, topography["surface"].values)
         for row in (
-            *_published_rows(quantity, surface, table1_published),
+            *_published_rows(quantity, surface, published_table1),
             *_computed_rows(quantity, topography.sel(surface=surface)),
         )
     ]
-    named = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    return pd.DataFrame(rows).join(named, on="surface")[
-        [
-            "scope",
-            "quantity",
-            "definition",
-            "surface",
-            "label",
-            "basis",
-            "origin",
-            "value",
-            "uncertainty",
-            "unit",
-            "calibrated",
-        ]
-    ]
+    return label_surfaces(pd.DataFrame(rows), topography)[COLUMNS]
 
 
 @style.print_style()
-def draw(topography: xr.Dataset, table1_published: pd.DataFrame) -> Figure:
-    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones."""
-    rows = table(topography, table1_published)
+def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
+    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones.
+
+    Parameters
+    ----------
+    topography : xarray.Dataset
+        With the moments of each surface, over scans `<name>_mean` and `<name>_std`, of the joined
+        spectrum `all_scales_<name>`; `calibrated_to_table1(surface)`, the rows of Table 1 that a
+        substitute was fitted to, and the attributes `table1_variables` and `sphere_surface`.
+    published_table1 : pandas.DataFrame
+        One row a value, with columns surface, quantity, value and uncertainty.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    rows = table(topography, published_table1)
     lines = rows[["scope", "quantity", "origin", "definition"]].drop_duplicates()
-    lines = lines.sort_values("origin", ascending=False, kind="stable")  # published comes first
+    lines = lines.sort_values("origin", ascending=False, kind="stable")  # published ones first
     columns = [str(name) for name in topography["surface"].values]
     last = 1 + len(SCOPES) + len(lines)
     figure = style.create((last + 1) * ROW_HEIGHT + style.FOOTER)
@@ -127,7 +119,10 @@ def draw(topography: xr.Dataset, table1_published: pd.DataFrame) -> Figure:
     axes.set_axis_off()
     axes.set(xlim=(LEFT, len(columns)), ylim=(last + 1, 0))
     _draw_header(axes, topography, columns)
-    cells = rows.set_index(["quantity", "origin", "definition", "surface"], drop=False)
+    cells = {
+        (row["quantity"], row["origin"], row["definition"], row["surface"]): row
+        for _, row in rows.iterrows()
+    }
     top = 1
     for scope in SCOPES:
         top = _draw_scope(axes, top, scope, lines, cells, columns)
@@ -137,7 +132,9 @@ def draw(topography: xr.Dataset, table1_published: pd.DataFrame) -> Figure:
     return figure
 
 
-def _published_rows(quantity: _Quantity, surface: str, published: pd.DataFrame) -> list[dict]:
+def _published_rows(
+    quantity: _Quantity, surface: str, published: pd.DataFrame
+) -> list[dict[str, Any]]:
     chosen = published[(published["surface"] == surface) & (published["quantity"] == quantity.name)]
     return [
         {
@@ -152,7 +149,7 @@ def _published_rows(quantity: _Quantity, surface: str, published: pd.DataFrame) 
     ]
 
 
-def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict]:
+def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str, Any]]:
     """Return a row for each definition of the quantity."""
     calibrated = quantity.name in _calibrated_to(of_surface)
     taken = json.loads(of_surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
@@ -172,7 +169,7 @@ def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict]:
     return rows
 
 
-def _named(quantity: _Quantity, surface: str) -> dict:
+def _named(quantity: _Quantity, surface: str) -> dict[str, Any]:
     return {
         "scope": quantity.scope,
         "quantity": quantity.name,
@@ -211,7 +208,12 @@ def _draw_header(axes: Axes, topography: xr.Dataset, columns: list[str]) -> None
 
 
 def _draw_scope(
-    axes: Axes, top: int, scope: str, lines: pd.DataFrame, cells: pd.DataFrame, columns: list[str]
+    axes: Axes,
+    top: int,
+    scope: str,
+    lines: pd.DataFrame,
+    cells: dict[Any, pd.Series],
+    columns: list[str],
 ) -> int:
     """Write the quantities of one scope downwards from `top` and return where they end."""
     _rule(axes, top, 1.0)
@@ -230,18 +232,19 @@ def _draw_quantity(
     top: int,
     quantity: _Quantity,
     lines: pd.DataFrame,
-    cells: pd.DataFrame,
+    cells: dict[Any, pd.Series],
     columns: list[str],
 ) -> None:
     """Write the lines of one quantity, downwards from `top`, under a thin rule."""
     _rule(axes, top, 0.4)
     axes.text(LEFT, top + 0.5, quantity.title, weight="bold", fontsize=7, va="center")
-    for height, line in enumerate(lines.itertuples(), start=top):
-        name = f"{line.origin}, {line.definition}" if line.definition else line.origin
+    for height, (_, line) in enumerate(lines.iterrows(), start=top):
+        origin, definition = line["origin"], line["definition"]
+        name = f"{origin}, {definition}" if definition else origin
         axes.text(-0.05, height + 0.5, name, fontsize=7, ha="right", va="center")
         for place, surface in enumerate(columns):
-            key = (quantity.name, line.origin, line.definition, surface)
-            text = _print_cell(cells.loc[key], quantity) if key in cells.index else "–"
+            key = (quantity.name, origin, definition, surface)
+            text = _print_cell(cells[key], quantity) if key in cells else "–"
             axes.text(place + 0.5, height + 0.5, text, fontsize=7, ha="center", va="center")
 
 

@@ -1,0 +1,1 @@
+"""Adhesion: force sum, pull-off, range and work of adhesion, critical band, classical models."""

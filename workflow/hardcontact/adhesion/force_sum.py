@@ -1,0 +1,159 @@
+"""The pull-off force as a sum over pixels, and the force at larger separations.
+
+Eq. 2 of the paper gives the attraction of a pixel at the gap g as (W/rho) exp(-g/rho) A_pix. The
+functions here return sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into
+forces.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hardcontact.adhesion.sphere_sums import rough_sphere_sums, smooth_sphere_sums
+from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
+from hardcontact.contact.geometry import Bodies
+
+__all__ = [
+    "force_separation",
+    "smooth_sphere_total",
+    "plastic_totals",
+    "pull_off_force",
+    "rough_sphere_total",
+]
+
+Floats = NDArray[np.float64]
+
+#: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
+NEWTON_PER_JOULE_M2_NM = 1e-9
+
+
+def pull_off_force(
+    total: ArrayLike, rho: ArrayLike, pixel_size: float, work_of_adhesion: float
+) -> Floats:
+    """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
+
+    Parameters
+    ----------
+    total : array_like
+        Sums at closest approach, of any shape.
+    rho : array_like
+        Range of adhesion in nm, of a shape that goes with `total`.
+    pixel_size : float
+        Edge of a pixel in nm.
+    work_of_adhesion : float
+        W, in J/m².
+
+    Returns
+    -------
+    numpy.ndarray
+        Of the shape of `total`.
+
+    Raises
+    ------
+    ValueError
+        If a sum exceeds the range of floats, as it does where the highest point outside the
+        window stands many hundred rho above the contact.
+    """
+    if not np.isfinite(total).all():
+        raise ValueError(
+            "expected a range of adhesion that resolves the relief of the surface, "
+            f"found rho = {np.min(rho):g} nm, too small for it"
+        )
+    of_a_pixel = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
+    return np.asarray(of_a_pixel * np.asarray(total))
+
+
+def rough_sphere_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
+    """Return the sum of exp(-gap/rho) at the approach where some pixels touch a rough sphere.
+
+    At this approach every gap is larger than at that of `outside` by the same length; pixels that
+    are no longer in contact add to the sum with the gap that has opened there.
+
+    Parameters
+    ----------
+    outside : array_like
+        (...) from `rough_sphere_sums`, at the approach where the pixels of all `gaps` touch.
+    gaps : numpy.ndarray
+        (..., k) nm, ascending.
+    contact_pixels : int
+        From 1 (rigid contact) to k.
+    rho : float
+        Range of adhesion in nm.
+
+    Returns
+    -------
+    numpy.ndarray
+        (...)
+    """
+    approach = gaps[..., contact_pixels - 1]
+    opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
+    return np.asarray(contact_pixels + opened + outside * np.exp((approach - gaps[..., -1]) / rho))
+
+
+def smooth_sphere_total(everywhere: ArrayLike, h_max: float, gaps: Floats, rho: float) -> Floats:
+    """Return the sum of exp(-gap/rho) at plastic closest approach of a smooth sphere.
+
+    The gap of a contact pixel is zero, although the rigid bodies would overlap there by the
+    penetration. The subtraction of what the overlap adds to the sum costs as many digits as
+    exp(penetration/rho) has.
+
+    Parameters
+    ----------
+    everywhere : array_like
+        (...) from `smooth_sphere_sums`.
+    h_max : float
+        Highest point of the substrate in nm.
+    gaps : numpy.ndarray
+        (..., contact_pixels) nm, ascending.
+    rho : float
+        Range of adhesion in nm.
+
+    Returns
+    -------
+    numpy.ndarray
+        (...)
+    """
+    approach = gaps[..., -1]
+    penetrated = np.expm1((approach[..., None] - gaps) / rho).sum(axis=-1)
+    return np.asarray(np.exp((approach + h_max) / rho) * everywhere - penetrated)
+
+
+def plastic_totals(
+    bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
+) -> Floats:
+    """Return the sums of exp(-gap/rho) of an array of plastic contacts at several loads.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        With a smooth or a rough sphere.
+    contact_pixels : sequence of int
+        At each load.
+    rho : float
+        Range of adhesion in nm.
+    threads : int
+        Used for a smooth sphere; the result does not depend on it.
+
+    Returns
+    -------
+    numpy.ndarray
+        (load, contact, contact)
+    """
+    contacts = all_lowest_gaps(bodies, max(contact_pixels))
+    gaps = stacked_gaps(contacts, bodies.geometry)
+    if bodies.roughness is not None:
+        outside = rough_sphere_sums(bodies, contacts, [rho])[0]
+        return np.array([rough_sphere_total(outside, gaps, count, rho) for count in contact_pixels])
+    everywhere, h_max = smooth_sphere_sums(bodies, rho, threads)
+    return np.array(
+        [smooth_sphere_total(everywhere, h_max, gaps[..., :count], rho) for count in contact_pixels]
+    )
+
+
+def force_separation(pull_off: float, rho: float, separation: ArrayLike) -> Floats:
+    """Return the force (N, negative: attractive) at separations (nm) beyond closest approach.
+
+    The bodies keep their deformed shape, so that all gaps grow alike and Eq. 3 decays with rho.
+    """
+    return -pull_off * np.exp(-np.asarray(separation) / rho)

@@ -1,0 +1,1 @@
+"""Statements of the paper: the numbers they are about, the verdicts, the pages that show them."""

@@ -1,0 +1,99 @@
+"""Numbers about contact: its height on the surface, its area, and its deformation.
+
+Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `numbers.number`
+does; in brackets its dimensions.
+"""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.claims.numbers import (
+    absolute_value,
+    mean_over_contacts,
+    mean_over_scans,
+    number,
+    variable_as_number,
+)
+
+__all__ = [
+    "contact_height",
+    "deformation_over_adhesion",
+    "elastic_change",
+    "peak_over_hardness",
+    "plastic_contact_area",
+    "plastic_over_elastic_area",
+    "contact_pixel_share",
+]
+
+NM2 = 1e-18  # in m²
+
+
+# --- plastic contact --------------------------------------------------------------------------
+
+
+def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
+    """Return the height of the sphere's apex in contact over the mean plane.
+
+    In rms heights of the scan (surface, contact_model). Under a smooth sphere all contact pixels
+    are at least as high.
+    """
+    approach = mean_over_contacts(adhesion["closest_approach"])
+    return mean_over_scans(-approach / topography["rms_height"], adhesion.attrs["confidence"])
+
+
+def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
+    """Return the area in nm² of the pixels in contact (contact_model)."""
+    return number(_contact_area(adhesion))
+
+
+def contact_pixel_share(adhesion: xr.Dataset) -> xr.Dataset:
+    """Return the share of the force on contact pixels at the smallest range.
+
+    A contact pixel of area A attracts with W A / rho, Eq. 3 at gap zero (surface, contact_model).
+    """
+    force = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho").isel(rho=0)
+    work, rho = adhesion.attrs["work_of_adhesion"], 1e-9 * force["rho"]
+    share = work * NM2 * _contact_area(adhesion) / rho / force
+    return mean_over_scans(share.drop_vars("rho"), adhesion.attrs["confidence"]).clip(0)
+
+
+def _contact_area(adhesion: xr.Dataset) -> xr.DataArray:
+    pixel_area: float = adhesion.attrs["pixel_size"] ** 2
+    return adhesion["contact_pixels"] * pixel_area
+
+
+# --- elastic contact --------------------------------------------------------------------------
+
+
+def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the difference of mean elastic and rigid force over the rigid one (surface)."""
+    soft, rigid = (
+        mean_over_contacts(elastic[f"{model}_pull_off_force"]) for model in ("elastic", "rigid")
+    )
+    return absolute_value(mean_over_scans(soft / rigid - 1, elastic.attrs["confidence"]))
+
+
+def peak_over_hardness(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the greatest pressure of an elastic contact over the hardness (surface)."""
+    hardness: float = elastic.attrs["hardness"]
+    return variable_as_number(elastic, "peak_pressure") / hardness
+
+
+def plastic_over_elastic_area(elastic: xr.Dataset) -> xr.Dataset:
+    """Return the area that carries the preload at the hardness over the elastic one (surface)."""
+    plastic = elastic.attrs["preload"] / elastic.attrs["hardness"] / NM2
+    ratio = plastic / mean_over_contacts(elastic["contact_area"])
+    return mean_over_scans(ratio, elastic.attrs["confidence"])
+
+
+def deformation_over_adhesion(topography: xr.Dataset, elastic: xr.Dataset) -> xr.Dataset:
+    """Return the elastic energy of conforming contact over the work of adhesion (surface).
+
+    E*/4 (1/2π) ∫ q² C dq of a surface's AFM scans, those of one body; Persson and Tosatti,
+    J. Chem. Phys. 115 (2001) 5597. Wavelengths beyond the scans would add to it.
+    """
+    spectrum = topography["psd_isotropic"].sel(surface=elastic["surface"]).fillna(0)
+    moment = (topography["wavevector"] ** 2 * spectrum).integrate("wavevector") / (2 * np.pi)
+    energy = elastic.attrs["effective_modulus"] / 4 * 1e-9 * moment.where(moment > 0)
+    ratio = energy / elastic.attrs["work_of_adhesion"]
+    return mean_over_scans(ratio, elastic.attrs["confidence"])

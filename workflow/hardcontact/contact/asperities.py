@@ -1,0 +1,174 @@
+"""The asperities that carry the force of some contacts of one pair of scans.
+
+Pixels that share an edge or a corner belong to one patch.
+"""
+
+from typing import NamedTuple, TypedDict
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy import ndimage
+
+from hardcontact.contact.bearing_area import ContactSettings, contact_pixel_count
+from hardcontact.contact.gap_map import flattened_gaps, gap_map
+from hardcontact.contact.geometry import Bodies, sampled_contacts
+from hardcontact.records.log import progress
+
+__all__ = ["Asperities", "AsperitySettings", "asperities", "asperities_of_pair"]
+
+Floats = NDArray[np.float64]
+
+UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent": "nm"}
+
+
+class Asperities(NamedTuple):
+    """The asperities that carry a share of the force of one contact.
+
+    Attributes
+    ----------
+    largest_share, two_largest_share : float
+        Of the force, carried by the largest one and two patches.
+    patches : int
+        Number of patches.
+    extent : float
+        Diameter in nm of the circle about the centre of force that holds the share.
+    """
+
+    largest_share: float
+    two_largest_share: float
+    patches: int
+    extent: float
+
+
+def asperities(attraction: Floats, share: float, pixel_size: float) -> Asperities:
+    """Return which asperities carry the force of one contact.
+
+    Patches are those of the fewest pixels that carry the share together.
+
+    Parameters
+    ----------
+    attraction : numpy.ndarray
+        (n, n), proportional to the force on each pixel.
+    share : float
+        Of the force.
+    pixel_size : float
+        Edge of a pixel in nm.
+
+    Returns
+    -------
+    Asperities
+        Their number, shares and extent.
+    """
+    total = attraction.sum()
+    # Pixels of less attraction than the mean of the rest of the force together carry at most the
+    # rest: they are not among the fewest pixels that carry the share.
+    rest = (1 - share) * total / attraction.size
+    values = np.sort(attraction[attraction > rest])[::-1]
+    weakest = values[np.searchsorted(np.cumsum(values), share * total)]
+    part = _bounding_box(attraction, weakest)
+    label, count = ndimage.label(part >= weakest, structure=np.ones((3, 3)))
+    forces = np.sort(np.bincount(label.ravel(), part.ravel())[1:])[::-1] / total
+    extent = _diameter(attraction, share, total) * pixel_size
+    return Asperities(forces[0], forces[:2].sum(), count, extent)
+
+
+def _bounding_box(attraction: Floats, weakest: float) -> Floats:
+    """Return the smallest part of a map that has all pixels of at least some attraction."""
+    rows = np.flatnonzero(attraction.max(axis=1) >= weakest)
+    part = attraction[rows[0] : rows[-1] + 1]
+    columns = np.flatnonzero(part.max(axis=0) >= weakest)
+    return part[:, columns[0] : columns[-1] + 1]
+
+
+def _diameter(attraction: Floats, share: float, total: float) -> int:
+    """Return the diameter in pixels of the circle about the centre of force that holds a share."""
+    y, x = (np.arange(pixels) for pixels in attraction.shape)
+    centre_y, centre_x = attraction.sum(axis=1) @ y / total, attraction.sum(axis=0) @ x / total
+    from_y, from_x = y - centre_y, x - centre_x
+    reach, carried = 32, np.zeros(1)
+    # Squares about the centre, each twice the one before, until a circle in one holds the share.
+    while carried[-1] < share * total and reach < 2 * max(attraction.shape):
+        reach *= 2
+        rows, columns = (np.flatnonzero(abs(distance) <= reach) for distance in (from_y, from_x))
+        near = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+        distance = np.rint(np.hypot(from_y[near[0], None], from_x[near[1]])).astype(int)
+        carried = np.cumsum(np.bincount(distance.ravel(), attraction[near].ravel())[:reach])
+    return 2 * int(np.searchsorted(carried, share * total))
+
+
+class AsperitySettings(TypedDict):
+    """Sample of contacts, share of the force and ranges of adhesion, as the configuration has them.
+
+    Attributes
+    ----------
+    contacts : int
+        Number of contacts in the sample.
+    share : float
+        Of the force, carried by the asperities.
+    ranges : list of float
+        Ranges of adhesion in nm.
+    """
+
+    contacts: int
+    share: float
+    ranges: list[float]
+
+
+def asperities_of_pair(
+    bodies: Bodies,
+    contact: ContactSettings,
+    settings: AsperitySettings,
+    rng: np.random.Generator,
+) -> xr.Dataset:
+    """Return which asperities carry the force of some plastic contacts, by range of adhesion.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere.
+    contact : ContactSettings
+        Array of contacts and load.
+    settings : AsperitySettings
+        Number of contacts, share of the force and ranges.
+    rng : numpy.random.Generator
+        Draws the contacts.
+
+    Returns
+    -------
+    xarray.Dataset
+        The fields of `Asperities` (contact, rho).
+    """
+    places = sampled_contacts(rng, contact["count"], settings["contacts"])
+    pixel_size = bodies.geometry.pixel_size
+    contact_pixels = contact_pixel_count(contact, pixel_size)
+    carriers = np.array(
+        [
+            _asperities_of_contact(gap_map(bodies, place), contact_pixels, settings, pixel_size)
+            for place in progress(places, len(places), "contacts")
+        ]
+    )
+    rho = {"units": "nm", "long_name": "range of adhesion"}
+    return xr.Dataset(
+        {
+            name: (("contact", "rho"), carriers[..., k], {"units": UNITS[name]})
+            for k, name in enumerate(Asperities._fields)
+        },
+        {
+            "rho": ("rho", settings["ranges"], rho),
+            "contact_y": ("contact", places[:, 0]),
+            "contact_x": ("contact", places[:, 1]),
+        },
+        {"share": settings["share"], "sphere_radius": bodies.geometry.radius},
+    )
+
+
+def _asperities_of_contact(
+    gap: Floats, contact_pixels: int, settings: AsperitySettings, pixel_size: float
+) -> list[Asperities]:
+    """Return the asperities of one contact at every range of adhesion."""
+    flattened = flattened_gaps(gap, contact_pixels)
+    return [
+        asperities(np.exp(-flattened / rho), settings["share"], pixel_size)
+        for rho in settings["ranges"]
+    ]

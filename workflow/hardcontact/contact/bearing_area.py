@@ -1,0 +1,231 @@
+"""Rigid and plastic (bearing area) contact: closest approach and contact pixels.
+
+The gap of a contact is g = s - t - h: sphere s, its roughness t (growing out of the sphere) and
+substrate h, all in nm. The bodies approach until the contact pixels carry the preload.
+"""
+
+from typing import NamedTuple, TypedDict
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry
+from hardcontact.contact.tiles import TILE, Tiles, as_tiles
+
+__all__ = [
+    "ContactSettings",
+    "Load",
+    "LowestGaps",
+    "NamedLoad",
+    "all_lowest_gaps",
+    "contact_pixel_count",
+    "lowest_gaps",
+    "stacked_gaps",
+]
+
+Floats = NDArray[np.float64]
+
+
+class Load(TypedDict):
+    """The load and the hardness, which determine the number of contact pixels.
+
+    Attributes
+    ----------
+    preload : float
+        In N.
+    hardness : float
+        Of the softer body, in Pa.
+    """
+
+    preload: float
+    hardness: float
+
+
+class NamedLoad(Load):
+    """A load with its name.
+
+    Attributes
+    ----------
+    name : str
+        As it stands in paths, e.g. ``"H25GPa-F10uN"``.
+    """
+
+    name: str
+
+
+class ContactSettings(ContactArray, Load):
+    """The array of contacts and the load on each, as the configuration has them."""
+
+
+class LowestGaps(NamedTuple):
+    """The contact pixels of one contact.
+
+    Attributes
+    ----------
+    gaps : numpy.ndarray
+        (contact_pixels,) nm, ascending. The first is minus the separation of rigid closest
+        approach, the last that of plastic closest approach.
+    offsets : numpy.ndarray
+        (contact_pixels, 2) pixels from the apex: row, column.
+    """
+
+    gaps: Floats
+    offsets: NDArray[np.int_]
+
+
+def contact_pixel_count(load: Load, pixel_size: float) -> int:
+    """Return the contact pixels (size in nm) of a load: the smallest whole number >= F/(H A_pix).
+
+    Source: the paper, plastic analysis.
+    """
+    pixel_area = (pixel_size * 1e-9) ** 2
+    return int(np.ceil(load["preload"] / (load["hardness"] * pixel_area) * (1 - 1e-12)))
+
+
+class _Window:
+    """The tiles of the substrate in the window of one contact.
+
+    bound: (tiles,) nm, a lower bound on the gaps of each tile.
+    """
+
+    def __init__(
+        self,
+        substrate: Tiles,
+        roughness: Tiles | None,
+        geometry: ContactGeometry,
+        position: NDArray[np.int_],
+    ) -> None:
+        self.substrate, self.roughness, self.geometry = substrate, roughness, geometry
+        (first_y, self.tile_y), (first_x, self.tile_x) = (
+            substrate.in_window(index, geometry.window) for index in position
+        )
+        self.offset_y, self.offset_x = first_y - position[0], first_x - position[1]
+        bound = (
+            _sphere_lowest_in_tile(self.offset_y, geometry)[:, None]
+            + _sphere_lowest_in_tile(self.offset_x, geometry)
+            - substrate.maxima[np.ix_(self.tile_y, self.tile_x)]
+        )
+        if roughness is not None:
+            bound -= roughness.upper_bound(self.offset_y, self.offset_x)
+        self.shape, self.bound = bound.shape, bound.ravel()
+
+    def offsets(self, tiles: NDArray[np.int_]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
+        """Return the offsets from the apex of the rows and columns of tiles: two (tiles, TILE)."""
+        row, column = np.unravel_index(tiles, self.shape)
+        place = np.arange(TILE)
+        return self.offset_y[row][:, None] + place, self.offset_x[column][:, None] + place
+
+    def gaps(self, tiles: NDArray[np.int_]) -> Floats:
+        """Return the gaps (tiles, TILE, TILE) in nm, infinite outside the window."""
+        row, column = np.unravel_index(tiles, self.shape)
+        y, x = self.offsets(tiles)
+        gaps: Floats = (
+            _sphere_in_window(y, self.geometry)[:, :, None]
+            + _sphere_in_window(x, self.geometry)[:, None, :]
+            - self.substrate.blocks[self.tile_y[row], :, self.tile_x[column], :]
+        )
+        if self.roughness is not None:
+            gaps -= self.roughness.heights_at(y[:, :, None], x[:, None, :])
+        return gaps
+
+
+def _sphere_lowest_in_tile(offset: NDArray[np.int_], geometry: ContactGeometry) -> Floats:
+    """Return the lowest point of the sphere over the TILE pixels that begin at each offset."""
+    return geometry.paraboloid(np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0))
+
+
+def _sphere_in_window(offset: NDArray[np.int_], geometry: ContactGeometry) -> Floats:
+    """Return the sphere at offsets inside the window, infinity outside it."""
+    return np.where(geometry.inside(offset), geometry.paraboloid(offset), np.inf)
+
+
+def lowest_gaps(
+    substrate: Tiles,
+    roughness: Tiles | None,
+    geometry: ContactGeometry,
+    position: NDArray[np.int_],
+    contact_pixels: int,
+) -> LowestGaps:
+    """Return the smallest gaps of one contact and the pixels that they belong to.
+
+    Only tiles with a lower bound on their gaps below the largest gap of the contact are read.
+
+    Parameters
+    ----------
+    substrate : Tiles
+        Of the heights h.
+    roughness : Tiles or None
+        Of the roughness t of the sphere; None of a smooth one.
+    geometry : ContactGeometry
+        The sphere and its window.
+    position : numpy.ndarray
+        (2,) pixel of the apex: row, column.
+    contact_pixels : int
+        Number of gaps.
+
+    Returns
+    -------
+    LowestGaps
+        Equal gaps in the order of their offsets.
+    """
+    window = _Window(substrate, roughness, geometry, position)
+    limit = _limit_of_gaps(window, contact_pixels)
+    tiles = np.flatnonzero(window.bound <= limit)
+    tiles = tiles[np.argsort(window.bound[tiles])]
+    lowest, batch = LowestGaps(np.empty(0), np.empty((0, 2), int)), 8
+    while len(tiles) and (len(lowest.gaps) < contact_pixels or window.bound[tiles[0]] <= limit):
+        more = _gaps_up_to(window, tiles[:batch], limit)
+        lowest = _lowest(lowest, more, contact_pixels)
+        limit = lowest.gaps[-1] if len(lowest.gaps) == contact_pixels else limit
+        tiles, batch = tiles[batch:], 2 * batch
+    return lowest
+
+
+def _limit_of_gaps(window: _Window, contact_pixels: int) -> float:
+    """Return an upper bound on the N-th smallest gap (nm), N the contact pixels.
+
+    It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
+    """
+    most = min(-(-contact_pixels // TILE**2), window.bound.size)
+    if most == 1:
+        tiles = np.array([window.bound.argmin()])
+    else:
+        tiles = np.argpartition(window.bound, most - 1)[:most]
+    gaps = window.gaps(tiles).ravel()
+    if gaps.size < contact_pixels:
+        return float("inf")
+    return float(np.partition(gaps, contact_pixels - 1)[contact_pixels - 1])
+
+
+def _gaps_up_to(window: _Window, tiles: NDArray[np.int_], limit: float) -> LowestGaps:
+    """Return the gaps of tiles that are at most `limit` (nm), in any order."""
+    gaps = window.gaps(tiles)
+    tile, y, x = np.nonzero(gaps <= limit)
+    rows, columns = window.offsets(tiles)
+    return LowestGaps(gaps[tile, y, x], np.stack([rows[tile, y], columns[tile, x]], axis=1))
+
+
+def _lowest(first: LowestGaps, second: LowestGaps, contact_pixels: int) -> LowestGaps:
+    """Return the smallest gaps of two sets, ascending; equal ones in the order of offsets."""
+    gaps = np.append(first.gaps, second.gaps)
+    offsets = np.concatenate([first.offsets, second.offsets])
+    order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixels]
+    return LowestGaps(gaps[order], offsets[order])
+
+
+def all_lowest_gaps(bodies: Bodies, contact_pixels: int) -> dict[tuple[int, int], LowestGaps]:
+    """Return `lowest_gaps` of every contact, by its place (i, j) in the array."""
+    substrate = as_tiles(bodies.substrate)
+    roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
+    geometry = bodies.geometry
+    return {
+        (i, j): lowest_gaps(substrate, roughness, geometry, np.array([y, x]), contact_pixels)
+        for i, y in enumerate(geometry.positions)
+        for j, x in enumerate(geometry.positions)
+    }
+
+
+def stacked_gaps(contacts: dict[tuple[int, int], LowestGaps], geometry: ContactGeometry) -> Floats:
+    """Return the gaps (contact, contact, contact_pixels) of `all_lowest_gaps` as one array."""
+    gaps = np.array([one.gaps for one in contacts.values()])
+    return gaps.reshape(*[len(geometry.positions)] * 2, -1)

@@ -1,0 +1,276 @@
+"""The sphere over a surface: its paraboloid, the array of contacts, the analysis window.
+
+Pixel indices run along one axis. A contact at index c sees the substrate at the unfolded indices
+c + u, u from -window/2 to window/2 - 1; the substrate continues itself periodically.
+"""
+
+from dataclasses import dataclass, replace
+from typing import TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hardcontact.surfaces.filters import interpolate
+from hardcontact.surfaces.height_map import HeightMap, read_height_map
+
+__all__ = [
+    "Bodies",
+    "ContactArray",
+    "ContactGeometry",
+    "bodies",
+    "contact_positions",
+    "read_bodies",
+    "sampled_contacts",
+    "sphere_height",
+    "window_pixels",
+]
+
+
+class ContactArray(TypedDict):
+    """Edge of the analysis window (nm) and contacts along an edge of the array."""
+
+    window: float
+    count: int
+
+
+@dataclass(frozen=True, eq=False)
+class ContactGeometry:
+    """The smooth sphere, its analysis window and the array of contacts.
+
+    Attributes
+    ----------
+    radius : float
+        Of the sphere, in nm.
+    pixel_size : float
+        Edge of a pixel in nm.
+    window : int
+        Pixels along an edge of the analysis window, even.
+    positions : numpy.ndarray
+        (contact,) pixels along either axis; the contacts are all pairs of them.
+    """
+
+    radius: float
+    pixel_size: float
+    window: int
+    positions: NDArray[np.int_]
+
+    def paraboloid(self, offsets: ArrayLike) -> NDArray[np.float64]:
+        """Return the height (nm) of the sphere above its apex along one axis: (u p)²/2R.
+
+        The height at (u, v) is the sum of both axes; this makes the force sum separable.
+
+        Parameters
+        ----------
+        offsets : array_like
+            u, in pixels from the apex, of any shape.
+
+        Returns
+        -------
+        numpy.ndarray
+            In nm, of the shape of `offsets`.
+        """
+        return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
+
+    def inside(self, offsets: NDArray[np.int_]) -> NDArray[np.bool_]:
+        """Return which offsets (pixels) from the apex lie in the analysis window."""
+        return (offsets >= -(self.window // 2)) & (offsets < self.window // 2)
+
+    def offsets(self) -> NDArray[np.int_]:
+        """Return all offsets (window,) from the apex along one axis, in pixels."""
+        return np.arange(self.window) - self.window // 2
+
+
+@dataclass(frozen=True, eq=False)
+class Bodies:
+    """A substrate and a sphere on common pixels, ready for contact.
+
+    Attributes
+    ----------
+    substrate : HeightMap
+        Heights h (n, n), periodic.
+    roughness : HeightMap or None
+        Of the sphere, t (m, m), periodic, its apex at the origin; None of a smooth sphere.
+    geometry : ContactGeometry
+        The sphere over the substrate.
+    stretch : float
+        Relative change of a period that common pixels needed, at most half a pixel a period.
+    """
+
+    substrate: HeightMap
+    roughness: HeightMap | None
+    geometry: ContactGeometry
+    stretch: float = 0.0
+
+
+def window_pixels(window: float, pixel_size: float) -> int:
+    """Return the even number of pixels along the edge of an analysis window (both in nm)."""
+    return 2 * int(round(window / pixel_size / 2))
+
+
+def contact_positions(pixels: int, contacts_along_edge: int) -> NDArray[np.int_]:
+    """Return where contacts are made along one axis, evenly over one period of the substrate.
+
+    The first lies a quarter of a step from the edge, so that no two contacts are mirror images of
+    each other on a mirror-stitched surface (which is symmetric about the ends of its period).
+
+    Parameters
+    ----------
+    pixels : int
+        Of one period.
+    contacts_along_edge : int
+        Number of positions.
+
+    Returns
+    -------
+    numpy.ndarray
+        (contacts_along_edge,) pixels.
+    """
+    steps = np.arange(contacts_along_edge) + 0.25
+    return np.floor(steps * pixels / contacts_along_edge).astype(int)
+
+
+def sampled_contacts(
+    rng: np.random.Generator, contacts_along_edge: int, contacts: int
+) -> NDArray[np.int_]:
+    """Draw contacts from the array of all, each at most once.
+
+    With the same generator a larger sample contains the smaller one.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Named for the surface and the scan.
+    contacts_along_edge : int
+        Of the array.
+    contacts : int
+        Number of contacts to draw.
+
+    Returns
+    -------
+    numpy.ndarray
+        (contacts, 2) places in the array.
+
+    Raises
+    ------
+    ValueError
+        If the array has fewer contacts.
+    """
+    available = contacts_along_edge**2
+    if contacts > available:
+        raise ValueError(f"expected at most {available} contacts, found {contacts}")
+    drawn = rng.permutation(available)[:contacts]
+    return np.stack(np.divmod(drawn, contacts_along_edge), axis=1)
+
+
+def bodies(
+    substrate: HeightMap,
+    sphere: HeightMap | None,
+    radius: float,
+    array: ContactArray,
+) -> Bodies:
+    """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
+
+    The coarser map is Fourier interpolated to the whole number of pixels nearest to its period.
+
+    Parameters
+    ----------
+    substrate : HeightMap
+        Periodic.
+    sphere : HeightMap or None
+        Mirror-stitched roughness of the sphere; None of a smooth one.
+    radius : float
+        Of the sphere, in nm.
+    array : ContactArray
+        Window and number of contacts.
+
+    Returns
+    -------
+    Bodies
+        Ready for contact.
+    """
+    roughness, stretch = None, 0.0
+    if sphere is not None:
+        fine = min(substrate.pixel_size, sphere.pixel_size)
+        (substrate, first), (rough, second) = (
+            _on_pixels(surface, fine) for surface in (substrate, sphere)
+        )
+        roughness, stretch = _with_apex_at_origin(rough), max(first, second)
+    geometry = ContactGeometry(
+        radius,
+        substrate.pixel_size,
+        window_pixels(array["window"], substrate.pixel_size),
+        contact_positions(substrate.pixels, array["count"]),
+    )
+    return Bodies(substrate, roughness, geometry, stretch)
+
+
+def read_bodies(substrate: str, sphere: str, radius: float, array: ContactArray) -> Bodies:
+    """Read two height maps that the study wrote and bring them together.
+
+    Parameters
+    ----------
+    substrate, sphere : str
+        Files of the substrate and of the roughness of the sphere.
+    radius : float
+        Of the sphere, in nm.
+    array : ContactArray
+        Window and number of contacts.
+
+    Returns
+    -------
+    Bodies
+        Ready for contact.
+    """
+    return bodies(read_height_map(substrate), read_height_map(sphere), radius, array)
+
+
+def _on_pixels(surface: HeightMap, pixel_size: float) -> tuple[HeightMap, float]:
+    """Return a periodic map on pixels of a size (nm), and the relative change of its period."""
+    pixels = max(round(surface.size / pixel_size), surface.pixels)
+    stretch = abs(pixels * pixel_size / surface.size - 1)
+    if pixels != surface.pixels:
+        surface = interpolate(surface, pixels)
+    return replace(surface, pixel_size=pixel_size), stretch
+
+
+def _with_apex_at_origin(stitched: HeightMap) -> HeightMap:
+    """Return the stitched scan of a sphere with its apex in the middle of the scan.
+
+    The origin of the stitched map is a corner of the scan, about which the map is symmetric.
+    """
+    middle = stitched.pixels // 4
+    return replace(stitched, heights=np.roll(stitched.heights, (-middle, -middle), axis=(0, 1)))
+
+
+def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> NDArray[np.float64]:
+    """Return the height of a sphere with its roughness near one place of it.
+
+    Parameters
+    ----------
+    pair : Bodies
+        With a rough sphere.
+    centre : array_like
+        (2,) pixels from the apex: row, column.
+    reach : int
+        Pixels on either side of the centre.
+
+    Returns
+    -------
+    numpy.ndarray
+        (2 reach + 1, 2 reach + 1) in nm above the apex.
+
+    Raises
+    ------
+    ValueError
+        If the sphere is smooth.
+    """
+    if pair.roughness is None:
+        raise ValueError("expected a rough sphere, found a smooth one")
+    geometry, offset = pair.geometry, np.arange(-reach, reach + 1)
+    rows, columns = (place + offset for place in np.asarray(centre))
+    period = pair.roughness.pixels
+    return np.asarray(
+        geometry.paraboloid(rows)[:, None]
+        + geometry.paraboloid(columns)
+        - pair.roughness.heights[np.ix_(rows % period, columns % period)]
+    )

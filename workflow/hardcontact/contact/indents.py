@@ -1,0 +1,190 @@
+"""Indents that plastic contacts leave in the sphere: the size of all, and the height map of one.
+
+Contact pixels that share an edge or a corner belong to one indent.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+from scipy.sparse.csgraph import connected_components
+
+from hardcontact.contact.bearing_area import Load, LowestGaps, all_lowest_gaps, contact_pixel_count
+from hardcontact.contact.geometry import Bodies, ContactArray, bodies, sphere_height
+from hardcontact.records.dataset import stack
+from hardcontact.records.log import progress
+from hardcontact.surfaces.height_map import HeightMap
+
+__all__ = ["IndentingContact", "Indents", "flattening", "indents", "indents_of_scans"]
+
+#: Pixels on either side of the deepest in the height map of one contact.
+REACH = 32
+
+UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indents": "1"}
+
+
+class Indents(NamedTuple):
+    """The size of the indents that one plastic contact leaves in the sphere.
+
+    Attributes
+    ----------
+    depth : float
+        Of the deepest pixel, in nm.
+    edge_length : float
+        Root of the area of the largest indent, in nm.
+    lateral_size : float
+        Longer side of its bounding box, in nm.
+    indents : int
+        Number of connected indents.
+    """
+
+    depth: float
+    edge_length: float
+    lateral_size: float
+    indents: int
+
+
+def indents(contact: LowestGaps, pixel_size: float) -> Indents:
+    """Return the size of the indents of one contact; a pixel is flattened by its penetration."""
+    gaps, offsets = contact
+    near = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
+    count, label = connected_components(near, directed=False)
+    pixels = np.bincount(label)
+    largest = offsets[label == pixels.argmax()]
+    return Indents(
+        depth=gaps[-1] - gaps[0],
+        edge_length=np.sqrt(pixels.max()) * pixel_size,
+        lateral_size=(np.ptp(largest, axis=0).max() + 1) * pixel_size,
+        indents=count,
+    )
+
+
+def flattening(contact: LowestGaps, reach: int) -> NDArray[np.float64]:
+    """Return the penetration (nm) of contact pixels, zero elsewhere, about the deepest of them.
+
+    The map has `reach` pixels on either side of the deepest: (2 reach + 1, 2 reach + 1).
+    """
+    gaps, offsets = contact
+    depth = np.zeros((2 * reach + 1,) * 2)
+    y, x = (offsets - offsets[0] + reach).T
+    inside = (abs(y - reach) <= reach) & (abs(x - reach) <= reach)
+    depth[y[inside], x[inside]] = (gaps[-1] - gaps)[inside]
+    return depth
+
+
+class IndentingContact(ContactArray):
+    """The array of contacts, and the hardness of the softer body in Pa."""
+
+    hardness: float
+
+
+@dataclass(frozen=True)
+class _Scans:
+    """Scans of a substrate and of the sphere, by number, with the array of contacts and loads."""
+
+    substrates: Mapping[int, HeightMap]
+    spheres: Mapping[int, HeightMap]
+    radius: float
+    contact: IndentingContact
+    preloads: Sequence[float]
+
+    def bodies(self, scan: int, sphere_scan: int) -> Bodies:
+        """Bring one pair together."""
+        substrate, sphere = self.substrates[scan], self.spheres[sphere_scan]
+        return bodies(substrate, sphere, self.radius, self.contact)
+
+    def contacts(self, pair: Bodies) -> list[dict[tuple[int, int], LowestGaps]]:
+        """Return the contact pixels of all contacts of a pair, at each preload."""
+        hardness, pixel_size = self.contact["hardness"], pair.geometry.pixel_size
+        contact_pixels = [
+            contact_pixel_count(Load(preload=preload, hardness=hardness), pixel_size)
+            for preload in self.preloads
+        ]
+        largest = all_lowest_gaps(pair, max(contact_pixels))
+        return [
+            {place: LowestGaps(gaps[:n], offsets[:n]) for place, (gaps, offsets) in largest.items()}
+            for n in contact_pixels
+        ]
+
+    def sizes(self, scan: int, sphere_scan: int) -> xr.Dataset:
+        """Return the indents (preload, contact_y, contact_x) of one pair of scans."""
+        pair = self.bodies(scan, sphere_scan)
+        contacts_along_edge = self.contact["count"]
+        sizes = np.array(
+            [
+                [indents(one, pair.geometry.pixel_size) for one in contacts.values()]
+                for contacts in self.contacts(pair)
+            ]
+        ).reshape(len(self.preloads), contacts_along_edge, contacts_along_edge, -1)
+        dimensions = ("preload", "contact_y", "contact_x")
+        return xr.Dataset(
+            {
+                name: (dimensions, sizes[..., k], {"units": unit})
+                for k, (name, unit) in enumerate(UNITS.items())
+            }
+        )
+
+
+def indents_of_scans(
+    substrates: Mapping[int, HeightMap],
+    spheres: Mapping[int, HeightMap],
+    radius: float,
+    contact: IndentingContact,
+    preloads: Sequence[float],
+) -> xr.Dataset:
+    """Return the indents that every substrate scan leaves in every sphere scan.
+
+    Parameters
+    ----------
+    substrates, spheres : mapping of int to HeightMap
+        By the number of the scan.
+    radius : float
+        Of the sphere, in nm.
+    contact : IndentingContact
+        Array of contacts and hardness.
+    preloads : sequence of float
+        In N.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables of UNITS (scan, sphere_scan, preload, contact_y, contact_x), and of the
+        contact of median depth at the largest preload ``indentation`` (preload, y, x) and
+        ``sphere_height`` (y, x).
+    """
+    scans = _Scans(substrates, spheres, radius, contact, preloads)
+    keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
+    steps = progress(keys, len(keys), "pairs of scans")
+    sizes = stack({key: scans.sizes(*key) for key in steps}, ["scan", "sphere_scan"])
+    sizes = sizes.assign_coords(preload=("preload", list(preloads), {"units": "N"}))
+    return _with_median_contact(sizes, scans).assign_attrs(
+        hardness=contact["hardness"], sphere_radius=radius
+    )
+
+
+def _with_median_contact(sizes: xr.Dataset, scans: _Scans) -> xr.Dataset:
+    """Add the indents of the contact whose depth at the largest preload is the median."""
+    dimensions = ["scan", "sphere_scan", "contact_y", "contact_x"]
+    depth = sizes.depth.sel(preload=max(scans.preloads)).transpose(*dimensions).to_numpy()
+    number = np.argsort(depth, axis=None)[depth.size // 2]
+    scan, sphere_scan, i, j = (int(index) for index in np.unravel_index(number, depth.shape))
+    pair = scans.bodies(int(sizes.scan[scan]), int(sizes.sphere_scan[sphere_scan]))
+    contacts = [of_all[i, j] for of_all in scans.contacts(pair)]
+    deepest = contacts[0].offsets[0]
+    position = np.arange(-REACH, REACH + 1) * pair.geometry.pixel_size
+    axis = {"units": "nm", "long_name": "position from the deepest point"}
+    return sizes.assign(
+        indentation=(
+            ("preload", "y", "x"),
+            np.array([flattening(contact, REACH) for contact in contacts]),
+            {"units": "nm", "long_name": "flattening of the sphere"},
+        ),
+        sphere_height=(
+            ("y", "x"),
+            sphere_height(pair, deepest, REACH),
+            {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
+        ),
+    ).assign_coords(y=("y", position, axis), x=("x", position, axis))

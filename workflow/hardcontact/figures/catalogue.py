@@ -1,0 +1,110 @@
+"""Catalogue of the figures: place in the report, title and datasets of each.
+
+The module of a figure has its name. Both of its functions, `draw` and `table`, take the datasets
+and published tables of the figure as arguments of the names given here. The catalogue imports
+neither these modules nor matplotlib, so that the rules can be made from it.
+"""
+
+from typing import NamedTuple
+
+__all__ = ["FIGURES", "Figure"]
+
+
+class Figure(NamedTuple):
+    """Description of one figure.
+
+    Attributes
+    ----------
+    chapter, label : str
+        Chapter of the report, and name of the figure in it.
+    title : str
+        Title of its files.
+    datasets : tuple of str
+        Final datasets that it is drawn from, by the names of their files.
+    published : tuple of str
+        Published tables that it is drawn from, keys of `study.patterns.PUBLISHED`.
+    """
+
+    chapter: str
+    label: str
+    title: str
+    datasets: tuple[str, ...]
+    published: tuple[str, ...] = ()
+
+    @property
+    def inputs(self) -> tuple[str, ...]:
+        """Names of all that the figure is drawn from."""
+        return (*self.datasets, *self.published)
+
+
+#: The figures by name, in the order of the paper.
+FIGURES = {
+    "fig1": Figure(
+        "1. Surfaces",
+        "Fig. 1: height maps",
+        "scans of the substrates and the sphere",
+        ("topography",),
+    ),
+    "table1": Figure(
+        "1. Surfaces",
+        "Table 1: roughness",
+        "Table 1, published and computed",
+        ("topography",),
+        ("published_table1",),
+    ),
+    "fig_elastic": Figure(
+        "2. Contact",
+        "elastic contact",
+        "elastic contact beside hardness and rigid contact",
+        ("elastic",),
+    ),
+    "fig5": Figure(
+        "2. Contact",
+        "Fig. 5: indents",
+        "indents in the sphere",
+        ("indent",),
+        ("published_constants",),
+    ),
+    "fig3": Figure(
+        "3. Adhesion",
+        "Fig. 3: distributions of the pull-off force",
+        "distributions of pull-off forces",
+        ("adhesion", "inference"),
+        ("published_pull_off",),
+    ),
+    "fig4": Figure(
+        "3. Adhesion",
+        "Fig. 4: range and work of adhesion",
+        "range and work of adhesion",
+        ("contact", "inference"),
+        ("published_constants", "published_pull_off"),
+    ),
+    "fig_classical": Figure(
+        "4. Classical models",
+        "classical models",
+        "classical models of rough adhesion",
+        ("classical",),
+        ("published_constants",),
+    ),
+    "fig_asperities": Figure(
+        "5. Asperities",
+        "asperities that carry the force",
+        "patches that carry the pull-off force",
+        ("asperities", "band"),
+        ("published_constants",),
+    ),
+    "fig6": Figure(
+        "6. Scales",
+        "Fig. 6: scales of roughness",
+        "pull-off force without some scales of roughness",
+        ("band", "scales"),
+        ("published_constants",),
+    ),
+    "fig_robustness": Figure(
+        "7. Robustness",
+        "other choices",
+        "results under other assumptions",
+        ("robustness", "inference", "band"),
+        ("published_constants",),
+    ),
+}

@@ -1,0 +1,88 @@
+"""Draw a figure of the catalogue from its datasets, and write it as PDF and PNG with its table."""
+
+import importlib
+from collections.abc import Mapping
+from contextlib import ExitStack
+
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
+
+from hardcontact import published
+from hardcontact.figures import style
+from hardcontact.figures.catalogue import FIGURES
+from hardcontact.records import dataset
+from hardcontact.records.whole_file import whole_file
+
+__all__ = ["draw_figure", "save"]
+
+RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
+READERS = {
+    "published_constants": published.constants,
+    "published_pull_off": published.pull_off,
+    "published_table1": published.table1,
+}
+
+
+def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
+    """Draw a figure of the catalogue.
+
+    Parameters
+    ----------
+    name : str
+        Of the figure, a key of `catalogue.FIGURES`.
+    inputs : mapping of str to str
+        Paths of the datasets and published tables that it is drawn from.
+    outputs : mapping of str to str
+        Paths of its "pdf", "png" and "csv".
+    """
+    module = importlib.import_module(f"hardcontact.figures.{name}")
+    drawn_from = {key: _read(key, inputs[key]) for key in FIGURES[name].inputs}
+    save(module.draw(**drawn_from), module.table(**drawn_from), FIGURES[name].title, outputs)
+
+
+def _read(name: str, path: str) -> xr.Dataset | pd.DataFrame:
+    """Return a dataset or a published table."""
+    return READERS.get(name, dataset.read)(path)
+
+
+@style.print_style()
+def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:
+    """Write a figure and its table: the same bytes each time, and all files or none.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        The figure.
+    table : pandas.DataFrame
+        The numbers drawn.
+    title : str
+        In the metadata of PDF and PNG.
+    outputs : mapping of str to str
+        Paths of the "pdf", "png" and "csv".
+    """
+    _freeze_layout(figure)
+    with ExitStack() as stack:
+        pdf, png, csv = (
+            stack.enter_context(whole_file(outputs[kind])) for kind in ("pdf", "png", "csv")
+        )
+        table.to_csv(csv, index=False, float_format="%.8g", lineterminator="\n")
+        figure.savefig(
+            png, format="png", dpi=RESOLUTION, metadata={"Title": title, "Software": None}
+        )
+        figure.savefig(
+            pdf, format="pdf", dpi=RESOLUTION, metadata={"Title": title, "CreationDate": None}
+        )
+
+
+def _freeze_layout(figure: Figure) -> None:
+    """Lay the figure out once and keep the positions to a millionth of its size.
+
+    Beyond that the solver's digits differ from run to run, and with them the bytes of the PDF.
+    """
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        bounds = axes.get_position(original=True).bounds
+        axes.set_position(Bbox.from_bounds(*(round(bound, 6) for bound in bounds)))

@@ -1,0 +1,1 @@
+"""What is kept of every file: whole-file writing, provenance, logs, locks, code that made it."""

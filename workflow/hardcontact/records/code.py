@@ -1,0 +1,93 @@
+"""The code that a script really uses: itself and the library's modules that it imports."""
+
+import ast
+import os
+from collections.abc import Iterator, Sequence
+from functools import cache
+from pathlib import Path
+
+import hardcontact
+
+__all__ = ["LIBRARY", "SCRIPTS", "code_inputs"]
+
+#: The folder of the library that is imported, and that of the scripts beside it.
+LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
+SCRIPTS = LIBRARY.parent / "scripts"
+#: The versions of the packages that the library is used with.
+PINS = ("environment.txt", "workflow/constraints.txt")
+
+
+@cache
+def code_inputs(script: str, *modules: str) -> Sequence[str]:
+    """Return the files that determine what a script does.
+
+    As inputs of a rule they are compared by content. Imports count wherever they stand in a file,
+    but for those that only a type checker sees.
+
+    Parameters
+    ----------
+    script : str
+        Name of a file in the folder of scripts.
+    *modules : str
+        Modules of the library that the script imports by a name it is given.
+
+    Returns
+    -------
+    sequence of str
+        Script, modules and packages, relative to the working directory and sorted; the lists of
+        pinned packages come last.
+    """
+    paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
+    pending = [*paths]
+    while pending:
+        new = {path for name in _imports(pending.pop()) for path in _files(name)} - paths
+        paths |= new
+        pending.extend(new)
+    return (*sorted(os.path.relpath(path) for path in paths), *PINS)
+
+
+@cache
+def _imports(path: Path) -> Sequence[str]:
+    """Return the full names that a file imports from the library, modules or what is in them."""
+    return tuple(_imported(ast.parse(path.read_text("utf-8")), path))
+
+
+def _imported(tree: ast.AST, path: Path) -> Iterator[str]:
+    for node in ast.iter_child_nodes(tree):
+        if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
+            for other in node.orelse:
+                yield from _imported(ast.Module([other], []), path)
+        elif isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            module = _absolute(node, path)
+            yield module
+            yield from (f"{module}.{alias.name}" for alias in node.names)
+        else:
+            yield from _imported(node, path)
+
+
+def _absolute(node: ast.ImportFrom, path: Path) -> str:
+    """Return the full name of the module that ``from ... import`` names."""
+    if not node.level:
+        return str(node.module)
+    folder = path.parents[node.level - 1]
+    parts = [LIBRARY.name, *folder.relative_to(LIBRARY).parts, *(node.module or "").split(".")]
+    return ".".join(filter(None, parts))
+
+
+def _files(name: str) -> Iterator[Path]:
+    """Yield the files that are run to import a name, the packages above it included."""
+    first, *parts = name.split(".")
+    if first != LIBRARY.name:
+        return
+    path = LIBRARY
+    yield path / "__init__.py"
+    for part in parts:
+        path = path / part
+        if path.is_dir():
+            yield path / "__init__.py"
+        elif path.with_suffix(".py").is_file():
+            yield path.with_suffix(".py")
+        else:
+            return

@@ -1,0 +1,172 @@
+"""The origins of a study's files: read back, followed to their sources, checked."""
+
+import json
+from collections.abc import Iterable, Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import netCDF4
+
+from hardcontact.records.origin import digest
+
+__all__ = ["Check", "check", "folder_records", "require", "sources", "traced_records"]
+
+#: The texts of `Origin.attributes`; of files without attributes also `output_digests`, a dict.
+Record = dict[str, Any]
+
+
+def _attributes(path: str | Path) -> Record | None:
+    """Return the attributes of a netCDF file that a study wrote; None of any other file."""
+    try:
+        with netCDF4.Dataset(path) as file:
+            attributes: Record = dict(file.__dict__)
+    except OSError:
+        return None
+    return attributes if "input_digests" in attributes else None
+
+
+def _record(path: str | Path) -> Record:
+    """Read the record of files that have no attributes."""
+    try:
+        record: Record = json.loads(Path(path).read_text("utf-8"))
+        outputs = dict(json.loads(record["output_digests"]))
+        json.loads(record["input_digests"])
+        return record | {"output_digests": outputs}
+    except (OSError, ValueError, TypeError, KeyError) as error:
+        reason = " ".join(str(error).split())
+        raise ValueError(
+            f"{path}: expected a whole record, found: {reason}; delete it and run again"
+        ) from None
+
+
+def require(paths: Iterable[str | Path]) -> None:
+    """Refuse files that are not those that the study wrote.
+
+    Parameters
+    ----------
+    paths : iterable of paths
+        Those that end in ``.json`` are records; the files that they name are compared.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the first file that is another or none, or a damaged record.
+    """
+    for path in paths:
+        outputs = _record(path)["output_digests"] if str(path).endswith(".json") else {}
+        for name, expected in outputs.items():
+            if not Path(name).is_file() or digest([name]) != expected:
+                raise ValueError(
+                    f"{name}: expected the file that the study wrote, found another or none; "
+                    "delete it and run again"
+                )
+
+
+def folder_records(folder: str | Path) -> dict[str, Record]:
+    """Return the records of the files in ``results/<study>`` by path.
+
+    They are in the attributes of a file or in the folder ``provenance``; a damaged one is a
+    ValueError.
+    """
+    datasets = {path.as_posix(): _attributes(path) for path in sorted(Path(folder).glob("*.nc"))}
+    result = {path: record for path, record in datasets.items() if record is not None}
+    for path in sorted(Path(folder, "provenance").glob("*.json")):
+        record = _record(path)
+        result |= dict.fromkeys(record["output_digests"], record)
+    return result
+
+
+def traced_records(folder: str | Path) -> dict[str, Record]:
+    """Return `folder_records` and those of all intermediate files at hand that led to them."""
+    result = folder_records(folder)
+    pending = list(result)
+    while pending:
+        for path in json.loads(result[pending.pop()]["input_digests"]):
+            if not path.endswith(".nc") or path in result:
+                continue
+            if (record := _attributes(path)) is not None:
+                result[path] = record
+                pending.append(path)
+    return result
+
+
+def sources(records: Mapping[str, Record]) -> dict[str, str]:
+    """Return path and SHA-256, sorted, of what is an input in `traced_records` but no output."""
+    inputs: dict[str, str] = {}
+    for record in records.values():
+        inputs |= json.loads(record["input_digests"])
+    return {path: inputs[path] for path in sorted(inputs.keys() - records.keys())}
+
+
+class Check(NamedTuple):
+    """The result of comparing files with their records.
+
+    Attributes
+    ----------
+    folder : str
+        The folder ``results/<study>``.
+    files : set of str
+        Paths that were compared.
+    faults : list of str
+        One line a file that is missing, or another than what is recorded.
+    absent : set of str
+        Inputs that are not at hand.
+    """
+
+    folder: str
+    files: set[str]
+    faults: list[str]
+    absent: set[str]
+
+    def __str__(self) -> str:
+        """Return the faults, a line each, and a line of counts."""
+        counts = (
+            f"{self.folder}: {len(self.files)} files checked, {len(self.faults)} faults, "
+            f"{len(self.absent)} inputs not at hand"
+        )
+        return "\n".join([*self.faults, counts])
+
+
+def check(folder: str | Path, described: Mapping[str, str]) -> Check:
+    """Compare every file that led to a study's folder with the record of what it was made from.
+
+    Parameters
+    ----------
+    folder : str or Path
+        The folder ``results/<study>``.
+    described : mapping of str to str
+        Path to SHA-256 of the folder's files in its RO-Crate.
+
+    Returns
+    -------
+    Check
+        Files, faults and inputs that are not at hand.
+
+    Raises
+    ------
+    ValueError
+        In one line, if there is nothing to compare or a record is damaged.
+    """
+    known = traced_records(folder)
+    if not known and not described:
+        raise ValueError(f"{folder}: expected files of a study, found none")
+    written = dict(described)
+    for path, record in known.items():
+        if "output_digests" in record:
+            written.setdefault(path, record["output_digests"][path])
+    now = cache(lambda path: digest([path]))
+    result = Check(str(folder), known.keys() | written.keys(), [], set())
+    for path, record in sorted(known.items()):
+        digests = json.loads(record["input_digests"])
+        missing = {name for name in digests if not Path(name).is_file()}
+        changed = [name for name in sorted(digests.keys() - missing) if now(name) != digests[name]]
+        result.absent.update(missing)
+        if changed:
+            result.faults.append(f"{path}: does not match its input {', '.join(changed)}")
+    for path, expected in sorted(written.items()):
+        if not Path(path).is_file():
+            result.faults.append(f"{path}: expected a file of the study, found none")
+        elif now(path) != expected:
+            result.faults.append(f"{path}: is not the file that the study wrote")
+    return result

@@ -1,0 +1,267 @@
+"""Every list of files: those of each surface, pair of scans, realization and variant."""
+
+from collections.abc import Iterable, Mapping
+from functools import cached_property
+from itertools import cycle
+from typing import Any, NamedTuple
+
+from hardcontact.contact.bearing_area import NamedLoad
+from hardcontact.study.patterns import STUDY_VARIANT, Patterns
+from hardcontact.study.selection import Selection
+from hardcontact.study.units import token
+from hardcontact.study.variants import (
+    SurfaceVariant,
+    Variant,
+    named_load,
+    surface_variants,
+    variants,
+)
+
+__all__ = ["Files", "Master", "Pair"]
+
+SIDES = ("small", "large")
+
+
+class Pair(NamedTuple):
+    """One scan of a substrate and one of the sphere."""
+
+    surface: str
+    variant: str
+    scan: int
+    sphere_scan: int
+
+
+class Master(NamedTuple):
+    """One realization of a surface at all scales, filtered from one side, on one sphere."""
+
+    surface: str
+    variant: str
+    realization: int
+    side: str
+    probe: str
+
+
+class Files:
+    """The files of one study, one by one and in lists.
+
+    Parameters
+    ----------
+    configuration : dict
+        With its quantities as the texts that the user wrote: they stand in paths.
+    selection : Selection
+        Surfaces and scans of the study.
+    patterns : Patterns
+        Paths of the study.
+    """
+
+    def __init__(
+        self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
+    ) -> None:
+        self._configuration = configuration
+        self._selection = selection
+        self._patterns = patterns
+        contact, scales = configuration["contact"], configuration["scales"]
+        self._swept = {
+            "radius": f"R{token(configuration['sphere']['radius'], 'um')}",
+            "load": named_load(contact["preload"], contact["hardness"])["name"],
+            "range": f"rho{token(scales['range'], 'nm')}",
+        }
+        self.realizations = range(1, scales["realizations"] + 1)
+        self.surface_variants: dict[str, SurfaceVariant] = surface_variants(configuration)
+        self.variants: list[Variant] = variants(configuration, selection)
+
+    # One file
+
+    def spectrum(self, surface: str, variant: str = STUDY_VARIANT) -> str:
+        """Return the spectrum of a surface at all scales."""
+        if self._selection.basis[surface] == "measured":
+            pattern = self._patterns.extrapolated_spectrum
+        else:
+            pattern = self._patterns.calibrated_spectrum
+        return self._of_surface(pattern, surface, variant)
+
+    def scan(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
+        """Return the file that a scan is read from, measured or a substitute."""
+        if self._selection.basis[surface] == "measured":
+            return self._selection.path(surface, scan)
+        return self._of_surface(self._patterns.substitute, surface, variant, scan=scan)
+
+    def levelled(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
+        """Return a levelled scan."""
+        return self._of_surface(self._patterns.levelled, surface, variant, scan=scan)
+
+    def stitched(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
+        """Return a levelled scan with its mirror images."""
+        return self._of_surface(self._patterns.stitched, surface, variant, scan=scan)
+
+    def stitched_of_realization(self, surface: str, realization: int, variant: str) -> str:
+        """Return the scan that a realization builds on, in turn where there are fewer scans."""
+        scans = self._selection.scans(surface)
+        return self.stitched(surface, scans[(realization - 1) % len(scans)], variant)
+
+    @property
+    def first_sphere(self) -> str:
+        """The scan of the sphere that roughens the sphere of all masters."""
+        sphere = self._selection.sphere
+        return self.stitched(sphere, self._selection.scans(sphere)[0])
+
+    # Topography
+
+    @property
+    def scans(self) -> list[tuple[str, int]]:
+        """Surface and number of every scan."""
+        return [(name, scan) for name in self._selection.surfaces for scan in self._scans(name)]
+
+    @property
+    def topographies(self) -> list[str]:
+        """The measured topography of every scan."""
+        return [self._topography(surface, scan) for surface, scan in self.scans]
+
+    def topographies_of(self, surface: str) -> list[str]:
+        """Return the measured topography of every scan of a surface."""
+        return [self._topography(surface, scan) for scan in self._scans(surface)]
+
+    @property
+    def spectra(self) -> list[str]:
+        """The spectrum of every surface."""
+        return [self.spectrum(surface) for surface in self._selection.surfaces]
+
+    @property
+    def first_scans(self) -> list[str]:
+        """The first levelled scan of every surface."""
+        return [
+            self.levelled(surface, self._scans(surface)[0]) for surface in self._selection.surfaces
+        ]
+
+    # Adhesion and contact
+
+    @property
+    def pairs(self) -> list[Pair]:
+        """Every substrate scan with every scan of the sphere."""
+        return self._pairs((surface, STUDY_VARIANT) for surface in self._selection.substrates)
+
+    @property
+    def pairs_in_turn(self) -> list[Pair]:
+        """One scan of the sphere for each scan of a substrate, in turn."""
+        return [
+            Pair(surface, STUDY_VARIANT, scan, sphere_scan)
+            for surface in self._selection.substrates
+            for scan, sphere_scan in zip(
+                self._scans(surface), cycle(self._scans(self._selection.sphere)), strict=False
+            )
+        ]
+
+    def of_pairs(self, pattern: str, pairs: Iterable[Pair]) -> list[str]:
+        """Return the files of a pattern, one a pair."""
+        return [pattern.format(**pair._asdict(), **self._swept) for pair in pairs]
+
+    @property
+    def stitched_spheres(self) -> list[str]:
+        """Every scan of the sphere with its mirror images."""
+        sphere = self._selection.sphere
+        return [self.stitched(sphere, scan) for scan in self._scans(sphere)]
+
+    @property
+    def substrate_scans(self) -> list[tuple[str, int]]:
+        """Surface and number of every scan of a substrate."""
+        return [
+            (surface, scan) for surface, scan in self.scans if surface != self._selection.sphere
+        ]
+
+    @property
+    def window_changes(self) -> list[str]:
+        """What a wider window changes, one file a scan of a substrate."""
+        pattern = self._patterns.window_change
+        return [
+            self._of_surface(pattern, surface, STUDY_VARIANT, scan=scan)
+            for surface, scan in self.substrate_scans
+        ]
+
+    @property
+    def indent_pairs(self) -> list[tuple[int, int]]:
+        """Scan of the indented surface and of the sphere, every pair."""
+        surface = self._configuration["indent"]["surface"]
+        return [(pair.scan, pair.sphere_scan) for pair in self._pairs([(surface, STUDY_VARIANT)])]
+
+    # Scales
+
+    @property
+    def filters(self) -> list[tuple[str, int, str, str]]:
+        """Surface, realization, side and cutoff of every filtered surface."""
+        return [
+            (surface, realization, side, cutoff)
+            for surface in self._selection.substrates
+            for realization in self.realizations
+            for side in SIDES
+            for cutoff in ("none", *self._cutoffs(side))
+        ]
+
+    @property
+    def filtered_pull_offs(self) -> list[str]:
+        """The pull-off forces of every filtered surface."""
+        pattern = self._patterns.filtered_pull_off
+        return [
+            self._of_surface(
+                pattern, surface, STUDY_VARIANT, realization=realization, side=side, cutoff=cutoff
+            )
+            for surface, realization, side, cutoff in self.filters
+        ]
+
+    # Robustness
+
+    @cached_property
+    def varied_pairs(self) -> list[Pair]:
+        """Every pair of scans that some variant asks for."""
+        made = (item for variant in self.variants for item in variant.variant.items())
+        return self._pairs(dict.fromkeys(made))
+
+    @cached_property
+    def varied_masters(self) -> list[Master]:
+        """Every master that some variant asks for."""
+        masters = (
+            Master(surface, name, realization, side, variant.probe)
+            for variant in self.variants
+            for surface, name in variant.variant.items()
+            for realization in range(1, self._configuration["robustness"]["realizations"] + 1)
+            for side in SIDES
+        )
+        return list(dict.fromkeys(masters))
+
+    @property
+    def varied_scales(self) -> list[str]:
+        """The pull-off forces of every master of robustness."""
+        pattern = self._patterns.varied_scales
+        return [pattern.format(**one._asdict(), **self._swept) for one in self.varied_masters]
+
+    def loads(self, probe: str) -> list[NamedLoad]:
+        """Return the loads that this sphere comes with, each once."""
+        variants = [variant for variant in self.variants if variant.probe == probe]
+        return list({variant.load["name"]: variant.load for variant in variants}.values())
+
+    # How they are made
+
+    def _scans(self, surface: str) -> list[int]:
+        return self._selection.scans(surface)
+
+    def _pairs(self, surfaces: Iterable[tuple[str, str]]) -> list[Pair]:
+        return [
+            Pair(surface, variant, scan, sphere_scan)
+            for surface, variant in surfaces
+            for scan in self._scans(surface)
+            for sphere_scan in self._scans(self._selection.sphere)
+        ]
+
+    def _topography(self, surface: str, scan: int) -> str:
+        return self._of_surface(self._patterns.topography, surface, STUDY_VARIANT, scan=scan)
+
+    def _cutoffs(self, side: str) -> list[str]:
+        """Return the cutoffs of a side as they stand in paths."""
+        return [token(cutoff, "nm") for cutoff in self._configuration["scales"][side]["cutoffs"]]
+
+    def _of_surface(self, pattern: str, surface: str, variant: str, **wildcards: object) -> str:
+        """Return the path of a pattern for a surface and the swept values of the study."""
+        sphere = surface == self._selection.sphere
+        shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
+        return pattern.format(
+            surface=surface, variant=variant, shape=shape, **self._swept, **wildcards
+        )

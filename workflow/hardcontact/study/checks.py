@@ -1,0 +1,165 @@
+"""Checks that the names and values of a study agree with each other, its tables and its scans.
+
+They refuse before any job starts what could only fail later. Every fault is a ValueError of one
+line: the key or row, what was expected, what was found.
+"""
+
+import os
+from collections.abc import Collection, Sequence
+from itertools import pairwise, product
+from pathlib import Path
+from typing import Any
+
+import pandas as pd
+
+from hardcontact import published
+from hardcontact.study.grids import surface_grid
+from hardcontact.study.master_limits import refuse_on_master
+from hardcontact.study.patterns import PUBLISHED
+from hardcontact.study.scan_limits import refuse_on_pair, refuse_on_scan
+from hardcontact.study.substitute_descriptions import refuse_description
+
+__all__ = ["check"]
+
+
+def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
+    """Refuse a study that cannot be computed; measured scans are read.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    table : pandas.DataFrame
+        The scans of the study, as `surface_table.selected_scans` returns them.
+    compared : collection of str
+        Surfaces with a published pull-off force.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key or the file: names of surfaces or scans that are not in the
+        table, values that contradict each other, unusable scans, wavelengths, windows and loads
+        that the pixels do not permit.
+    """
+    _refuse_unknown_surfaces(config, table)
+    _refuse_disorder(config)
+    _refuse_contradictions(config, compared)
+    _refuse_names(config)
+    rows_of_table1 = (
+        published.table1(PUBLISHED["published_table1"]).groupby("surface").quantity.agg(set)
+    )
+    substitutes = table[table.source == "substitute"].drop_duplicates("surface")
+    for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
+        refuse_description(path, rows_of_table1.get(surface, set()))
+    _refuse_on_grids(config, table)
+
+
+def _refuse_on_grids(config: dict[str, Any], table: pd.DataFrame) -> None:
+    """Refuse what the pixels of the scans do not permit."""
+    grids = {
+        str(surface): surface_grid(config, str(surface), rows)
+        for surface, rows in table.groupby("surface", sort=False)
+    }
+    name, radius = config["sphere"]["surface"], config["sphere"]["radius"]
+    sphere = grids[name]
+    if radius < sphere.size:
+        raise ValueError(
+            "config key sphere.radius: expected at least the size of its scans "
+            f"({sphere.size:.6g} nm), found {radius:.6g} nm"
+        )
+    for surface, grid in grids.items():
+        refuse_on_scan(config, surface, grid)
+        if surface != name:
+            refuse_on_pair(config, surface, grid, sphere)
+            for section, side in product(("scales", "robustness"), ("small", "large")):
+                refuse_on_master(config, section, side, surface, grid, sphere)
+
+
+def _refuse_unknown_surfaces(config: dict[str, Any], table: pd.DataFrame) -> None:
+    """Refuse names of surfaces and numbers of scans that the table does not have."""
+    sphere, traced = config["sphere"]["surface"], config["adhesion"]["traced_contact"]
+    surfaces = list(table.surface.unique())
+    substrates = [surface for surface in surfaces if surface != sphere]
+    for key, surface, known in (
+        ("sphere.surface", sphere, surfaces),
+        ("reference_surface", config["reference_surface"], substrates),
+        ("adhesion.traced_contact.surface", traced["surface"], substrates),
+        ("indent.surface", config["indent"]["surface"], substrates),
+    ):
+        if surface not in known:
+            raise ValueError(
+                f"config key {key}: expected one of {', '.join(known)}, "
+                f"surfaces of the table, found {surface}"
+            )
+    for key, surface in (("scan", traced["surface"]), ("sphere_scan", sphere)):
+        scans = table.scan[table.surface == surface].tolist()
+        if traced[key] not in scans:
+            raise ValueError(
+                f"config key adhesion.traced_contact.{key}: expected a scan of "
+                f"{surface} {scans}, found {traced[key]}"
+            )
+
+
+def _refuse_disorder(config: dict[str, Any]) -> None:
+    """Refuse lists of quantities that do not ascend."""
+    for section in ("adhesion", "asperities"):
+        _refuse_descent(f"{section}.ranges", config[section]["ranges"], "nm")
+    for section, side in product(("scales", "robustness"), ("small", "large")):
+        _refuse_descent(f"{section}.{side}.cutoffs", config[section][side]["cutoffs"], "nm")
+    for section in ("indent", "robustness"):
+        _refuse_descent(f"{section}.preloads", config[section]["preloads"], "N")
+    _refuse_descent("robustness.hardnesses", config["robustness"]["hardnesses"], "Pa")
+
+
+def _refuse_descent(key: str, values: Sequence[float], unit: str) -> None:
+    """Refuse quantities that descend, or that repeat, perhaps written in another unit."""
+    for smaller, larger in pairwise(values):
+        if smaller >= larger:
+            raise ValueError(
+                f"config key {key}: expected ascending values, "
+                f"found {larger:.12g} {unit} after {smaller:.12g} {unit}"
+            )
+
+
+def _refuse_contradictions(config: dict[str, Any], compared: Collection[str]) -> None:
+    """Refuse values that other values, or the published forces, do not permit."""
+    reference, count = config["reference_surface"], config["contact"]["count"]
+    if reference not in compared:
+        raise ValueError(
+            "config key reference_surface: expected a surface with a published "
+            f"pull-off force ({', '.join(compared)}), found {reference}"
+        )
+    place = config["adhesion"]["traced_contact"]["contact"]
+    if max(place) >= count:
+        raise ValueError(
+            "config key adhesion.traced_contact.contact: expected indices below "
+            f"contact.count = {count}, found {place}"
+        )
+    scan = config["scan"]
+    if scan["realization_pixels"] < scan["pixels"]:
+        raise ValueError(
+            "config key scan.realization_pixels: expected at least scan.pixels = "
+            f"{scan['pixels']}, found {scan['realization_pixels']}"
+        )
+    for section in ("elastic", "asperities"):
+        if config[section]["contacts"] > count**2:
+            raise ValueError(
+                f"config key {section}.contacts: expected at most contact.count squared = "
+                f"{count**2}, found {config[section]['contacts']}"
+            )
+
+
+def _refuse_names(config: dict[str, Any]) -> None:
+    """Refuse folders that contain each other, and values that would have the same name."""
+    folders = (f"results/{config['study']}", config["store"])
+    results, store = (Path(os.path.realpath(folder)) for folder in folders)
+    if results.is_relative_to(store) or store.is_relative_to(results):
+        raise ValueError(
+            f"config key store: expected a folder apart from results/{config['study']}, "
+            f"found {config['store']}"
+        )
+    for skewness in config["robustness"]["skewness"]:
+        if float(f"{skewness:g}") != skewness:
+            raise ValueError(
+                f"config key robustness.skewness: expected at most six digits, found {skewness!r}"
+            )

@@ -1,0 +1,148 @@
+"""Limits that the grids of scans and of masters have in common."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.study.grids import Grid
+
+__all__ = [
+    "MAP_PIXELS",
+    "loads",
+    "refuse_contact_pixels",
+    "refuse_large_map",
+    "refuse_short_range",
+]
+
+#: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
+MAP_PIXELS = 16384
+#: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
+#: at once, in some 24 bytes each.
+CONTACT_PIXELS = 2**26
+#: Largest difference in height over the range of adhesion: exponentials overflow beyond 700.
+RELIEF_OVER_RANGE = 500.0
+
+
+def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
+    """Give the loads on the contacts of a section, each with the key that it comes from.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    section : {"contact", "scales", "robustness"}
+        The section.
+
+    Yields
+    ------
+    key, load : str, Load
+        First those of the study itself.
+    """
+    preload, hardness = (config["contact"][key] for key in ("preload", "hardness"))
+    yield "contact.preload", Load(preload=preload, hardness=hardness)
+    if section == "contact":
+        largest = max(config["indent"]["preloads"])
+        yield "indent.preloads", Load(preload=largest, hardness=hardness)
+    if section == "robustness":
+        for other in config["robustness"]["preloads"]:
+            yield "robustness.preloads", Load(preload=other, hardness=hardness)
+        for other in config["robustness"]["hardnesses"]:
+            yield "robustness.hardnesses", Load(preload=preload, hardness=other)
+
+
+def refuse_short_range(
+    config: dict[str, Any], key: str, rho: float, surface: str, relief: float, period: float
+) -> None:
+    """Refuse a range of adhesion over which heights differ so much that exponentials overflow.
+
+    Where the window holds a period of the surface, every contact has the highest pixel of the map
+    within half a period of it, and cannot be farther from it than the sphere's curvature says.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    key : str
+        Key of the range, for the message.
+    rho : float
+        Range of adhesion in nm.
+    surface : str
+        Id of the surface, for the message.
+    relief : float
+        Largest difference in height in nm.
+    period : float
+        Period of the surface in nm.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key.
+    """
+    if config["contact"]["window"] >= period:
+        relief = min(relief, (period / 2) ** 2 / config["sphere"]["radius"])
+    if rho < relief / RELIEF_OVER_RANGE:
+        raise ValueError(
+            f"config key {key}: expected at least {relief / RELIEF_OVER_RANGE:.3g} nm on {surface},"
+            f" where contacts lie up to some {relief:.4g} nm apart in height, found {rho:.4g} nm"
+        )
+
+
+def refuse_large_map(what: str, pixel_size: float, *grids: Grid) -> None:
+    """Refuse maps that are too large when stitched and brought to the pixels of the finest.
+
+    Parameters
+    ----------
+    what : str
+        The maps, for the message.
+    pixel_size : float
+        Of the finest, in nm.
+    *grids : Grid
+        One a map, before stitching.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the maps.
+    """
+    pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
+    if pixels > MAP_PIXELS:
+        raise ValueError(
+            f"config keys surfaces and scan: expected at most {MAP_PIXELS} pixels along an edge of "
+            f"{what} on common pixels of {pixel_size:.4g} nm, found {pixels}"
+        )
+
+
+def refuse_contact_pixels(
+    config: dict[str, Any], section: str, surface: str, pixel_size: float, images: float = 1
+) -> None:
+    """Refuse loads that need more contact pixels than can be kept in memory at once.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    section : {"contact", "scales", "robustness"}
+        The section whose loads are checked.
+    surface : str
+        Id of the substrate, for the message.
+    pixel_size : float
+        In nm.
+    images : float
+        Periodic images of each pixel in the window.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key.
+    """
+    counted = "robustness" if section == "robustness" else "contact"
+    count = config[counted]["count"]
+    most = int(CONTACT_PIXELS / count**2 / images)
+    for key, load in loads(config, section):
+        contact_pixels = contact_pixel_count(load, pixel_size)
+        if contact_pixels > most:
+            raise ValueError(
+                f"config key {key}: expected on {surface} at most {most} contact pixels of "
+                f"{pixel_size:.4g} nm with {counted}.count = {count} and "
+                f"contact.window = {config['contact']['window']:.6g} nm, found {contact_pixels}"
+            )

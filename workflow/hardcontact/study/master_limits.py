@@ -1,0 +1,93 @@
+"""What the scans of a surface permit of the masters that are built on them."""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from hardcontact.study.grid_limits import (
+    loads,
+    refuse_contact_pixels,
+    refuse_large_map,
+    refuse_short_range,
+)
+from hardcontact.study.grids import Grid
+
+__all__ = ["refuse_on_master"]
+
+#: Largest penetration over the range of adhesion, for a smooth sphere: its force sums lose as many
+#: digits as the exponential of this has.
+PENETRATION_OVER_RANGE = 25.0
+
+
+def refuse_on_master(
+    config: dict[str, Any], section: str, side: str, surface: str, grid: Grid, sphere: Grid
+) -> None:
+    """Refuse what the masters of one side do not permit.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    section : {"scales", "robustness"}
+        Masters of the study, or of robustness.
+    side : {"small", "large"}
+        The scales that are added to a scan.
+    surface : str
+        Id of the substrate.
+    grid, sphere : Grid
+        Of the scans of the substrate and of the sphere.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key.
+    """
+    pixels, tiles = config[section][side]["pixels"], config["scales"][side].get("tiles", 1)
+    size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
+    if pixels < needed:
+        raise ValueError(
+            f"config key {section}.{side}.pixels: expected at least the {needed} of "
+            f"{tiles} x {tiles} stitched scans of {surface}, found {pixels}"
+        )
+    rho = config["scales"]["range"]
+    refuse_short_range(config, "scales.range", rho, surface, grid.relief, size)
+    _refuse_deep_contacts(config, section, rho, grid)
+    finest = size / pixels
+    cutoff_pixel_size = finest if side == "small" else grid.pixel_size
+    for name, limit in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
+        wavelengths = config[section][side].get(name, config["scales"][side][name])
+        _refuse_wavelengths(f"{section}.{side}.{name}", wavelengths, surface, limit, size)
+    if section == "robustness" or config["scales"]["sphere_roughness"]:
+        finest = min(finest, sphere.pixel_size)
+        master = grid._replace(size=size / 2)
+        what = f"the {side}-scale masters of {surface} and the sphere"
+        refuse_large_map(what, finest, master, sphere)
+    refuse_contact_pixels(config, section, surface, finest)
+
+
+def _refuse_deep_contacts(config: dict[str, Any], section: str, rho: float, grid: Grid) -> None:
+    """Refuse a range of adhesion (nm) that is short beside the depth of contacts."""
+    for key, load in loads(config, section):
+        # On slopes near one a contact is about as deep as it is wide.
+        depth = min(math.sqrt(load["preload"] / load["hardness"]) * 1e9, grid.relief)
+        if rho < depth / PENETRATION_OVER_RANGE:
+            raise ValueError(
+                "config key scales.range: expected at least "
+                f"{depth / PENETRATION_OVER_RANGE:.3g} nm, for contacts "
+                f"that {key} makes some {depth:.3g} nm deep, found {rho:.4g} nm"
+            )
+
+
+def _refuse_wavelengths(
+    key: str, wavelengths: float | list[float], surface: str, pixel_size: float, size: float
+) -> None:
+    """Refuse wavelengths of no more than two pixels, or longer than the domain (all in nm)."""
+    for wavelength in np.atleast_1d(wavelengths):
+        # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
+        if not 2 * pixel_size * (1 + 1e-9) < wavelength <= size:
+            raise ValueError(
+                f"config key {key}: expected on {surface} more than two pixels "
+                f"({2 * pixel_size:.4g} nm) and at most the domain ({size:.6g} nm), "
+                f"found {wavelength:.4g} nm"
+            )

@@ -1,0 +1,139 @@
+"""What the scans of a surface permit, alone and in a pair with those of the sphere."""
+
+import math
+from typing import Any
+
+from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.hertz import effective_modulus
+from hardcontact.study.grid_limits import (
+    MAP_PIXELS,
+    loads,
+    refuse_contact_pixels,
+    refuse_large_map,
+    refuse_short_range,
+)
+from hardcontact.study.grids import Grid
+
+__all__ = ["refuse_on_pair", "refuse_on_scan"]
+
+#: Contact pixels of one indent, which are compared with each other.
+INDENT_PIXELS = 2**12
+#: Least pixels along an edge of the window of elastic contacts.
+ELASTIC_PIXELS = 16
+#: Upper bound on the mean pressure of an elastic contact over the effective modulus: peaks of the
+#: pressure are a hundred times higher, and the solver assumes small strains.
+PRESSURE_OVER_MODULUS = 0.01
+
+
+def refuse_on_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
+    """Refuse what the scans of a surface do not permit by themselves.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    surface : str
+        Id of the surface.
+    grid : Grid
+        Of its scans.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key.
+    """
+    _refuse_loads(config, surface, grid)
+    for section in ("contact", "robustness"):
+        if config[section]["count"] > 2 * grid.pixels:
+            raise ValueError(
+                f"config key {section}.count: expected at most the {2 * grid.pixels} pixels along "
+                f"the stitched scan of {surface}, found {config[section]['count']}"
+            )
+    window = config["elastic"]["window"]
+    if int(window / grid.pixel_size) < ELASTIC_PIXELS:
+        raise ValueError(
+            f"config key elastic.window: expected at least {ELASTIC_PIXELS} pixels of "
+            f"{surface} ({ELASTIC_PIXELS * grid.pixel_size:.4g} nm), found {window:.4g} nm"
+        )
+    for key, rho in (
+        ("adhesion.ranges", config["adhesion"]["ranges"][0]),
+        ("scales.range", config["scales"]["range"]),
+    ):
+        interaction_radius = math.sqrt(2 * config["sphere"]["radius"] * rho)
+        if interaction_radius < 2 * grid.pixel_size:
+            raise ValueError(
+                f"config key {key}: expected an interaction radius "
+                f"sqrt(2 R rho) of two pixels ({2 * grid.pixel_size:.4g} nm) or more on "
+                f"{surface}, found {interaction_radius:.4g} nm"
+            )
+        refuse_short_range(config, key, rho, surface, grid.relief, 2 * grid.size)
+
+
+def _refuse_loads(config: dict[str, Any], surface: str, grid: Grid) -> None:
+    """Refuse loads that need more than a quarter of the pixels in the window."""
+    window = window_pixels(config["contact"]["window"], grid.pixel_size)
+    available = min(window, 2 * grid.pixels) ** 2 // 4
+    for key, load in (*loads(config, "contact"), *loads(config, "robustness")):
+        needed = contact_pixel_count(load, grid.pixel_size)
+        if needed > available:
+            raise ValueError(
+                f"config key {key}: expected a load that a quarter of the pixels of "
+                f"{surface}, {available}, can carry, found one that needs {needed}"
+            )
+
+
+def refuse_on_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> None:
+    """Refuse what a scan of a substrate and one of the sphere, on common pixels, do not permit.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    surface : str
+        Id of the substrate.
+    grid, sphere : Grid
+        Of the scans of the substrate and of the sphere.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key.
+    """
+    contact, pixel_size = config["contact"], min(grid.pixel_size, sphere.pixel_size)
+    window = window_pixels(contact["window"], pixel_size)
+    if window > MAP_PIXELS:
+        raise ValueError(
+            f"config key contact.window: expected at most {MAP_PIXELS} pixels of "
+            f"{pixel_size:.4g} nm, on {surface} and the sphere, found {window}"
+        )
+    refuse_large_map(f"{surface} and the sphere", pixel_size, grid, sphere)
+    images = max(1, contact["window"] / (2 * grid.size)) ** 2
+    for section in ("contact", "robustness"):
+        refuse_contact_pixels(config, section, surface, pixel_size, images)
+    _refuse_pressure(config, surface, min(contact["window"], 2 * grid.size))
+    largest = Load(preload=max(config["indent"]["preloads"]), hardness=contact["hardness"])
+    contact_pixels = contact_pixel_count(largest, pixel_size)
+    if surface == config["indent"]["surface"] and not 2 <= contact_pixels <= INDENT_PIXELS:
+        raise ValueError(
+            f"config key indent.preloads: expected 2 to {INDENT_PIXELS} contact pixels of "
+            f"{pixel_size:.4g} nm at the largest, found {contact_pixels}"
+        )
+
+
+def _refuse_pressure(config: dict[str, Any], surface: str, edge: float) -> None:
+    """Refuse a preload too high for elastic contact on a square of this edge (nm)."""
+    modulus = effective_modulus(
+        *(
+            config["elastic"][body][key]
+            for body in ("sphere", "substrate")
+            for key in ("modulus", "poisson_ratio")
+        )
+    )
+    most = PRESSURE_OVER_MODULUS * modulus * (edge * 1e-9) ** 2
+    if config["contact"]["preload"] > most:
+        raise ValueError(
+            f"config key contact.preload: expected at most {most:.3g} N on "
+            f"{surface}, where elastic contact is solved on {edge:.4g} nm, "
+            f"found {config['contact']['preload']:.4g} N"
+        )

@@ -1,0 +1,1 @@
+"""Height maps: reading scans, levelling and stitching, power spectra, filters, synthesis."""

@@ -1,0 +1,75 @@
+"""One value for a height map: heights, pixel size, whether it is periodic, its basis."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from hardcontact.records import netcdf
+from hardcontact.records.netcdf import Arrays, Variable
+
+__all__ = ["HeightMap", "read_height_map"]
+
+
+@dataclass(frozen=True, eq=False)
+class HeightMap:
+    """A surface on square pixels; heights grow out of the material.
+
+    Attributes
+    ----------
+    heights : numpy.ndarray
+        (y, x) in nm.
+    pixel_size : float
+        Edge of a pixel in nm.
+    periodic : bool
+        Whether the map continues itself at its edges.
+    basis : str
+        ``"measured"`` or ``"substitute"``; a substitute is called so wherever it shows.
+    """
+
+    heights: np.ndarray
+    pixel_size: float
+    periodic: bool
+    basis: str
+
+    @property
+    def pixels(self) -> int:
+        """Pixels along an edge of a square map."""
+        return int(self.heights.shape[0])
+
+    @property
+    def size(self) -> float:
+        """Edge of a square map in nm."""
+        return self.pixels * self.pixel_size
+
+    def arrays(self) -> Arrays:
+        """Return the map as it is stored: float32 heights with coordinates in nm."""
+        coordinates: dict[str, Variable] = {
+            axis: (
+                (axis,),
+                (0.5 + np.arange(count)) * self.pixel_size,
+                {"units": "nm", "long_name": f"{axis} position"},
+            )
+            for axis, count in zip("yx", self.heights.shape, strict=True)
+        }
+        attributes = {
+            "units": "nm",
+            "long_name": "surface height",
+            "pixel_size": float(self.pixel_size),
+        }
+        return Arrays(
+            {"heights": (("y", "x"), self.heights.astype("float32"), attributes)},
+            coordinates,
+            {"periodic": int(self.periodic), "basis": self.basis},
+        )
+
+
+def read_height_map(path: str) -> HeightMap:
+    """Read a netCDF file of `HeightMap.arrays`; one that cannot be read is a ValueError."""
+    stored = netcdf.read(path)
+    _, heights, attributes = stored.variables["heights"]
+    return HeightMap(
+        heights,
+        float(attributes["pixel_size"]),
+        bool(stored.attributes["periodic"]),
+        str(stored.attributes["basis"]),
+    )

@@ -1,0 +1,186 @@
+"""Roughness of scans, and of all surfaces in one table: Table 1 and the PSDs."""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+from numpy.typing import NDArray
+
+from hardcontact.records.dataset import stack
+from hardcontact.records.origin import canonical
+from hardcontact.statistics import student_interval, with_interval
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, measured_psds
+from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
+
+__all__ = ["TableSettings", "averages", "measured_roughness", "roughness_table"]
+
+
+def measured_roughness(scan: HeightMap) -> xr.Dataset:
+    """Return the METRICS and the PSDs of one levelled scan.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled.
+
+    Returns
+    -------
+    xarray.Dataset
+        Each metric; `psd_profile` and `psd_isotropic` (wavevector) in nm³ and nm⁴.
+    """
+    values = metrics(scan)
+    wavevector, profile, isotropic = measured_psds(scan)
+    return xr.Dataset(
+        {
+            **{
+                name: ((), values[name], {"units": unit, "long_name": long_name})
+                for name, (unit, long_name) in METRICS.items()
+            },
+            "psd_profile": ("wavevector", profile, {"units": "nm3", "long_name": "1D PSD"}),
+            "psd_isotropic": ("wavevector", isotropic, {"units": "nm4", "long_name": "2D PSD"}),
+        },
+        {"wavevector": ("wavevector", wavevector, {"units": "rad nm-1"})},
+    )
+
+
+def averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
+    """Return mean, standard deviation and interval of the mean over scans, of every metric.
+
+    Parameters
+    ----------
+    scans : xarray.Dataset
+        METRICS over (surface, scan), NaN where a surface has no such scan.
+    confidence : float
+        Of the intervals, by Student's t over scans.
+
+    Returns
+    -------
+    xarray.Dataset
+        <metric>_mean and <metric>_std (surface), <metric>_mean_interval (surface, bound).
+    """
+    variables: dict[str, Any] = {}
+    for name in METRICS:
+        values = scans[name]
+        mean, deviation = values.mean("scan"), values.std("scan", ddof=1)
+        interval = student_interval(values, confidence, "scan")
+        variables |= with_interval(
+            f"{name}_mean", ["surface"], mean.values, interval.values, values.attrs, confidence
+        )
+        variables[f"{name}_std"] = ("surface", deviation.values, values.attrs)
+    return xr.Dataset(variables)
+
+
+class TableSettings(NamedTuple):
+    """Labels and conventions of the table of roughness.
+
+    Attributes
+    ----------
+    labels, basis : mapping of str to str
+        By surface: its name in print; ``"measured"`` or ``"substitute"``.
+    sphere_surface, reference_surface : str
+        The surface of the sphere, and that which forces are compared with.
+    table1 : mapping of str to str
+        What slope and curvature of Table 1 are, see `topography.table1_variables`.
+    confidence : float
+        Of the intervals.
+    """
+
+    labels: Mapping[str, str]
+    basis: Mapping[str, str]
+    sphere_surface: str
+    reference_surface: str
+    table1: Mapping[str, str]
+    confidence: float
+
+
+def roughness_table(
+    scans: Mapping[tuple[str, int], xr.Dataset],
+    spectra: Mapping[str, xr.Dataset],
+    examples: Mapping[str, xr.Dataset],
+    settings: TableSettings,
+) -> xr.Dataset:
+    """Return the topography of all surfaces: every scan, averages, spectra, maps for pictures.
+
+    Parameters
+    ----------
+    scans : mapping of (str, int) to xarray.Dataset
+        Of `measured_roughness`, by surface and number.
+    spectra : mapping of str to xarray.Dataset
+        C_iso over all scales, by surface.
+    examples : mapping of str to xarray.Dataset
+        One levelled scan of each surface; that of the sphere with the variable `as_scanned`.
+    settings : TableSettings
+        Labels and conventions.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface, scan, wavevector; the maps over (surface, row, column).
+    """
+    names = list(dict.fromkeys(surface for surface, _ in scans))
+    stacked = stack(scans, ["surface", "scan"])
+    table = xr.merge(
+        [
+            stacked,
+            averages(stacked, settings.confidence),
+            _joined_spectra([spectra[name] for name in names], stacked["wavevector"].values),
+            _maps([examples[name] for name in names], examples[settings.sphere_surface]),
+        ],
+        combine_attrs="override",
+    )
+    return table.assign(
+        psd_profile_mean=stacked["psd_profile"].mean("scan", keep_attrs=True),
+        psd_isotropic_mean=stacked["psd_isotropic"].mean("scan", keep_attrs=True),
+        label=("surface", [settings.labels[name] for name in names]),
+        basis=("surface", [settings.basis[name] for name in names]),
+    ).assign_attrs(
+        sphere_surface=settings.sphere_surface,
+        reference_surface=settings.reference_surface,
+        confidence=settings.confidence,
+        table1_variables=canonical(table1_variables(**settings.table1)),
+    )
+
+
+def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) -> xr.Dataset:
+    """Return spectra (surface, wavevector), their moments over all scales, their calibration."""
+    tables = [Spectrum(one["wavevector"].values, one["spectrum"].values) for one in spectra]
+    height, gradient, half_laplacian = np.array([all_scales_moments(one) for one in tables]).T
+    density = np.array([table(wavevector) for table in tables])
+    return xr.Dataset(
+        {
+            "spectrum": (("surface", "wavevector"), density, {"units": "nm4"}),
+            "all_scales_rms_height": ("surface", height, {"units": "nm"}),
+            "all_scales_rms_gradient": ("surface", gradient, {"units": "1"}),
+            "all_scales_rms_profile_slope": ("surface", gradient / np.sqrt(2), {"units": "1"}),
+            "all_scales_rms_half_laplacian": ("surface", half_laplacian, {"units": "nm-1"}),
+            "all_scales_rms_laplacian": ("surface", 2 * half_laplacian, {"units": "nm-1"}),
+            "calibrated_to_table1": (
+                "surface",
+                [one.attrs["calibrated_to_table1"] for one in spectra],
+            ),
+        }
+    )
+
+
+def _maps(examples: list[xr.Dataset], sphere: xr.Dataset) -> xr.Dataset:
+    """Return height maps for pictures, all on the pixels of the coarsest, and their sizes in nm."""
+    pixels = min(len(example["x"]) for example in examples)
+    sizes = [len(example["x"]) * example["heights"].attrs["pixel_size"] for example in examples]
+    maps = [_thinned(example["heights"].values, pixels) for example in examples]
+    as_scanned = _thinned(sphere["as_scanned"].values, pixels)
+    return xr.Dataset(
+        {
+            "example_heights": (("surface", "row", "column"), np.array(maps), {"units": "nm"}),
+            "sphere_as_scanned": (("row", "column"), as_scanned, {"units": "nm"}),
+            "scan_size": ("surface", sizes, {"units": "nm"}),
+        }
+    )
+
+
+def _thinned(heights: np.ndarray, pixels: int) -> np.ndarray:
+    """Return pixels x pixels of a square map, evenly spaced."""
+    chosen = np.linspace(0, heights.shape[0] - 1, pixels).round().astype(int)
+    thinned: np.ndarray = heights[np.ix_(chosen, chosen)]
+    return thinned

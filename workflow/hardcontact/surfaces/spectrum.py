@@ -1,0 +1,251 @@
+"""Power spectral densities: measured, models, tables, moments.
+
+Conventions: C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq, and C_1D = |h~|²/L in nm³
+with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka,
+Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hardcontact.records import netcdf
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.topography import library_map
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = [
+    "WAVEVECTORS",
+    "Density",
+    "Spectrum",
+    "all_scales_moments",
+    "extrapolated_spectrum",
+    "from_scans",
+    "measured_psds",
+    "profile_from_isotropic_power_law",
+    "profile_points",
+    "read_spectrum",
+    "self_affine",
+    "self_affine_height",
+    "smooth_rolloff",
+    "spectrum_dataset",
+]
+
+#: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
+Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+
+#: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
+WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
+
+#: Edges of the bins of measured PSDs: ten a decade.
+BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
+
+
+@dataclass(frozen=True, eq=False)
+class Spectrum:
+    """A table of C_iso that is called like a function of the wavevector.
+
+    Attributes
+    ----------
+    wavevector : numpy.ndarray
+        (points,) in rad/nm, growing.
+    density : numpy.ndarray
+        C_iso (points,) in nm⁴.
+    """
+
+    wavevector: NDArray[np.float64]
+    density: NDArray[np.float64]
+
+    def __call__(self, wavevector: ArrayLike) -> NDArray[np.float64]:
+        """Return C_iso in nm⁴ at wavevectors in rad/nm by interpolation in log q and log C.
+
+        It is constant below the table, zero above it and where the table is zero.
+        """
+        log_density = np.log(np.maximum(self.density, 1e-290))
+        with np.errstate(divide="ignore"):
+            log_wavevector = np.log(wavevector)
+        log_table = np.log(self.wavevector)
+        return np.exp(np.interp(log_wavevector, log_table, log_density, right=-np.inf))
+
+
+def read_spectrum(path: str) -> Spectrum:
+    """Read a spectrum that the study wrote; a file that cannot be read is a ValueError."""
+    stored = netcdf.read(path)
+    return Spectrum(stored.coordinates["wavevector"][1], stored.variables["spectrum"][1])
+
+
+def spectrum_dataset(density: NDArray[np.float64]) -> "xr.Dataset":
+    """Return C_iso (nm⁴) on WAVEVECTORS as it is stored."""
+    import xarray as xr
+
+    return xr.Dataset(
+        {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
+        {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
+    )
+
+
+def measured_psds(
+    scan: HeightMap,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    """Return the PSDs of a levelled, non-periodic scan, measured with a Hann window.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled.
+
+    Returns
+    -------
+    wavevector : numpy.ndarray
+        (bins,) in rad/nm.
+    profile, isotropic : numpy.ndarray
+        C_1D along x in nm³ and C_iso in nm⁴ (bins,); NaN in empty bins.
+    """
+    topography = library_map(scan)
+    centres = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
+    options = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
+    profile, isotropic = (
+        np.asarray(density, float)
+        for density in (
+            topography.power_spectrum_from_profile(**options)[1],
+            topography.power_spectrum_from_area(**options)[1],
+        )
+    )
+    # SurfaceTopography gives 0 for a bin without wavevectors.
+    return (
+        centres,
+        np.where(profile > 0, profile, np.nan),
+        np.where(isotropic > 0, isotropic, np.nan),
+    )
+
+
+def self_affine(
+    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float
+) -> NDArray[np.float64]:
+    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), (q/q_r)^(-2-2H) below."""
+    return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
+
+
+def self_affine_height(plateau: float, rolloff: float, hurst: float) -> float:
+    """Return the rms height (nm) of `self_affine` over all scales.
+
+    Its square is C_0 q_r² (1 + 1/H)/(4 pi).
+    """
+    mean_square = plateau * (2 * np.pi / rolloff) ** 2 * (1 + 1 / hurst) / (4 * np.pi)
+    return float(np.sqrt(mean_square))
+
+
+def smooth_rolloff(
+    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float
+) -> NDArray[np.float64]:
+    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
+    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
+
+
+def profile_from_isotropic_power_law(
+    wavevector: NDArray[np.float64], hurst: float
+) -> NDArray[np.float64]:
+    """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
+
+    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
+    """
+    from scipy.special import gamma
+
+    ratio = wavevector / (2 * np.sqrt(np.pi)) * gamma(hurst + 0.5) / gamma(hurst + 1)
+    return np.asarray(ratio, float)
+
+
+def profile_points(
+    wavevector: NDArray[np.float64],
+    wavelengths: NDArray[np.float64],
+    profile: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return C_iso through measured points of C_1D, converted with one fitted Hurst exponent.
+
+    Parameters
+    ----------
+    wavevector : numpy.ndarray
+        Of the result, in rad/nm.
+    wavelengths, profile : numpy.ndarray
+        (points,) in nm and in nm³.
+
+    Returns
+    -------
+    numpy.ndarray
+        In nm⁴, of the shape of `wavevector`.
+    """
+    points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
+    hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
+    order = np.argsort(points)
+    density = np.exp(_extended(np.log(wavevector), points[order], level[order]))
+    return density / profile_from_isotropic_power_law(wavevector, hurst)
+
+
+def _extended(
+    x: NDArray[np.float64], points: NDArray[np.float64], values: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the linear interpolation that continues its first and last segment."""
+    segment = np.clip(np.searchsorted(points, x) - 1, 0, len(points) - 2)
+    slope = np.diff(values)[segment] / np.diff(points)[segment]
+    return values[segment] + slope * (x - points[segment])
+
+
+def all_scales_moments(spectrum: Spectrum) -> NDArray[np.float64]:
+    """Return rms height (nm), gradient and half-Laplacian (1/nm) of a spectrum, all scales."""
+    wavevector = spectrum.wavevector
+    height, gradient, laplacian = (
+        np.trapezoid(spectrum.density * wavevector**n * wavevector, np.log(wavevector))
+        for n in (1, 3, 5)
+    )
+    return np.sqrt(np.array([height, gradient, laplacian / 4]) / (2 * np.pi))
+
+
+def from_scans(
+    wavevector: NDArray[np.float64], densities: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return C_iso (nm⁴) on WAVEVECTORS from the measured PSDs of a surface's scans.
+
+    Averaged over scans; constant above the largest wavelength measured, and below the smallest a
+    power law through the last decade of the data.
+
+    Parameters
+    ----------
+    wavevector : numpy.ndarray
+        (bins,) in rad/nm.
+    densities : numpy.ndarray
+        (scan, bins) in nm⁴; NaN where there is no measurement.
+
+    Returns
+    -------
+    numpy.ndarray
+        Of the shape of WAVEVECTORS.
+    """
+    known = np.isfinite(densities).any(axis=0)
+    wave, mean = wavevector[known], np.nanmean(densities[:, known], axis=0)
+    last = wave > wave[-1] / 10
+    slope, level = np.polyfit(np.log(wave[last]), np.log(mean[last]), 1)
+    tail = np.exp(level + slope * np.log(WAVEVECTORS))
+    return np.where(wave[-1] < WAVEVECTORS, tail, Spectrum(wave, mean)(WAVEVECTORS))
+
+
+def extrapolated_spectrum(scans: "Sequence[xr.Dataset]") -> "xr.Dataset":
+    """Return C_iso of a measured surface, continued beyond the band of its scans.
+
+    Parameters
+    ----------
+    scans : sequence of xarray.Dataset
+        Of `roughness_table.measured_roughness`.
+
+    Returns
+    -------
+    xarray.Dataset
+        `spectrum` (wavevector) in nm⁴, as it is stored.
+    """
+    densities = np.array([scan["psd_isotropic"].values for scan in scans])
+    dataset = spectrum_dataset(from_scans(scans[0]["wavevector"].values, densities))
+    return dataset.assign_attrs(basis="measured", calibrated_to_table1="")

@@ -1,0 +1,135 @@
+"""Random surfaces from a PSD, and the multi-scale masters of Fig. 6.
+
+Surfaces are periodic. `scipy` is imported where it is used.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+
+from hardcontact.surfaces.filters import ROWS, interpolate, lowpass
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import Density
+
+__all__ = ["large_scale_master", "random_surface", "small_scale_master"]
+
+
+def random_surface(
+    rng: np.random.Generator, pixels: int, pixel_size: float, density: Density
+) -> HeightMap:
+    """Return a Gaussian random surface of a given power spectral density.
+
+    White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of
+    the ratio. The mean is zero.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Of the white noise.
+    pixels : int
+        Along an edge.
+    pixel_size : float
+        In nm.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+
+    Returns
+    -------
+    HeightMap
+        Periodic; heights (pixels, pixels) in float32.
+    """
+    from scipy import fft
+
+    transform = fft.rfft2(rng.standard_normal((pixels, pixels), dtype=np.float32))
+    wave_y = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
+    wave_x = 2 * np.pi * np.fft.rfftfreq(pixels, pixel_size)
+    for start in range(0, pixels, ROWS):
+        rows = slice(start, start + ROWS)
+        wavevector = np.hypot(wave_y[rows, None], wave_x)
+        transform[rows] *= np.sqrt(density(wavevector)) / pixel_size
+    transform[0, 0] = 0
+    heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
+    return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+
+
+def small_scale_master(
+    rng: np.random.Generator,
+    stitched: HeightMap,
+    pixels: int,
+    transition: float,
+    density: Density,
+) -> HeightMap:
+    """Return a scan with artificial roughness below the transition wavelength.
+
+    Wavelengths below the transition are removed from the mirror-stitched scan, which is then
+    interpolated; a random surface is added that follows C_iso below the transition and is
+    constant above it.
+    Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Of the artificial roughness.
+    stitched : HeightMap
+        Periodic.
+    pixels : int
+        Along an edge of the master.
+    transition : float
+        Wavelength in nm.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+
+    Returns
+    -------
+    HeightMap
+        Heights (pixels, pixels) in float32; basis that of the scan.
+    """
+    band = lowpass(stitched, transition)
+    limit = 2 * np.pi / transition
+    master = random_surface(
+        rng, pixels, stitched.size / pixels, lambda q: density(np.maximum(q, limit))
+    )
+    master.heights[...] += interpolate(band, pixels).heights
+    return replace(master, basis=stitched.basis)
+
+
+def large_scale_master(
+    rng: np.random.Generator,
+    stitched: HeightMap,
+    tiles: int,
+    transition: float,
+    density: Density,
+) -> HeightMap:
+    """Return a scan, repeated, with artificial roughness above the transition wavelength.
+
+    The mirror-stitched scan is repeated `tiles` times along each edge and its wavelengths above
+    the transition are removed; a random surface is added that follows C_iso there and is zero
+    below. The result has the pixels of the scan. Source: as `small_scale_master`.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Of the artificial roughness.
+    stitched : HeightMap
+        Periodic.
+    tiles : int
+        Repetitions along an edge.
+    transition : float
+        Wavelength in nm.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+
+    Returns
+    -------
+    HeightMap
+        Heights in float32 on the pixels of the scan; basis that of the scan.
+    """
+    repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
+    band = lowpass(repeated, transition)
+    limit = 2 * np.pi / transition * (1 + 1e-12)
+    added = random_surface(
+        rng, band.pixels, band.pixel_size, lambda q: np.where(q <= limit, density(q), 0.0)
+    )
+    change = replace(band, heights=added.heights - band.heights)
+    heights = repeated.heights + interpolate(change, repeated.pixels).heights
+    return replace(repeated, heights=heights.astype(np.float32))

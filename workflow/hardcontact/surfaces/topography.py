@@ -1,0 +1,159 @@
+"""Height maps: levelling, subtracting the sphere, mirror stitching, rms metrics.
+
+SurfaceTopography and `scipy.stats` are imported where they are used: importing them takes longer
+than most jobs that import this module compute.
+"""
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.records.netcdf import Arrays
+from hardcontact.surfaces.height_map import HeightMap
+
+if TYPE_CHECKING:
+    from SurfaceTopography import Topography
+
+__all__ = [
+    "METRICS",
+    "level",
+    "library_map",
+    "metrics",
+    "mirror_stitch",
+    "prepared_scan",
+    "subtract_sphere",
+    "table1_variables",
+]
+
+#: Metrics of a height map with their units and long names, in the order of Table 1.
+METRICS = {
+    "rms_height": ("nm", "rms height"),
+    "rms_gradient": ("1", "rms gradient (2D slope)"),
+    "rms_profile_slope": ("1", "rms slope of profiles along x"),
+    "rms_half_laplacian": ("nm-1", "half the rms Laplacian (mean curvature)"),
+    "rms_laplacian": ("nm-1", "rms Laplacian"),
+    "skewness": ("1", "skewness of heights"),
+    "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
+    "peak_to_valley": ("nm", "peak to valley"),
+}
+
+#: Metrics that slope and curvature of Table 1 may stand for, by their names in the configuration.
+DEFINITIONS = {
+    "gradient": "rms_gradient",
+    "profile": "rms_profile_slope",
+    "half_laplacian": "rms_half_laplacian",
+    "laplacian": "rms_laplacian",
+}
+
+
+def library_map(surface: HeightMap) -> "Topography":
+    """Return a height map as SurfaceTopography knows it; its first axis is x."""
+    from SurfaceTopography import Topography
+
+    sizes = tuple(count * surface.pixel_size for count in surface.heights.T.shape)
+    return Topography(np.asarray(surface.heights, dtype=float).T, sizes, unit="nm")
+
+
+def level(scan: HeightMap) -> HeightMap:
+    """Return a scan less its least-squares plane."""
+    return replace(scan, heights=library_map(scan).detrend("height").heights().T)
+
+
+def subtract_sphere(scan: HeightMap, radius: float) -> HeightMap:
+    """Return the roughness of a scan of the top of a sphere.
+
+    The paraboloid x²/2R of the known radius is added back and the plane removed. The position of
+    the apex does not matter, because moving it adds a plane.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Shape and roughness.
+    radius : float
+        Of the sphere in nm.
+
+    Returns
+    -------
+    HeightMap
+        Levelled.
+    """
+    y, x = (_centred(count) * scan.pixel_size for count in scan.heights.shape)
+    return level(replace(scan, heights=scan.heights + (y[:, None] ** 2 + x**2) / (2 * radius)))
+
+
+def _centred(count: int) -> NDArray[np.float64]:
+    return np.arange(count, dtype=float) - (count - 1) / 2
+
+
+def mirror_stitch(scan: HeightMap) -> HeightMap:
+    """Return a periodic map (2y, 2x): the scan beside its mirror images, so that all edges match.
+
+    Source: the paper, section Numerical Analysis of Results.
+    """
+    wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
+    return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
+
+
+def prepared_scan(scan: HeightMap, sphere_radius: float | None = None) -> tuple[Arrays, Arrays]:
+    """Return a scan levelled, and then mirror-stitched, both as they are stored.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        As it was read.
+    sphere_radius : float or None
+        In nm, of a scan of the sphere, from which the sphere is removed; None of a flat surface.
+
+    Returns
+    -------
+    levelled, stitched : Arrays
+        That of the sphere also keeps the scan as it was read, in the variable `as_scanned`.
+    """
+    if sphere_radius is None:
+        levelled = level(scan)
+        return levelled.arrays(), mirror_stitch(levelled).arrays()
+    levelled = subtract_sphere(scan, sphere_radius)
+    stored = levelled.arrays()
+    attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
+    stored.variables["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
+    return stored, mirror_stitch(levelled).arrays()
+
+
+def metrics(scan: HeightMap) -> dict[str, float]:
+    """Return the METRICS of a levelled, non-periodic scan.
+
+    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography.
+    Where the paper leaves a definition open there is one metric for each reading.
+    """
+    from scipy.stats import kurtosis, skew
+
+    topography = library_map(scan)
+    values = scan.heights.astype(float).ravel()
+    half_laplacian = topography.rms_curvature_from_area()
+    return {
+        "rms_height": float(topography.Sq()),
+        "rms_gradient": float(topography.rms_gradient()),
+        "rms_profile_slope": float(topography.Rdq()),
+        "rms_half_laplacian": float(half_laplacian),
+        "rms_laplacian": float(2 * half_laplacian),
+        "skewness": float(skew(values)),
+        "kurtosis": float(kurtosis(values, fisher=False)),
+        "peak_to_valley": float(np.ptp(values)),
+    }
+
+
+def table1_variables(slope: str, curvature: str) -> dict[str, str]:
+    """Return the variables of the topography dataset by the names of their rows in Table 1.
+
+    `slope` and `curvature` are keys of DEFINITIONS.
+    """
+    variables = {
+        "height": "rms_height",
+        "slope": DEFINITIONS[slope],
+        "curvature": DEFINITIONS[curvature],
+    }
+    return {f"afm_rms_{row}": f"{metric}_mean" for row, metric in variables.items()} | {
+        f"all_rms_{row}": f"all_scales_{metric}" for row, metric in variables.items()
+    }
