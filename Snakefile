@@ -1,15 +1,15 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-import logging
+from hardcontact.study import start
 
-# On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
-logging.raiseExceptions = False
+start.prepare(workflow)
+
 
 configfile: "config/config.yaml"
 
+
 report: "workflow/report/workflow.rst"
 
-container: "docker://python:3.11-slim"
 
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
@@ -29,7 +29,13 @@ include: "workflow/rules/report.smk"
 include: "workflow/rules/provenance.smk"
 
 
+onstart:
+    start.hold_folders(PATTERNS.results, PATTERNS.store)
+    start.lift_rate_limit(workflow)
+
+
 rule all:
+    """Make the whole study: datasets, verdicts, figures, pages and their description."""
     default_target: True
     input:
         rules.describe_crate.input,  # all that is described, should some of it be missing

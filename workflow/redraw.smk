@@ -1,24 +1,28 @@
-"""Figures and pages of a finished study, again, from its datasets alone: no scan, no store."""
+"""Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-import sys
-from pathlib import Path
+from hardcontact.study import start
 
-KEPT = f"results/{config.get('study', 'paper')}/configuration.yaml"
-if not Path(KEPT).is_file():
-    sys.exit(f"error: {KEPT}: expected the configuration of a finished study, found no such file")
+start.prepare(workflow)
 
-configfile: KEPT
+
+configfile: start.kept_configuration(config)
+
 
 report: "report/workflow.rst"
 
-container: "docker://python:3.11-slim"
 
 include: "rules/common.smk"
 include: "rules/figures.smk"
 include: "rules/report.smk"
 
 
+onstart:
+    start.hold_folders(PATTERNS.results)
+    start.lift_rate_limit(workflow)
+
+
 rule redraw:
+    """Draw all figures and write all pages of a finished study again."""
     default_target: True
     input:
         rules.figures.input,

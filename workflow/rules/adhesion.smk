@@ -2,54 +2,80 @@
 
 
 rule compute_pull_off:
+    """Compute rigid and plastic pull-off of one pair of scans, at every contact and range."""
     input:
-        substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
-        code=code("compute_pull_off.py"),
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        code=code_inputs("compute_pull_off.py"),
     output:
-        f"{STORE}/pull_off/{PAIR}.nc",
+        PATTERNS.pull_off,
+    log:
+        PATTERNS.log("compute_pull_off", PATTERNS.pull_off),
+    benchmark:
+        PATTERNS.benchmark("compute_pull_off", PATTERNS.pull_off)
+    resources:
+        mem_mb=1000,
     params:
         canonical=canonical(
             {
                 "contact": STUDY["contact"],
                 "ranges": STUDY["adhesion"]["ranges"],
-                "reference_range": STUDY["scales"]["range"],
                 "radius": STUDY["sphere"]["radius"],
             }
         ),
-    log:
-        f"{STORE}/logs/compute_pull_off/{PAIR}.log",
-    benchmark:
-        f"{STORE}/benchmarks/compute_pull_off/{PAIR}.tsv"
-    resources:
-        mem_mb=1000,
     script:
         "../scripts/compute_pull_off.py"
 
 
-PAIRS = pairs_of(SUBSTRATES)
-
-
-rule aggregate_adhesion:
+rule measure_window_change:
+    """Measure how much a wider window changes the forces of one scan, at the reference range."""
     input:
-        pairs=[pair_file("pull_off", *pair) for pair in PAIRS],
-        code=code("aggregate_adhesion.py"),
+        substrate=PATTERNS.stitched_substrate,
+        spheres=FILES.stitched_spheres,
+        code=code_inputs("measure_window_change.py"),
     output:
-        f"{RESULTS}/adhesion.nc",
+        PATTERNS.window_change,
+    log:
+        PATTERNS.log("measure_window_change", PATTERNS.window_change),
+    benchmark:
+        PATTERNS.benchmark("measure_window_change", PATTERNS.window_change)
+    resources:
+        mem_mb=1000,
     params:
         canonical=canonical(
             {
-                "pairs": PAIRS,
-                "labels": LABELS,
-                "basis": BASIS,
+                "contact": STUDY["contact"],
+                "reference_range": STUDY["scales"]["range"],
+                "radius": STUDY["sphere"]["radius"],
+            }
+        ),
+    script:
+        "../scripts/measure_window_change.py"
+
+
+rule aggregate_adhesion:
+    """Gather the pull-off forces of all pairs of scans: adhesion.nc."""
+    input:
+        pairs=FILES.of_pairs(PATTERNS.pull_off, FILES.pairs),
+        window_changes=FILES.window_changes,
+        code=code_inputs("aggregate_adhesion.py"),
+    output:
+        PATTERNS.dataset("adhesion"),
+    log:
+        PATTERNS.log("aggregate_adhesion"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_adhesion")
+    params:
+        canonical=canonical(
+            {
+                "pairs": [[pair.surface, pair.scan, pair.sphere_scan] for pair in FILES.pairs],
+                "scans": FILES.substrate_scans,
+                "labels": SELECTION.labels,
+                "basis": SELECTION.basis,
                 "sphere_radius": STUDY["sphere"]["radius"],
                 "reference_rho": STUDY["scales"]["range"],
             }
         ),
-    log:
-        f"{RESULTS}/logs/aggregate_adhesion.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/aggregate_adhesion.tsv"
     script:
         "../scripts/aggregate_adhesion.py"
 
@@ -58,33 +84,34 @@ TRACED = STUDY["adhesion"]["traced_contact"]
 
 
 rule trace_contact:
-    # gap, adhesive pressure and force-separation curve of one contact
+    """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
     input:
-        substrate=stitched(TRACED["surface"], TRACED["scan"]),
-        sphere=stitched(SPHERE, TRACED["sphere_scan"]),
-        published="resources/paper/parameters.csv",
-        code=code("trace_contact.py"),
+        substrate=FILES.stitched(TRACED["surface"], TRACED["scan"]),
+        sphere=FILES.stitched(SPHERE, TRACED["sphere_scan"]),
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("trace_contact.py"),
     output:
-        f"{RESULTS}/contact.nc",
+        PATTERNS.dataset("contact"),
+    log:
+        PATTERNS.log("trace_contact"),
+    benchmark:
+        PATTERNS.benchmark("trace_contact")
     params:
         canonical=canonical(
             {
                 **TRACED,
                 "contacts": STUDY["contact"],
                 "radius": STUDY["sphere"]["radius"],
-                "label": LABELS[TRACED["surface"]],
-                "basis": BASIS[TRACED["surface"]],
+                "label": SELECTION.labels[TRACED["surface"]],
+                "basis": SELECTION.basis[TRACED["surface"]],
             }
         ),
-    log:
-        f"{RESULTS}/logs/trace_contact.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/trace_contact.tsv"
     script:
         "../scripts/trace_contact.py"
 
 
 rule adhesion:
+    """Make the pull-off forces of all pairs, and the traced contact."""
     input:
         rules.aggregate_adhesion.output,
         rules.trace_contact.output,

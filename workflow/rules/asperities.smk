@@ -2,12 +2,19 @@
 
 
 rule find_asperities:
+    """Find the patches that carry most of the force of a sample of contacts of one scan."""
     input:
-        substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
-        code=code("find_asperities.py"),
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        code=code_inputs("find_asperities.py"),
     output:
-        f"{STORE}/asperities/{PAIR}.nc",
+        PATTERNS.asperities,
+    log:
+        PATTERNS.log("find_asperities", PATTERNS.asperities),
+    benchmark:
+        PATTERNS.benchmark("find_asperities", PATTERNS.asperities)
+    resources:
+        mem_mb=1500,
     params:
         canonical=lambda w: canonical(
             {
@@ -19,34 +26,34 @@ rule find_asperities:
                 "seed": STUDY["seed"],
             }
         ),
-    log:
-        f"{STORE}/logs/find_asperities/{PAIR}.log",
-    benchmark:
-        f"{STORE}/benchmarks/find_asperities/{PAIR}.tsv"
-    resources:
-        mem_mb=1500,
     script:
         "../scripts/find_asperities.py"
 
 
 rule aggregate_asperities:
+    """Gather the patches of all scans: asperities.nc."""
     input:
-        scans=[pair_file("asperities", *pair) for pair in BESIDE],
-        code=code("aggregate_asperities.py"),
+        scans=FILES.of_pairs(PATTERNS.asperities, FILES.pairs_in_turn),
+        code=code_inputs("aggregate_asperities.py"),
     output:
-        f"{RESULTS}/asperities.nc",
+        PATTERNS.dataset("asperities"),
+    log:
+        PATTERNS.log("aggregate_asperities"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_asperities")
     params:
         canonical=canonical(
-            {"scans": [pair[:2] for pair in BESIDE], "labels": LABELS, "basis": BASIS}
+            {
+                "scans": FILES.substrate_scans,
+                "labels": SELECTION.labels,
+                "basis": SELECTION.basis,
+            }
         ),
-    log:
-        f"{RESULTS}/logs/aggregate_asperities.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/aggregate_asperities.tsv"
     script:
         "../scripts/aggregate_asperities.py"
 
 
 rule asperities:
+    """Make the patches that carry the force of contacts."""
     input:
         rules.aggregate_asperities.output,

@@ -2,30 +2,34 @@
 
 
 rule evaluate_claims:
+    """Judge each statement of the paper by what was computed: claims.csv."""
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
         scales=rules.aggregate_scales.output[0],
+        band=rules.find_critical_band.output[0],
         inference=rules.infer.output[0],
         elastic=rules.aggregate_elastic.output[0],
         indent=rules.measure_indents.output[0],
         asperities=rules.aggregate_asperities.output[0],
         classical=rules.apply_classical_models.output[0],
         claims="resources/paper/claims.csv",
-        code=code("evaluate_claims.py"),
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("evaluate_claims.py"),
     output:
-        claims=f"{RESULTS}/claims.csv",
-        record=f"{RESULTS}/provenance/claims.json",
-    params:
-        canonical=canonical({}),
+        claims=PATTERNS.result("claims.csv"),
+        record=PATTERNS.record("claims"),
     log:
-        f"{RESULTS}/logs/evaluate_claims.log",
+        PATTERNS.log("evaluate_claims"),
     benchmark:
-        f"{RESULTS}/benchmarks/evaluate_claims.tsv"
+        PATTERNS.benchmark("evaluate_claims")
+    params:
+        canonical=canonical({"confidence": STUDY["inference"]["confidence"]}),
     script:
         "../scripts/evaluate_claims.py"
 
 
 rule claims:
+    """Make the verdicts on the paper's statements."""
     input:
         rules.evaluate_claims.output,

@@ -2,30 +2,31 @@
 
 
 rule apply_classical_models:
+    """Apply classical models of smooth and rough adhesion to the published forces: classical.nc."""
     input:
         inference=rules.infer.output[0],
-        table1="resources/paper/table1.csv",
-        pull_off="resources/paper/pull_off.csv",
-        parameters="resources/paper/parameters.csv",
-        code=code("apply_classical_models.py"),
+        published_table1=PUBLISHED["published_table1"],
+        published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("apply_classical_models.py"),
     output:
-        f"{RESULTS}/classical.nc",
+        PATTERNS.dataset("classical"),
+    log:
+        PATTERNS.log("apply_classical_models"),
+    benchmark:
+        PATTERNS.benchmark("apply_classical_models")
     params:
         canonical=canonical(
             {
                 "seed": STUDY["seed"],
-                "draws": STUDY["inference"]["bootstrap_samples"],
-                "confidence": STUDY["inference"]["confidence"],
+                **{key: STUDY["inference"][key] for key in ("bootstrap_samples", "confidence")},
             }
         ),
-    log:
-        f"{RESULTS}/logs/apply_classical_models.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/apply_classical_models.tsv"
     script:
         "../scripts/apply_classical_models.py"
 
 
 rule classical:
+    """Make the classical models beside the study's own."""
     input:
         rules.apply_classical_models.output,

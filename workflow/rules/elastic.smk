@@ -1,24 +1,21 @@
 # Elastic contact: pressure at the preload, and pull-off beside that of rigid bodies.
 
-from itertools import cycle
-
-
-# One scan of the sphere for each scan of a substrate, in turn.
-BESIDE = [
-    (surface, scan, sphere_scan)
-    for surface in SUBSTRATES
-    for scan, sphere_scan in zip(scans_of(surface), cycle(scans_of(SPHERE)))
-]
-
 
 rule solve_elastic_contact:
+    """Solve elastic contact, without and with adhesion, of a sample of contacts of one scan."""
     input:
-        substrate=f"{STORE}/stitched/{{surface}}/scan-{{scan}}-flat.nc",
-        sphere=f"{STORE}/stitched/{SPHERE}/scan-{{sphere_scan}}-sphere-{{radius}}.nc",
-        published="resources/paper/parameters.csv",
-        code=code("solve_elastic_contact.py"),
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("solve_elastic_contact.py"),
     output:
-        f"{STORE}/elastic/{PAIR}.nc",
+        PATTERNS.elastic,
+    log:
+        PATTERNS.log("solve_elastic_contact", PATTERNS.elastic),
+    benchmark:
+        PATTERNS.benchmark("solve_elastic_contact", PATTERNS.elastic)
+    resources:
+        mem_mb=1500,
     params:
         canonical=lambda w: canonical(
             {
@@ -30,34 +27,34 @@ rule solve_elastic_contact:
                 "seed": STUDY["seed"],
             }
         ),
-    log:
-        f"{STORE}/logs/solve_elastic_contact/{PAIR}.log",
-    benchmark:
-        f"{STORE}/benchmarks/solve_elastic_contact/{PAIR}.tsv"
-    resources:
-        mem_mb=1500,
     script:
         "../scripts/solve_elastic_contact.py"
 
 
 rule aggregate_elastic:
+    """Gather elastic contact of all scans: elastic.nc."""
     input:
-        scans=[pair_file("elastic", *pair) for pair in BESIDE],
-        code=code("aggregate_elastic.py"),
+        scans=FILES.of_pairs(PATTERNS.elastic, FILES.pairs_in_turn),
+        code=code_inputs("aggregate_elastic.py"),
     output:
-        f"{RESULTS}/elastic.nc",
+        PATTERNS.dataset("elastic"),
+    log:
+        PATTERNS.log("aggregate_elastic"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_elastic")
     params:
         canonical=canonical(
-            {"scans": [pair[:2] for pair in BESIDE], "labels": LABELS, "basis": BASIS}
+            {
+                "scans": FILES.substrate_scans,
+                "labels": SELECTION.labels,
+                "basis": SELECTION.basis,
+            }
         ),
-    log:
-        f"{RESULTS}/logs/aggregate_elastic.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/aggregate_elastic.tsv"
     script:
         "../scripts/aggregate_elastic.py"
 
 
 rule elastic:
+    """Make elastic contact beside rigid and plastic contact."""
     input:
         rules.aggregate_elastic.output,

@@ -1,29 +1,27 @@
-# Inference: range and work of adhesion, log-normal statistics, the critical band.
+# Inference: range and work of adhesion, log-normal statistics.
 
 
 rule infer:
+    """Infer range and work of adhesion from computed and published forces: inference.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
-        scales=rules.aggregate_scales.output[0],
-        pull_off="resources/paper/pull_off.csv",
-        published="resources/paper/parameters.csv",
-        code=code("infer.py"),
+        published_pull_off=PUBLISHED["published_pull_off"],
+        code=code_inputs("infer.py"),
     output:
-        f"{RESULTS}/inference.nc",
+        PATTERNS.dataset("inference"),
+    log:
+        PATTERNS.log("infer"),
+    benchmark:
+        PATTERNS.benchmark("infer")
+    resources:
+        mem_mb=2000,
     params:
         canonical=canonical(
             {
                 **STUDY["inference"],
-                "tolerance": STUDY["scales"]["tolerance"],
                 "reference_surface": STUDY["reference_surface"],
                 "seed": STUDY["seed"],
             }
         ),
-    log:
-        f"{RESULTS}/logs/infer.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/infer.tsv"
-    resources:
-        mem_mb=2000,
     script:
         "../scripts/infer.py"

@@ -2,25 +2,26 @@
 
 
 rule keep_configuration:
+    """Keep the configuration and the table of surfaces with the results."""
     input:
         surfaces=STUDY["surfaces"],
-        code=code("keep_configuration.py"),
+        code=code_inputs("keep_configuration.py"),
     output:
-        configuration=f"{RESULTS}/configuration.yaml",
-        surfaces=f"{RESULTS}/surfaces.tsv",
-        record=f"{RESULTS}/provenance/configuration.json",
+        configuration=PATTERNS.result("configuration.yaml"),
+        surfaces=PATTERNS.result("surfaces.tsv"),
+        record=PATTERNS.record("configuration"),
+    log:
+        PATTERNS.log("keep_configuration"),
+    benchmark:
+        PATTERNS.benchmark("keep_configuration")
     params:
         canonical=canonical(config),
-    log:
-        f"{RESULTS}/logs/keep_configuration.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/keep_configuration.tsv"
     script:
         "../scripts/keep_configuration.py"
 
 
 rule describe_crate:
-    # inputs, outputs, software, authors, licence and paper, for an archive
+    """Describe inputs, outputs, software, authors, licence and paper for an archive."""
     input:
         rules.topography.input,
         rules.adhesion.input,
@@ -36,30 +37,31 @@ rule describe_crate:
         rules.keep_configuration.output,
         citation="CITATION.cff",
         environment="environment.txt",
-        code=code("describe_crate.py"),
+        code=code_inputs("describe_crate.py"),
     output:
-        f"{RESULTS}/ro-crate-metadata.json",
+        PATTERNS.result("ro-crate-metadata.json"),
+    log:
+        PATTERNS.log("describe_crate"),
+    benchmark:
+        PATTERNS.benchmark("describe_crate")
     params:
         canonical=canonical({"study": STUDY["study"]}),
-    log:
-        f"{RESULTS}/logs/describe_crate.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/describe_crate.tsv"
     script:
         "../scripts/describe_crate.py"
 
 
 rule crate:
+    """Make the study and its description for an archive."""
     input:
         rules.describe_crate.output,
 
 
 rule verify:
-    # writes nothing: whether the files of the study match what they were made from
-    params:
-        canonical=canonical({"results": RESULTS}),
+    """Check whether the files of the study match what they were made from; write nothing."""
     log:
-        f"{RESULTS}/logs/verify.log",
+        PATTERNS.log("verify"),
     retries: 0
+    params:
+        canonical=canonical({"results": PATTERNS.results}),
     script:
         "../scripts/verify.py"

@@ -1,36 +1,37 @@
-# Report: the pages that are no figures. `snakemake --report` gathers them with the figures.
+# Report: its pages of text. `snakemake --report` gathers them with the figures.
 
-
-def page(name, chapter, title):
-    return report(
-        f"{RESULTS}/report/{name}.html",
-        caption=f"../report/{name}.rst",
-        category=chapter,
-        labels={"page": title},
-    )
+from hardcontact.study.pages import CHAPTERS, PAGES
 
 
 rule describe_study:
+    """Write the pages of the report: verdicts, chapters, parameters."""
     input:
-        claims=f"{RESULTS}/claims.csv",
-        readme="README.md",
+        **{chapter: f"workflow/report/{chapter}.md" for chapter in CHAPTERS},
+        claims=PATTERNS.result("claims.csv"),
         environment="environment.txt",
-        code=code("describe_study.py"),
+        code=code_inputs("describe_study.py"),
     output:
-        claims=page("claims", "8. Verdicts", "verdicts on the paper's statements"),
-        departures=page("departures", "9. Departures, parameters", "where the study departs from the paper"),
-        parameters=page("parameters", "9. Departures, parameters", "parameters and versions"),
-        record=f"{RESULTS}/provenance/pages.json",
+        **{
+            page: report(
+                PATTERNS.page(page),
+                caption=f"../report/{page}.rst",
+                category=category,
+                labels={"page": title},
+            )
+            for page, (category, title) in PAGES.items()
+        },
+        record=PATTERNS.record("pages"),
+    log:
+        PATTERNS.log("describe_study"),
+    benchmark:
+        PATTERNS.benchmark("describe_study")
     params:
         canonical=canonical(config),
-    log:
-        f"{RESULTS}/logs/describe_study.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/describe_study.tsv"
     script:
         "../scripts/describe_study.py"
 
 
 rule pages:
+    """Write the pages of the report."""
     input:
         rules.describe_study.output,

@@ -1,75 +1,76 @@
-# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface.
-
-
-def scan_of_realization(w):
-    """Realization k builds on scan k, beginning again when the scans are used up."""
-    scans = scans_of(w.surface)
-    return stitched(w.surface, scans[(int(w.realization) - 1) % len(scans)])
-
-
-def master_parameters(side, *keys):
-    settings = {key: STUDY["scales"][side][key] for key in keys}
-    return lambda w: canonical(
-        {
-            "surface": w.surface,
-            "realization": int(w.realization),
-            "seed": STUDY["seed"],
-            **settings,
-        }
-    )
+# Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the critical band.
 
 
 rule synthesize_small_scale_master:
+    """Continue the roughness of a scan below its pixels."""
     input:
-        scan=scan_of_realization,
-        spectrum=lambda w: spectrum_of(w.surface),
-        code=code("synthesize_small_scale_master.py"),
+        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        code=code_inputs("synthesize_small_scale_master.py"),
     output:
-        f"{STORE}/masters/{{surface}}/realization-{{realization}}/small.nc",
-    params:
-        canonical=master_parameters("small", "pixels", "transition"),
+        PATTERNS.small_master,
     log:
-        f"{STORE}/logs/synthesize_small_scale_master/{{surface}}-{{realization}}.log",
+        PATTERNS.log("synthesize_small_scale_master", PATTERNS.small_master),
     benchmark:
-        f"{STORE}/benchmarks/synthesize_small_scale_master/{{surface}}-{{realization}}.tsv"
+        PATTERNS.benchmark("synthesize_small_scale_master", PATTERNS.small_master)
     resources:
         mem_mb=3000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "realization": int(w.realization),
+                "seed": STUDY["seed"],
+                "pixels": STUDY["scales"]["small"]["pixels"],
+                "transition": STUDY["scales"]["small"]["transition"],
+            }
+        ),
     script:
         "../scripts/synthesize_small_scale_master.py"
 
 
 rule synthesize_large_scale_master:
+    """Continue the roughness of a scan beyond its size."""
     input:
-        scan=scan_of_realization,
-        spectrum=lambda w: spectrum_of(w.surface),
-        code=code("synthesize_large_scale_master.py"),
+        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        code=code_inputs("synthesize_large_scale_master.py"),
     output:
-        f"{STORE}/masters/{{surface}}/realization-{{realization}}/large.nc",
-    params:
-        canonical=master_parameters("large", "tiles", "transition"),
+        PATTERNS.large_master,
     log:
-        f"{STORE}/logs/synthesize_large_scale_master/{{surface}}-{{realization}}.log",
+        PATTERNS.log("synthesize_large_scale_master", PATTERNS.large_master),
     benchmark:
-        f"{STORE}/benchmarks/synthesize_large_scale_master/{{surface}}-{{realization}}.tsv"
+        PATTERNS.benchmark("synthesize_large_scale_master", PATTERNS.large_master)
     resources:
         mem_mb=2000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "realization": int(w.realization),
+                "seed": STUDY["seed"],
+                "tiles": STUDY["scales"]["large"]["tiles"],
+                "transition": STUDY["scales"]["large"]["transition"],
+            }
+        ),
     script:
         "../scripts/synthesize_large_scale_master.py"
 
 
-FILTERED = "{radius}/{load}/{range}/{surface}/realization-{realization}/{side}/cutoff-{cutoff}"
-
-
 rule compute_filtered_pull_off:
-    # one cutoff of one master; cutoff none is the unfiltered surface
+    """Compute the forces of one master without the scales beyond one cutoff, or with all scales."""
     input:
-        master=f"{STORE}/masters/{{surface}}/realization-{{realization}}/{{side}}.nc",
-        sphere=(
-            stitched(SPHERE, scans_of(SPHERE)[0]) if STUDY["scales"]["sphere_roughness"] else []
-        ),
-        code=code("compute_filtered_pull_off.py"),
+        master=PATTERNS.master,
+        sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
+        code=code_inputs("compute_filtered_pull_off.py"),
     output:
-        f"{STORE}/scales/{FILTERED}.nc",
+        PATTERNS.filtered_pull_off,
+    log:
+        PATTERNS.log("compute_filtered_pull_off", PATTERNS.filtered_pull_off),
+    benchmark:
+        PATTERNS.benchmark("compute_filtered_pull_off", PATTERNS.filtered_pull_off)
+    resources:
+        mem_mb=3000,
     params:
         canonical=lambda w: canonical(
             {
@@ -81,60 +82,61 @@ rule compute_filtered_pull_off:
                 "cutoff": None if w.cutoff == "none" else float(w.cutoff.removesuffix("nm")),
             }
         ),
-    log:
-        f"{STORE}/logs/compute_filtered_pull_off/{FILTERED}.log",
-    benchmark:
-        f"{STORE}/benchmarks/compute_filtered_pull_off/{FILTERED}.tsv"
-    resources:
-        mem_mb=3000,
     script:
         "../scripts/compute_filtered_pull_off.py"
 
 
-FILTERS = [
-    (surface, realization, side, cutoff)
-    for surface in SUBSTRATES
-    for realization in REALIZATIONS
-    for side in ("small", "large")
-    for cutoff in ["none"] + cutoff_tokens(side)
-]
-
-
 rule aggregate_scales:
+    """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        filtered=[
-            rules.compute_filtered_pull_off.output[0].format(
-                radius=RADIUS,
-                load=LOAD,
-                range=RANGE,
-                surface=surface,
-                realization=realization,
-                side=side,
-                cutoff=cutoff,
-            )
-            for surface, realization, side, cutoff in FILTERS
-        ],
-        code=code("aggregate_scales.py"),
+        filtered=FILES.filtered_pull_offs,
+        code=code_inputs("aggregate_scales.py"),
     output:
-        f"{RESULTS}/scales.nc",
+        PATTERNS.dataset("scales"),
+    log:
+        PATTERNS.log("aggregate_scales"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_scales")
     params:
         canonical=canonical(
             {
-                "filters": FILTERS,
-                "labels": LABELS,
-                "basis": BASIS,
+                "filters": FILES.filters,
+                "labels": SELECTION.labels,
+                "basis": SELECTION.basis,
                 "rho": STUDY["scales"]["range"],
                 "sphere_radius": STUDY["sphere"]["radius"],
             }
         ),
-    log:
-        f"{RESULTS}/logs/aggregate_scales.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/aggregate_scales.tsv"
     script:
         "../scripts/aggregate_scales.py"
 
 
+rule find_critical_band:
+    """Find the wavelengths whose removal changes the force: band.nc."""
+    input:
+        scales=rules.aggregate_scales.output[0],
+        code=code_inputs("find_critical_band.py"),
+    output:
+        PATTERNS.dataset("band"),
+    log:
+        PATTERNS.log("find_critical_band"),
+    benchmark:
+        PATTERNS.benchmark("find_critical_band")
+    params:
+        canonical=canonical(
+            {
+                "tolerance": STUDY["scales"]["tolerance"],
+                "bootstrap_samples": STUDY["inference"]["bootstrap_samples"],
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/find_critical_band.py"
+
+
 rule scales:
+    """Make the forces of filtered surfaces and the critical band."""
     input:
         rules.aggregate_scales.output,
+        rules.find_critical_band.output,

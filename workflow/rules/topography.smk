@@ -2,56 +2,52 @@
 
 
 rule measure_topography:
+    """Measure rms metrics and power spectra of one levelled scan."""
     input:
-        scan=f"{STORE}/scans/{{surface}}/scan-{{scan}}-{{shape}}.nc",
-        code=code("measure_topography.py"),
+        scan=PATTERNS.levelled,
+        code=code_inputs("measure_topography.py"),
     output:
-        f"{STORE}/topography/{{surface}}/scan-{{scan}}-{{shape}}.nc",
+        PATTERNS.topography,
+    log:
+        PATTERNS.log("measure_topography", PATTERNS.topography),
+    benchmark:
+        PATTERNS.benchmark("measure_topography", PATTERNS.topography)
     params:
         canonical=canonical({}),
-    log:
-        f"{STORE}/logs/measure_topography/{{surface}}-{{scan}}-{{shape}}.log",
-    benchmark:
-        f"{STORE}/benchmarks/measure_topography/{{surface}}-{{scan}}-{{shape}}.tsv"
     script:
         "../scripts/measure_topography.py"
 
 
 rule aggregate_topography:
+    """Gather the topography of all scans, with averages: topography.nc."""
     input:
-        scans=[
-            f"{STORE}/topography/{surface}/scan-{scan}-{shape_of(surface)}.nc"
-            for surface in SURFACES
-            for scan in scans_of(surface)
-        ],
-        spectra=[spectrum_of(surface) for surface in SURFACES],
-        examples=[levelled(surface, scans_of(surface)[0]) for surface in SURFACES],
-        sphere=scan_file(SPHERE, scans_of(SPHERE)[0]),
-        code=code("aggregate_topography.py"),
+        scans=FILES.topographies,
+        spectra=FILES.spectra,
+        examples=FILES.first_scans,
+        code=code_inputs("aggregate_topography.py"),
     output:
-        f"{RESULTS}/topography.nc",
+        PATTERNS.dataset("topography"),
+    log:
+        PATTERNS.log("aggregate_topography"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_topography")
     params:
         canonical=canonical(
             {
-                "scans": [[surface, scan] for surface in SURFACES for scan in scans_of(surface)],
-                "labels": LABELS,
-                "basis": BASIS,
+                "scans": FILES.scans,
+                "labels": SELECTION.labels,
+                "basis": SELECTION.basis,
                 "sphere_surface": SPHERE,
-                "sphere_dataset": row_of(SPHERE, scans_of(SPHERE)[0]).dataset,
-                "undefined_pixels": undefined_pixels_of(SPHERE),
                 "table1": STUDY["topography"],
                 "reference_surface": STUDY["reference_surface"],
                 "confidence": STUDY["inference"]["confidence"],
             }
         ),
-    log:
-        f"{RESULTS}/logs/aggregate_topography.log",
-    benchmark:
-        f"{RESULTS}/benchmarks/aggregate_topography.tsv"
     script:
         "../scripts/aggregate_topography.py"
 
 
 rule topography:
+    """Make the topography of all surfaces."""
     input:
         rules.aggregate_topography.output,

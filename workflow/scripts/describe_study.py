@@ -1,30 +1,20 @@
 """Pages of the report that are no figures."""
 
-import json
-import re
-from importlib.metadata import version
 from pathlib import Path
 
-from hardcontact import dataset, log, pages
+from hardcontact.claims.report_pages import pages
+from hardcontact.claims.verdicts import read_verdicts
+from hardcontact.records.origin import pinned_versions
+from hardcontact.study.job import job
 
-log.start(snakemake.log[0])
-pinned = re.findall(r"^([\w.-]+)==", Path(snakemake.input.environment).read_text(), re.M)
-for output, page in (
-    ("claims", pages.claims_page(pages.read_claims(snakemake.input.claims))),
-    ("departures", pages.departures_page(Path(snakemake.input.readme).read_text())),
-    (
-        "parameters",
-        pages.parameters_page(
-            json.loads(snakemake.params.canonical), {name: version(name) for name in pinned}
-        ),
-    ),
-):
-    with dataset.atomic_path(snakemake.output[output]) as path:
-        Path(path).write_text(page)
-dataset.record(
-    snakemake.output.record,
-    [snakemake.output[name] for name in ("claims", "departures", "parameters")],
-    parameters=snakemake.params.canonical,
-    inputs=snakemake.input,
-    code=snakemake.input.code,
-)
+with job(snakemake) as this:
+    chapters = [Path(path) for path in this.input if path.endswith(".md")]
+    made = pages(
+        read_verdicts(this.input.claims),
+        {path.stem: path.read_text("utf-8") for path in chapters},
+        this.parameters,
+        pinned_versions(this.input.environment),
+    )
+    for name, page in made.items():
+        this.write_text(page, name)
+    this.record(*made)

@@ -1,19 +1,16 @@
 """Each quantitative statement of the paper beside what was computed, with its verdict."""
 
-from hardcontact import claims, dataset, log
+from hardcontact import published
+from hardcontact.claims.evaluation import DATASETS, evaluate, read_statements
+from hardcontact.records.dataset import read
+from hardcontact.study.job import job
 
-log.start(snakemake.log[0])
-names = (
-    "topography", "adhesion", "scales", "inference", "elastic", "indent", "asperities", "classical",
-)  # fmt: skip
-datasets = {name: dataset.read(snakemake.input[name]) for name in names}
-evaluated = claims.evaluate(claims.read_claims(snakemake.input.claims), datasets)
-with dataset.atomic_path(snakemake.output.claims) as path:
-    evaluated.to_csv(path, index=False, float_format="%.6g")
-dataset.record(
-    snakemake.output.record,
-    [snakemake.output.claims],
-    parameters=snakemake.params.canonical,
-    inputs=snakemake.input,
-    code=snakemake.input.code,
-)
+with job(snakemake) as this:
+    evaluated = evaluate(
+        read_statements(this.input.claims),
+        {name: read(this.input[name]) for name in DATASETS},
+        published.constants(this.input.published_constants),
+        this.parameters["confidence"],
+    )
+    this.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
+    this.record("claims")

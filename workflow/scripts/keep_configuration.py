@@ -1,23 +1,10 @@
 """The configuration of a study and its table of surfaces, kept with the results."""
 
-import json
-import shutil
-from pathlib import Path
-
 import yaml
 
-from hardcontact import dataset, log
+from hardcontact.study.job import job
 
-log.start(snakemake.log[0])
-configuration = json.loads(snakemake.params.canonical)
-with dataset.atomic_path(snakemake.output.configuration) as path:
-    Path(path).write_text(yaml.safe_dump(configuration, allow_unicode=True))
-with dataset.atomic_path(snakemake.output.surfaces) as path:
-    shutil.copyfile(snakemake.input.surfaces, path)
-dataset.record(
-    snakemake.output.record,
-    [snakemake.output.configuration, snakemake.output.surfaces],
-    parameters=snakemake.params.canonical,
-    inputs=snakemake.input,
-    code=snakemake.input.code,
-)
+with job(snakemake) as this:
+    this.write_text(yaml.safe_dump(this.parameters, allow_unicode=True), "configuration")
+    this.copy(this.input.surfaces, "surfaces")
+    this.record("configuration", "surfaces")

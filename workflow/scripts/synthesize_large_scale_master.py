@@ -1,29 +1,20 @@
 """A scan with artificial roughness at large scales: the master that Fig. 6 filters."""
 
-import json
+from hardcontact.random import generator
+from hardcontact.study.job import job
+from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.synthesis import large_scale_master
 
-from hardcontact import dataset, log, synthesis
-
-log.start(snakemake.log[0])
-parameters = json.loads(snakemake.params.canonical)
-
-scan, description = dataset.read(snakemake.input.scan), dataset.read(snakemake.input.spectrum)
-heights, pixel_size = synthesis.large_scale_master(
-    synthesis.generator(
-        parameters["seed"], parameters["surface"], parameters["realization"], "large-scale master"
-    ),
-    scan.heights.values,
-    dataset.pixel_size(scan),
-    parameters["tiles"],
-    parameters["transition"],
-    (description.wavevector.values, description.spectrum.values),
-)
-
-dataset.write(
-    dataset.height_map(heights, pixel_size, periodic=True, basis=scan.attrs["basis"]),
-    snakemake.output[0],
-    title=f"large-scale master: realization {parameters['realization']} of {parameters['surface']}",
-    parameters=snakemake.params.canonical,
-    inputs=snakemake.input,
-    code=snakemake.input.code,
-)
+with job(snakemake) as this:
+    surface, realization = this.parameters["surface"], this.parameters["realization"]
+    master = large_scale_master(
+        generator(this.parameters["seed"], surface, realization, "large-scale master"),
+        read_height_map(this.input.scan),
+        this.parameters["tiles"],
+        this.parameters["transition"],
+        read_spectrum(this.input.spectrum),
+    )
+    this.write_arrays(
+        master.arrays(), title=f"large-scale master: realization {realization} of {surface}"
+    )

@@ -1,69 +1,24 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
-import json
+from hardcontact import published
+from hardcontact.adhesion.traced_contact import traced_contact
+from hardcontact.contact.geometry import read_bodies
+from hardcontact.study.job import job
 
-import numpy as np
-import pandas as pd
-import xarray as xr
+NAMED = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 
-from hardcontact import adhesion, contact, dataset, log, sphere
-
-log.start(snakemake.log[0])
-parameters = json.loads(snakemake.params.canonical)
-settings, radius = parameters["contacts"], parameters["radius"]
-published = pd.read_csv(snakemake.input.published).set_index("quantity").value
-rho, work = published["range_of_adhesion"], published["work_of_adhesion"]
-
-substrate, roughness, positions, pixel_size, window, _ = sphere.pair(
-    dataset.read(snakemake.input.substrate),
-    dataset.read(snakemake.input.sphere),
-    settings["window"],
-    settings["count"],
-)
-touching = contact.contact_pixel_count(settings["preload"], settings["hardness"], pixel_size)
-position = positions[parameters["contact"]]
-gap = contact.gap_map(substrate, position, pixel_size, radius, window, roughness)
-approach = np.partition(gap.ravel(), touching - 1)[touching - 1]
-gap -= approach
-attraction = np.exp(-np.maximum(gap, 0) / rho)
-pull_off = adhesion.pull_off_force(attraction.sum(), rho, pixel_size, work)
-separation = np.linspace(0, 10 * rho, 201)
-
-offset = (np.arange(window) - window // 2) * pixel_size
-axis = {"units": "nm", "long_name": "position from the apex"}
-dataset.write(
-    xr.Dataset(
-        {
-            "gap": (
-                ("y", "x"),
-                gap.astype(np.float32),
-                {"units": "nm", "long_name": "gap before flattening"},
-            ),
-            "adhesive_pressure": (
-                ("y", "x"),
-                (work / (rho * 1e-9) * attraction).astype(np.float32),
-                {"units": "Pa"},
-            ),
-            "force": (
-                "separation",
-                adhesion.force_separation(pull_off, rho, separation),
-                {"units": "N"},
-            ),
-        },
-        {
-            "y": ("y", offset, axis),
-            "x": ("x", offset, axis),
-            "separation": ("separation", separation, {"units": "nm"}),
-        },
-        {
-            key: parameters[key]
-            for key in ("surface", "scan", "sphere_scan", "contact", "label", "basis")
-        }
-        | {"rho": rho, "work_of_adhesion": work, "pull_off_force": float(pull_off)},
-    ),
-    snakemake.output[0],
-    title=f"contact {parameters['contact']} on {parameters['label']}",
-    parameters=snakemake.params.canonical,
-    inputs=snakemake.input,
-    code=snakemake.input.code,
-)
+with job(snakemake) as this:
+    given, constants = this.parameters, published.constants(this.input.published_constants).value
+    pair = read_bodies(this.input.substrate, this.input.sphere, given["radius"], given["contacts"])
+    traced = traced_contact(
+        pair,
+        given["contact"],
+        given["contacts"],
+        constants["range_of_adhesion"],
+        constants["work_of_adhesion"],
+    )
+    named = {name: given[name] for name in NAMED}
+    this.write_arrays(
+        traced._replace(attributes=named | traced.attributes),
+        title=f"contact {given['contact']} on {given['label']}",
+    )

@@ -1,57 +1,14 @@
 """Mean plastic pull-off of one pair of scans, at several loads on the contact."""
 
-import json
+from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+from hardcontact.contact.geometry import ContactArray, read_bodies
+from hardcontact.study.job import job
 
-import numpy as np
-import xarray as xr
-
-from hardcontact import adhesion, contact, dataset, log, sphere
-
-log.start(snakemake.log[0])
-parameters = json.loads(snakemake.params.canonical)
-rhos, radius = np.array(parameters["ranges"]), parameters["radius"]
-
-
-pair = sphere.pair(
-    dataset.read(snakemake.input.substrate),
-    dataset.read(snakemake.input.sphere),
-    parameters["window"],
-    parameters["count"],
-)
-geometry = pair.pixel_size, radius, pair.window
-counts = [
-    contact.contact_pixel_count(preload, hardness, pair.pixel_size)
-    for preload, hardness in parameters["loads"]
-]
-contacts = contact.all_lowest_gaps(
-    pair.substrate, pair.positions, *geometry, max(counts), pair.roughness
-)
-outside = adhesion.rough_sphere_sums(
-    pair.substrate, pair.roughness, pair.positions, contacts, *geometry, rhos
-)
-totals = [
-    [
-        np.mean(
-            [
-                adhesion.rough_total(outside[k, i, j], gaps, count, rho)
-                for (i, j), (gaps, _) in contacts.items()
-            ]
-        )
-        for k, rho in enumerate(rhos)
-    ]
-    for count in counts
-]
-forces = adhesion.pull_off_force(np.array(totals), rhos, pair.pixel_size, 1.0)
-
-dataset.write(
-    xr.Dataset(
-        {"pull_off_force": (("load", "rho"), forces, {"units": "N"})},
-        {"rho": ("rho", rhos, {"units": "nm", "long_name": "range of adhesion"})},
-        {"work_of_adhesion": 1.0},
-    ),
-    snakemake.output[0],
-    title=f"mean pull-off forces of a pair of scans on {parameters['surface']} at several loads",
-    parameters=snakemake.params.canonical,
-    inputs=snakemake.input,
-    code=snakemake.input.code,
-)
+with job(snakemake) as this:
+    given = this.parameters
+    array = ContactArray(window=given["window"], count=given["count"])
+    pair = read_bodies(this.input.substrate, this.input.sphere, given["radius"], array)
+    this.write_arrays(
+        mean_pull_off_of_pair(pair, given["loads"], given["ranges"]),
+        title=f"mean pull-off forces of a pair of scans on {given['surface']} at several loads",
+    )
