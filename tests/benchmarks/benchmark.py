@@ -12,6 +12,7 @@ import multiprocessing
 import os
 import platform
 import statistics
+import sys
 import time
 from pathlib import Path
 
@@ -24,12 +25,28 @@ from scipy import fft
 from scipy.optimize import minimize_scalar
 from SurfaceTopography import Topography
 
-from hardcontact import adhesion, contact, elastic, fourier, spectrum, sphere, synthesis, topography
+sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the modules of tests/
 
-RADIUS, WINDOW, LOAD, HARDNESS, RHO = 250e3, 12500.0, 10e-6, 25e9, 5.6
+from direct_sum import direct_total
+
+from hardcontact.adhesion.force_sum import plastic_totals
+from hardcontact.adhesion.sphere_sums import rough_sphere_sums
+from hardcontact.contact import elastic_solvers
+from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
+from hardcontact.contact.gap_map import gap_map, part_around_lowest
+from hardcontact.contact.geometry import bodies
+from hardcontact.random import generator
+from hardcontact.surfaces import spectrum, topography
+from hardcontact.surfaces.filters import interpolate, lowpass
+from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.synthesis import random_surface
+
+RADIUS, RHO = 250e3, 5.6
+LOAD = {"preload": 10e-6, "hardness": 25e9}
+CONTACTS = 20
+ARRAY = {"window": 12500.0, "count": CONTACTS}
 MODULUS, WORK = 289.7e9, 46.3e-3
 RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
-CONTACTS = 20
 
 
 def uncd(q):
@@ -38,8 +55,13 @@ def uncd(q):
 
 
 def surface(pixels):
-    rng = synthesis.generator(1, "benchmark", pixels)
-    return synthesis.random_surface(rng, pixels, 5000 / pixels, uncd)
+    return random_surface(generator(1, "benchmark", pixels), pixels, 5000 / pixels, uncd)
+
+
+def under_sphere(substrate, sphere=None):
+    """Substrate and sphere with the study's array of contacts, and how many pixels touch."""
+    pair = bodies(substrate, sphere, RADIUS, ARRAY)
+    return pair, contact_pixel_count(LOAD, pair.geometry.pixel_size)
 
 
 def timed(function, repeats=3):
@@ -59,43 +81,23 @@ def timed_in_turn(*functions, repeats=3):
     return [(statistics.median(one), result) for one, result in zip(seconds, results, strict=True)]
 
 
-def pull_off(heights, threads):
+def pull_off(substrate, threads):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
-    pixels = heights.shape[0]
-    pixel = 5000 / pixels
-    positions = sphere.contact_positions(pixels, CONTACTS)
-    window = sphere.window_pixels(WINDOW, pixel)
-    touching = contact.contact_pixel_count(LOAD, HARDNESS, pixel)
-    contacts = contact.all_lowest_gaps(heights, positions, pixel, RADIUS, window, touching)
-    sums, h_max = adhesion.smooth_sphere_sums(
-        heights, positions, pixel, RADIUS, window, RHO, threads
-    )
-    return np.array(
-        [
-            adhesion.plastic_total(sums[place], h_max, gaps, RHO)
-            for place, (gaps, _) in contacts.items()
-        ]
-    ).reshape(CONTACTS, CONTACTS)
-
-
-def direct(heights, roughness, place, pixel, rho):
-    """The same total by the sum over every pixel pair of the window."""
-    positions = sphere.contact_positions(heights.shape[0], CONTACTS)
-    window = sphere.window_pixels(WINDOW, pixel)
-    touching = contact.contact_pixel_count(LOAD, HARDNESS, pixel)
-    gaps = contact.gap_map(heights, positions[list(place)], pixel, RADIUS, window, roughness)
-    return touching + adhesion.direct_sum(gaps, touching, rho)
+    pair, contact_pixels = under_sphere(substrate)
+    return plastic_totals(pair, [contact_pixels], RHO, threads)[0]
 
 
 def smooth_sphere(threads):
-    heights, flat = surface(8192), np.zeros((1, 1))
+    substrate = surface(8192)
+    heights = substrate.heights
     transform, _ = timed(
         lambda: fft.irfft2(fft.rfft2(heights.astype(float), workers=threads), workers=threads)
     )
-    fast, totals = timed(lambda: pull_off(heights, threads))
+    fast, totals = timed(lambda: pull_off(substrate, threads))
     places = [(0, 0), (7, 13), (19, 4)]
+    pair, contact_pixels = under_sphere(substrate)
     slow, expected = timed(
-        lambda: [direct(heights, flat, place, 5000 / 8192, RHO) for place in places], 1
+        lambda: [direct_total(gap_map(pair, place), contact_pixels, RHO) for place in places], 1
     )
     slow *= CONTACTS**2 / len(places)
     error = max(
@@ -107,32 +109,26 @@ def smooth_sphere(threads):
     yield "largest relative difference to the direct sum", f"{error:.1e}"
 
 
+def stitched(seed, scale):
+    """A mirror-stitched scan of 512² pixels with the spectrum of UNCD times `scale`."""
+    rng = generator(seed, "benchmark pair")
+    random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd(q))
+    scan = substitute_scan(rng, random, 512)
+    return topography.mirror_stitch(topography.level(scan))
+
+
 def rough_sphere():
-    pixel = 2500 / 512
-    maps = []
-    for seed, scale in ((1, 1.0), (2, 4e-4)):
-        rng = synthesis.generator(seed, "benchmark pair")
-        scan = synthesis.substitute_scan(
-            rng, 512, pixel, 1024, lambda q, scale=scale: scale * uncd(q), 0.0, 0.0
-        )
-        maps.append(topography.mirror_stitch(topography.level(scan, pixel)))
-    positions = sphere.contact_positions(1024, CONTACTS)
-    window = sphere.window_pixels(WINDOW, pixel)
-    touching = contact.contact_pixel_count(LOAD, HARDNESS, pixel)
+    pair, contact_pixels = under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
 
     def fast():
-        contacts = contact.all_lowest_gaps(
-            maps[0], positions, pixel, RADIUS, window, touching, maps[1]
-        )
-        return touching + adhesion.rough_sphere_sums(
-            *maps, positions, contacts, pixel, RADIUS, window, RHOS
-        )
+        return contact_pixels + rough_sphere_sums(pair, all_lowest_gaps(pair, contact_pixels), RHOS)
+
+    def direct(place, rho):
+        return direct_total(gap_map(pair, place), contact_pixels, rho)
 
     quick, totals = timed(fast)
     places = [(i, j) for i in range(0, CONTACTS, 5) for j in range(2, CONTACTS, 6)]
-    slow, expected = timed(
-        lambda: [[direct(*maps, place, pixel, rho) for place in places] for rho in RHOS], 1
-    )
+    slow, expected = timed(lambda: [[direct(place, rho) for place in places] for rho in RHOS], 1)
     slow *= CONTACTS**2 / len(places)
     error = max(
         abs(totals[k][place] / value - 1)
@@ -145,16 +141,18 @@ def rough_sphere():
 
 
 def library_at_load(gap, pixel):
-    """What `elastic.contact_at_load` asks the library for, in its units (nm, nN), unchecked."""
+    """What `contact_at_load` asks the library for, in its units (nm, nN), unchecked."""
     size = (gap.shape[0] * pixel,) * 2
     half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
     body = Topography(gap.mean() - gap, size, periodic=True)
     system = NonSmoothContactSystem(half_space, body)
-    return system.minimize_proxy(external_force=LOAD * 1e9, pentol=elastic.OVERLAP / 2)
+    return system.minimize_proxy(
+        external_force=LOAD["preload"] * 1e9, pentol=elastic_solvers.OVERLAP / 2
+    )
 
 
 def library_pull_off(gap, pixel):
-    """What `elastic.adhesive_pull_off` asks the library for, unchecked."""
+    """What `adhesive_pull_off` asks the library for, unchecked."""
     heights, size = gap.min() - gap, (gap.shape[0] * pixel,) * 2
     attraction = WORK / RHO * pixel**2 * np.exp(heights / RHO)
     half_space = PeriodicFFTElasticHalfSpace(gap.shape, MODULUS * 1e-9, size)
@@ -162,7 +160,7 @@ def library_pull_off(gap, pixel):
     system = BoundedSmoothContactSystem(half_space, Exponential(WORK, RHO), body)
     system.disp = half_space.evaluate_disp(attraction)
     stretch = -system.disp.min()
-    options = {"ftol": 0, "gtol": elastic.RESIDUAL * attraction.max(), "maxiter": 5000}
+    options = {"ftol": 0, "gtol": elastic_solvers.RESIDUAL * attraction.max(), "maxiter": 5000}
 
     def force(offset):
         start = np.maximum(system.disp, heights + offset)
@@ -174,21 +172,18 @@ def library_pull_off(gap, pixel):
 
 
 def elastic_contact(pixels=512):
-    pixel = 2500 / 512
-    heights = surface(1024)
-    positions = sphere.contact_positions(1024, CONTACTS)[[3, 5]]
-    window = sphere.window_pixels(WINDOW, pixel)
-    gap = contact.gap_map(heights, positions, pixel, RADIUS, window, np.zeros((1, 1)))
-    gap = contact.around_lowest(gap, pixels)
+    pair, _ = under_sphere(surface(1024))
+    pixel = pair.geometry.pixel_size
+    gap = part_around_lowest(gap_map(pair, (3, 5)), pixels)
     for what, ours, library in (
         (
             "elastic contact at the preload",
-            lambda: elastic.contact_at_load(gap, pixel, MODULUS, LOAD),
+            lambda: elastic_solvers.contact_at_load(gap, pixel, MODULUS, LOAD["preload"]),
             lambda: library_at_load(gap, pixel),
         ),
         (
             "elastic pull-off",
-            lambda: elastic.adhesive_pull_off(gap, pixel, MODULUS, WORK, RHO),
+            lambda: elastic_solvers.adhesive_pull_off(gap, pixel, MODULUS, WORK, RHO),
             lambda: library_pull_off(gap, pixel),
         ),
     ):
@@ -199,10 +194,9 @@ def elastic_contact(pixels=512):
 
 def filtered_job(pixels, threads, answer):
     """What one job of Fig. 6 does at a size, in a process of its own: seconds, peak memory."""
-    heights = surface(pixels)
+    substrate = surface(pixels)
     start = time.perf_counter()
-    band, _ = fourier.lowpass(heights, 5000 / pixels, 43.0)
-    pull_off(fourier.interpolate(band, pixels), threads)
+    pull_off(interpolate(lowpass(substrate, 43.0), pixels), threads)
     seconds = time.perf_counter() - start
     # The high-water mark of this process alone; getrusage would begin at its parent's.
     peak = next(line for line in Path("/proc/self/status").open() if line.startswith("VmHWM"))

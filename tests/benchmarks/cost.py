@@ -25,6 +25,19 @@ MASTERS = ["synthesize_small_scale_master", "synthesize_large_scale_master"]
 FILTERED = ["compute_filtered_pull_off"]
 
 
+def processor(row):
+    """Processor time of a job (s), from the last look that Snakemake took at it.
+
+    It looks twice a second for 15.5 s, then every 30 s; the time after the last look is taken to
+    be as busy as that before.
+    """
+    # Of a job shorter than the first look at it only the wall time is known.
+    if not row.cpu_time > 0:
+        return row.s
+    looked = row.s if row.s < 15.5 else 15.5 + 30 * ((row.s - 15.5) // 30)
+    return row.cpu_time * row.s / looked
+
+
 def jobs(folders):
     """One row a job: rule, seconds of processor, memory in MB."""
     rows = []
@@ -32,9 +45,9 @@ def jobs(folders):
         for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):
             row = pd.read_csv(path, sep="\t").iloc[-1]
             rule = path.relative_to(Path(folder, "benchmarks")).parts[0].removesuffix(".tsv")
-            # Of a job shorter than the first look at it only the wall time is known.
-            seconds = row.cpu_time if pd.notna(row.cpu_time) and row.cpu_time > 0 else row.s
-            rows.append({"rule": rule, "seconds": seconds, "memory": row.max_rss})
+            rows.append(
+                {"rule": rule, "seconds": processor(row), "memory": row.max_rss * 2**20 / 1e6}
+            )
     return pd.DataFrame(rows)
 
 
@@ -72,6 +85,7 @@ def costs(study):
         memory * finer**2,
         other + forces + masters * finer**2,
     )
+    print(f"{len(measured)} jobs, {measured.seconds.sum() / 60:.0f} core minutes")
     print(measured.groupby("rule").agg({"seconds": ["count", "mean", "sum"], "memory": "max"}))
 
 
@@ -79,13 +93,26 @@ def dry_run(realizations):
     """Print how many jobs a dry run of so many realizations finds, and what it takes."""
     with tempfile.NamedTemporaryFile("w", suffix=".yaml") as overlay:
         yaml.safe_dump(
-            {"store": "results/none", "study": "none", "scales": {"realizations": realizations}},
+            {
+                "store": "results/store-none",
+                "study": "none",
+                "scales": {"realizations": realizations},
+            },
             overlay,
         )
         overlay.flush()
         start, before = time.monotonic(), resource.getrusage(resource.RUSAGE_CHILDREN)
         run = subprocess.run(
-            [sys.executable, "-m", "snakemake", "-n", "--quiet", "--configfile", overlay.name],
+            [
+                sys.executable,
+                "-m",
+                "snakemake",
+                "-n",
+                "--quiet",
+                "rules",
+                "--configfile",
+                overlay.name,
+            ],
             capture_output=True,
             text=True,
             check=True,
@@ -95,7 +122,7 @@ def dry_run(realizations):
     processor = used.ru_utime + used.ru_stime - before.ru_utime - before.ru_stime
     print(
         f"dry run of {realizations} realizations: {found} jobs, {processor:.0f} s of processor, "
-        f"{time.monotonic() - start:.0f} s, {used.ru_maxrss / 1e6:.2f} GB at most so far"
+        f"{time.monotonic() - start:.0f} s, {used.ru_maxrss * 1024 / 1e9:.2f} GB at most so far"
     )
 
 

@@ -1,0 +1,94 @@
+"""The datasets of all surfaces: every number in its place, missing ones missing."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from hardcontact.adhesion import all_surfaces
+
+DESCRIBED = {"labels": {"a": "A", "b": "B"}, "basis": {"a": "measured", "b": "substitute"}}
+CONTACTS = ("contact_y", "contact_x")
+
+
+def of_pair(value, pixels):
+    """Forces of one pair, whose contacts lie at positions of its own."""
+    return xr.Dataset(
+        {
+            "pull_off_force": (CONTACTS, np.full((2, 2), value)),
+            "contact_pixels": ("contact_model", [1, pixels], {"units": "1"}),
+        },
+        {axis: (axis, [1.5 * pixels, 2.5 * pixels]) for axis in CONTACTS},
+        {"work_of_adhesion": 1.0},
+    )
+
+
+def test_pull_off_forces_of_pairs():
+    keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
+    pairs = {key: of_pair(float(k), 10 + k) for k, key in enumerate(keys)}
+    changes = {
+        key: xr.Dataset({"window_change": ((), value, {"units": "1"})})
+        for key, value in ((("a", 1), 0.1), (("b", 1), 0.2), (("b", 2), 0.3))
+    }
+    forces = all_surfaces.stacked_pull_off_forces(pairs, changes, DESCRIBED)
+    for k, (surface, scan, sphere_scan) in enumerate(keys):
+        place = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
+        np.testing.assert_array_equal(forces.pull_off_force.sel(place), k)
+    assert np.isnan(forces.pull_off_force.sel(surface="a", scan=2)).all()
+    assert forces.contact_x.values.tolist() == [0, 1]
+    assert forces.contact_pixels.values.tolist() == [1, 13]
+    assert forces.window_change.dims == ("surface", "scan")
+    np.testing.assert_array_equal(forces.window_change, [[0.1, np.nan], [0.2, 0.3]])
+    assert forces.label.values.tolist() == ["A", "B"]
+    assert forces.basis.values.tolist() == ["measured", "substitute"]
+    assert forces.attrs["work_of_adhesion"] == 1.0
+
+
+def test_filtered_forces_and_their_ratio():
+    masters = {}
+    for side in ("small", "large"):
+        for cutoff, force in (("none", 4.0), ("500nm", 3.0), ("43nm", 1.0)):
+            part = of_pair(force, 5)[["pull_off_force"]]
+            part.attrs |= {"shortest_wavelength": 1.2, "longest_wavelength": 5000.0}
+            masters["a", 1, side, cutoff] = part
+    scales = all_surfaces.stacked_filtered_forces(masters, DESCRIBED)
+    assert scales.cutoff_wavelength.values.tolist() == [43.0, 500.0]
+    np.testing.assert_array_equal(scales.ratio.sel(surface="a", side="small"), [[0.25, 0.75]])
+    np.testing.assert_array_equal(scales.unfiltered_pull_off_force, 4.0)
+    ends = scales.unfiltered_wavelength.sel(surface="a")
+    assert float(ends.sel(side="small")) == 1.2 and float(ends.sel(side="large")) == 5000.0
+
+
+def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():
+    scans = {
+        key: xr.Dataset(
+            {
+                "peak_pressure": ("contact", [value]),
+                "pressure": (("y", "x"), np.full((2, 2), value)),
+            },
+            {"contact_y": ("contact", [3]), "y": [0.0, 1.0], "x": [0.0, 1.0]},
+        )
+        for key, value in ((("a", 1), 1.0), (("a", 2), 2.0), (("b", 2), 3.0))
+    }
+    contacts = all_surfaces.stacked_elastic_contacts(scans, DESCRIBED)
+    np.testing.assert_array_equal(
+        contacts.peak_pressure.isel(contact=0), [[1.0, 2.0], [np.nan, 3.0]]
+    )
+    np.testing.assert_array_equal(contacts.pressure.isel(y=0, x=0), [1.0, 3.0])
+    assert "contact_y" in contacts.coords
+
+
+def test_asperities_of_all_scans():
+    scans = {
+        key: xr.Dataset({"patches": (("contact", "rho"), [[value]])}, {"rho": [5.6]})
+        for key, value in ((("a", 1), 1.0), (("b", 1), 2.0))
+    }
+    carriers = all_surfaces.stacked_asperities(scans, DESCRIBED)
+    assert carriers.patches.sel(surface="b", scan=1, rho=5.6).item() == 2.0
+    assert carriers.label.sel(surface="b").item() == "B"
+
+
+def test_a_surface_without_label_is_an_error():
+    with pytest.raises(KeyError):
+        all_surfaces.stacked_asperities(
+            {("c", 1): xr.Dataset({"patches": ("rho", [1.0])})}, DESCRIBED
+        )

@@ -1,0 +1,38 @@
+"""The asperities that carry the force of one contact against ones made by hand."""
+
+import numpy as np
+import pytest
+
+from hardcontact.contact.asperities import asperities
+
+
+@pytest.mark.parametrize("share", [0.5, 0.9])
+def test_a_paraboloid_carries_its_force_in_one_patch_of_known_extent(share):
+    # exp(-r²/2R rho) holds a share 1 - exp(-r²/2R rho) of the force within r.
+    pixel_size, radius, rho = 20.0, 250e3, 2.0
+    offset = (np.arange(600) - 300) * pixel_size
+    attraction = np.exp(-(offset[:, None] ** 2 + offset**2) / (2 * radius * rho))
+    carriers = asperities(attraction, share, pixel_size)
+    within = 2 * np.sqrt(-2 * radius * rho * np.log(1 - share))
+    assert carriers.extent == pytest.approx(within, abs=2 * pixel_size)
+    assert carriers.patches == 1
+    assert carriers.largest_share == carriers.two_largest_share == pytest.approx(share, abs=0.01)
+
+
+def test_two_peaks_share_the_force():
+    attraction = np.full((200, 200), 1e-9)
+    attraction[50:52, 50:52] = 3.0
+    attraction[50, 150] = 2.0
+    attraction[120, 20] = 1.0
+    carriers = asperities(attraction, 0.9, 4.0)
+    assert carriers.patches == 2
+    assert carriers.largest_share == pytest.approx(12 / 15, rel=1e-3)
+    assert carriers.two_largest_share == pytest.approx(14 / 15, rel=1e-3)
+    assert asperities(attraction, 0.99, 4.0).patches == 3
+
+
+def test_a_flat_is_one_patch_of_all_it_needs():
+    carriers = asperities(np.ones((101, 101)), 0.7, 1.0)
+    assert carriers.patches == 1
+    # A circle of 0.7 of the area of the square, which holds it whole.
+    assert carriers.extent == pytest.approx(2 * 101 * np.sqrt(0.7 / np.pi), rel=0.03)

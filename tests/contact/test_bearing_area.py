@@ -1,0 +1,96 @@
+"""Closest approach and contact pixels: against the whole window, and a Gaussian surface."""
+
+import numpy as np
+import pytest
+from periodic_maps import over, periodic_noise
+from scipy.stats import norm
+
+from hardcontact.contact.bearing_area import (
+    all_lowest_gaps,
+    contact_pixel_count,
+    stacked_gaps,
+)
+from hardcontact.contact.gap_map import (
+    flattened_gaps,
+    gap_map,
+    part_around_lowest,
+    plastic_approach,
+)
+
+CASES = [
+    # pixels, pixel size, rms, roughness pixels, window: tiles that fit and tiles that do not
+    (128, 40.0, 20.0, 128, 320),
+    (100, 50.0, 3.0, 100, 250),
+    (96, 50.0, 60.0, 70, 200),
+    (256, 20.0, 10.0, 256, 200),
+]
+
+
+@pytest.mark.parametrize("case", CASES)
+@pytest.mark.parametrize("contact_pixels", [1, 9, 90, 4097, 9000])
+@pytest.mark.parametrize("rough", [False, True])
+def test_lowest_gaps_are_those_of_the_whole_window(case, contact_pixels, rough):
+    pixels, pixel_size, rms, period, window = case
+    roughness = periodic_noise(period, 0.5, 2) if rough else None
+    bodies = over(periodic_noise(pixels, rms, 1), roughness, pixel_size, window, 3)
+    for place, (gaps, offsets) in all_lowest_gaps(bodies, contact_pixels).items():
+        whole = gap_map(bodies, place)
+        np.testing.assert_allclose(gaps, np.sort(whole.ravel())[:contact_pixels], atol=1e-9)
+        np.testing.assert_allclose(whole[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
+        assert len(np.unique(offsets, axis=0)) == contact_pixels
+
+
+def test_stacked_gaps_stand_in_the_order_of_the_array():
+    bodies = over(periodic_noise(128, 20.0, 1), None, 40.0, 320, 3)
+    contacts = all_lowest_gaps(bodies, 5)
+    stacked = stacked_gaps(contacts, bodies.geometry)
+    assert stacked.shape == (3, 3, 5)
+    for place, one in contacts.items():
+        np.testing.assert_array_equal(stacked[place], one.gaps)
+
+
+@pytest.mark.parametrize("share", [0.001, 0.01, 0.1])
+def test_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
+    # Under a flat the approach at which a share p of n pixels touches is the (1 - p) quantile of
+    # the heights; of independent heights its standard error is sigma sqrt(p (1 - p)/n)/phi(z).
+    sigma, pixels = 3.0, 512
+    heights = np.random.default_rng(8).normal(0, sigma, (pixels, pixels))
+    bodies = over(heights, None, 5.0, pixels, 1, radius=1e15)
+    ((gaps, _),) = all_lowest_gaps(bodies, round(share * pixels**2)).values()
+    quantile = norm.isf(share)
+    error = sigma * np.sqrt(share * (1 - share)) / pixels / norm.pdf(quantile)
+    assert -gaps[-1] == pytest.approx(sigma * quantile, abs=4 * error)
+
+
+def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
+    load = {"preload": 10e-6, "hardness": 25e9}
+    assert contact_pixel_count(load, 2500 / 512) == 17  # 16.8 rounded up
+    assert contact_pixel_count(load, 5000 / 8192) == 1074  # 1073.7
+    assert contact_pixel_count(load, 20.0) == 1  # exactly one pixel
+
+
+def test_plastic_contact_has_exactly_the_pixels_that_carry_the_load():
+    bodies = over(periodic_noise(128, 20.0, 6), periodic_noise(128, 0.5, 7), 40.0, 320, 2)
+    gap = gap_map(bodies, (1, 0))
+    approach = plastic_approach(gap, 33)
+    assert np.count_nonzero(gap <= approach) == 33
+    assert approach == pytest.approx(all_lowest_gaps(bodies, 33)[1, 0].gaps[-1], abs=1e-12)
+    flattened = flattened_gaps(gap, 33)
+    assert np.count_nonzero(flattened == 0) == 33
+    np.testing.assert_allclose(flattened[gap > approach], gap[gap > approach] - approach)
+
+
+@pytest.mark.parametrize("pixels", [3, 4, 9])
+def test_part_around_the_lowest_point_ends_at_the_edges(pixels):
+    size, before = 9, pixels // 2
+    for y, x in np.ndindex(size, size):
+        gap = np.arange(1.0, size**2 + 1).reshape(size, size)
+        gap[y, x] = 0.0
+        part = part_around_lowest(gap, pixels)
+        assert part.shape == (pixels, pixels)
+        place = np.unravel_index(part.argmin(), part.shape)
+        for index, at in zip((y, x), place, strict=True):
+            to_the_end = size - index
+            assert at == max(min(before, index), pixels - to_the_end)
+        rows = gap[y - place[0] : y - place[0] + pixels]
+        np.testing.assert_array_equal(part, rows[:, x - place[1] : x - place[1] + pixels])

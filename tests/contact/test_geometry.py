@@ -1,0 +1,100 @@
+"""The sphere and where it touches: positions, common pixels, bodies of two scans, its rough cap."""
+
+import numpy as np
+import pytest
+from periodic_maps import RADIUS, height_map, over
+
+from hardcontact.contact import geometry
+from hardcontact.contact.gap_map import gap_map
+from hardcontact.records import netcdf
+
+ARRAY = {"window": 3000.0, "count": 4}
+
+
+def heights(pixels):
+    return np.random.default_rng(1).standard_normal((pixels, pixels))
+
+
+def test_mirrored_contacts_of_the_array_are_all_different_places():
+    # On a mirrored surface position p and n - 1 - p are alike; the array must not repeat itself.
+    positions = geometry.contact_positions(1024, 20)
+    folded = np.minimum(positions, 1023 - positions)
+    assert len(np.unique(folded)) == 20
+    assert np.diff(np.sort(folded)).min() >= 20
+
+
+def test_bodies_interpolates_the_coarser_map():
+    coarse, fine = 5.0 * heights(50), heights(120)
+    pair = geometry.bodies(height_map(coarse, 30.0), height_map(fine, 10.0), RADIUS, ARRAY)
+    assert pair.substrate.pixels == 150 and pair.roughness.pixels == 120
+    assert pair.geometry.pixel_size == 10.0 and pair.stretch < 1e-12
+    np.testing.assert_allclose(pair.substrate.heights[::3, ::3], coarse, atol=1e-5)
+    # The apex lies in the middle of the sphere's scan, a quarter of its stitched period in.
+    np.testing.assert_array_equal(pair.roughness.heights, np.roll(fine, (-30, -30), axis=(0, 1)))
+    np.testing.assert_array_equal(pair.geometry.positions, geometry.contact_positions(150, 4))
+    assert pair.geometry.window == 300
+
+
+def test_a_period_that_is_no_whole_number_of_pixels_is_stretched_by_half_of_one_at_most():
+    pair = geometry.bodies(
+        height_map(heights(50), 30.0), height_map(heights(100), 11.0), RADIUS, ARRAY
+    )
+    assert pair.substrate.pixels == round(1500 / 11)
+    assert pair.stretch == pytest.approx(abs(136 * 11 / 1500 - 1))
+    assert pair.stretch * 1500 <= 11 / 2
+
+
+def test_a_smooth_sphere_leaves_the_substrate_as_it_is():
+    substrate = height_map(heights(50), 30.0)
+    pair = geometry.bodies(substrate, None, RADIUS, ARRAY)
+    assert pair.substrate is substrate and pair.roughness is None and pair.stretch == 0
+
+
+def test_bodies_of_files_are_those_of_their_maps(tmp_path):
+    maps = height_map(20.0 * heights(50), 40.0), height_map(heights(96), 25.0)
+    paths = [str(tmp_path / name) for name in ("substrate.nc", "sphere.nc")]
+    for surface, path in zip(maps, paths, strict=True):
+        netcdf.write(surface.arrays(), path)
+    pair = geometry.read_bodies(*paths, RADIUS, ARRAY)
+    expected = geometry.bodies(*maps, RADIUS, ARRAY)
+    assert pair.substrate.pixels == 80 and pair.geometry.pixel_size == 25.0
+    for name in ("substrate", "roughness"):
+        np.testing.assert_allclose(
+            getattr(pair, name).heights, getattr(expected, name).heights, atol=1e-4
+        )
+
+
+def test_more_sampled_contacts_keep_the_fewer_and_none_comes_twice():
+    few, more, every = (
+        geometry.sampled_contacts(np.random.default_rng(3), 6, contacts) for contacts in (5, 20, 36)
+    )
+    np.testing.assert_array_equal(few, every[:5])
+    np.testing.assert_array_equal(more, every[:20])
+    assert {tuple(place) for place in every.tolist()} == set(np.ndindex(6, 6))
+    other = geometry.sampled_contacts(np.random.default_rng(4), 6, 36)
+    assert (other != every).any()
+
+
+def test_more_contacts_than_there_are_is_refused():
+    with pytest.raises(ValueError, match=r"^expected at most 36 contacts, found 37$"):
+        geometry.sampled_contacts(np.random.default_rng(0), 6, 37)
+
+
+def test_a_sphere_without_roughness_is_its_paraboloid():
+    pair = over(heights(80), np.zeros((96, 96)), 25.0, 120, 4)
+    cap = geometry.sphere_height(pair, (7, -30), 2)
+    y, x = (np.arange(5)[:, None] + 5) * 25.0, (np.arange(5) - 32) * 25.0
+    np.testing.assert_allclose(cap, (y**2 + x**2) / (2 * RADIUS), rtol=1e-12)
+
+
+def test_the_rough_cap_of_a_smooth_sphere_is_refused():
+    with pytest.raises(ValueError, match="expected a rough sphere"):
+        geometry.sphere_height(over(heights(80), None, 25.0, 120, 4), (0, 0), 2)
+
+
+@pytest.mark.parametrize("centre", [(0, 0), (7, -30), (-41, 44)])
+def test_the_rough_sphere_is_the_gap_to_a_flat(centre):
+    pair = over(np.zeros((80, 80)), heights(96), 25.0, 120, 4)
+    rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
+    cap = geometry.sphere_height(pair, centre, 10)
+    np.testing.assert_allclose(cap, gap_map(pair, (1, 2))[rows, columns], atol=1e-12)

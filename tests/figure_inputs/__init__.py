@@ -1,0 +1,1 @@
+"""Small synthetic datasets and published tables of the form that figures are drawn from."""

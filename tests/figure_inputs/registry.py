@@ -1,0 +1,49 @@
+"""Every input of a figure by its name in the catalogue."""
+
+import importlib
+from types import ModuleType
+
+import pandas as pd
+import xarray as xr
+
+from figure_inputs.adhesion import adhesion, band, inference, robustness, scales
+from figure_inputs.classical import classical
+from figure_inputs.contact import asperities, contact, elastic, indent
+from figure_inputs.published_tables import (
+    published_constants,
+    published_pull_off,
+    published_table1,
+)
+from figure_inputs.surfaces import topography
+from hardcontact.figures.catalogue import FIGURES
+
+#: What makes each input.
+INPUTS = {
+    make.__name__: make
+    for make in (
+        topography,
+        adhesion,
+        contact,
+        inference,
+        band,
+        scales,
+        indent,
+        elastic,
+        asperities,
+        classical,
+        robustness,
+        published_constants,
+        published_pull_off,
+        published_table1,
+    )
+}
+
+
+def module_of(figure: str) -> ModuleType:
+    """Return the module of a figure."""
+    return importlib.import_module(f"hardcontact.figures.{figure}")
+
+
+def inputs_of(figure: str) -> dict[str, xr.Dataset | pd.DataFrame]:
+    """Return new inputs of a figure, by the names of its arguments."""
+    return {name: INPUTS[name]() for name in FIGURES[figure].inputs}

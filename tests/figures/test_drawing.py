@@ -1,0 +1,60 @@
+"""Drawing a figure from its datasets: the same bytes each time, all files or none."""
+
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from figure_inputs.registry import inputs_of, module_of
+from figure_inputs.surfaces import topography
+
+from hardcontact.figures import drawing, fig1
+from hardcontact.figures.catalogue import FIGURES
+from hardcontact.study.patterns import PUBLISHED
+
+ROOT = Path(__file__).parents[2]
+
+
+@pytest.fixture(autouse=True)
+def coarse(monkeypatch):
+    monkeypatch.setattr(drawing, "RESOLUTION", 40)
+
+
+def outputs(folder: Path) -> dict[str, str]:
+    folder.mkdir(exist_ok=True)
+    return {kind: str(folder / f"figure.{kind}") for kind in ("pdf", "png", "csv")}
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_a_figure_is_drawn_from_its_files(name, tmp_path):
+    inputs = {key: str(ROOT / PUBLISHED[key]) for key in FIGURES[name].published}
+    for key in FIGURES[name].datasets:
+        inputs[key] = str(tmp_path / f"{key}.nc")
+        inputs_of(name)[key].to_netcdf(inputs[key])
+    drawing.draw_figure(name, inputs, outputs(tmp_path / "made"))
+    made = contents(tmp_path / "made")
+    assert set(made) == {"figure.pdf", "figure.png", "figure.csv"}
+    assert made["figure.pdf"].startswith(b"%PDF") and made["figure.png"].startswith(b"\x89PNG")
+    assert made["figure.csv"].count(b"\n") > 10
+
+
+@pytest.mark.parametrize("name", ["fig1", "fig4"])
+def test_drawing_twice_gives_the_same_bytes(name, tmp_path):
+    for folder in (tmp_path / "first", tmp_path / "second"):
+        module, inputs = module_of(name), inputs_of(name)
+        drawing.save(module.draw(**inputs), module.table(**inputs), "a figure", outputs(folder))
+    assert contents(tmp_path / "first") == contents(tmp_path / "second")
+
+
+def test_nothing_is_written_when_saving_fails(tmp_path):
+    class Broken(pd.DataFrame):
+        def to_csv(self, path, **_):
+            Path(path).write_text("half")
+            raise OSError("disk full")
+
+    with pytest.raises(ValueError, match="figure.csv: expected a file to be written, found: disk"):
+        drawing.save(fig1.draw(topography()), Broken(), "a figure", outputs(tmp_path))
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,63 @@
+"""Colours and markers, the note on substitutes, labels."""
+
+import numpy as np
+import xarray as xr
+from matplotlib import rcParams
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+
+
+def test_colours_and_markers_follow_the_order_of_any_surfaces():
+    assert style.colours(["x", "ball", "y"], "ball") == {
+        **style.colours(["x", "y"]),
+        "ball": style.SPHERE,
+    }
+    looks = style.looks([str(k) for k in range(8)])
+    markers = {name: look["marker"] for name, look in looks.items()}
+    assert markers["0"] == markers["6"] != markers["1"]
+    assert {name: look["color"] for name, look in looks.items()} == style.colours(looks)
+
+
+def test_only_the_substitutes_are_named():
+    surfaces = xr.Dataset(
+        {
+            "label": ("surface", ["UNCD", "NCD"]),
+            "basis": ("surface", ["measured", "substitute"]),
+        }
+    )
+    figure = Figure()
+    style.mark_basis(figure, surfaces)
+    assert figure.texts[0].get_text().startswith("substitute surfaces: NCD (")
+
+
+def test_style_holds_inside_alone():
+    before = dict(rcParams)
+    with style.print_style():
+        assert rcParams["font.size"] == 8
+    assert dict(rcParams) == before
+
+
+def test_confidence_is_printed_in_percent():
+    assert style.print_share(0.95) == "95 %"
+    assert style.print_share(0.999) == "99.9 %"
+
+
+def test_logarithmic_axes_have_plain_numbers():
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=(0.5, 20))
+    style.label_logarithmic(axes.xaxis, at=(1, 5))
+    ticks = axes.get_xticks()
+    inside = ticks[(ticks >= 0.5) & (ticks <= 20)]
+    assert np.allclose(inside, [0.5, 1, 5, 10])
+    assert axes.xaxis.get_major_formatter()(0.5, None) == "0.5"
+
+
+def test_legend_entries_hold_each_label_once():
+    panels = Figure().subplots(1, 2)
+    for axes in panels:
+        axes.plot([0, 1], label="both")
+    panels[1].plot([1, 0], label="second")
+    entries = style.legend_entries(panels)
+    assert list(entries) == ["both", "second"]
+    assert entries["both"] is panels[0].lines[0]

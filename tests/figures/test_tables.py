@@ -1,0 +1,47 @@
+"""Values with bounds, published values with their uncertainty, labels of surfaces."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from figure_inputs.adhesion import inference
+from figure_inputs.published_tables import published_constants
+
+from hardcontact.figures.tables import (
+    bounded,
+    label_surfaces,
+    published_value,
+    value_and_bounds,
+)
+
+
+def test_bounded_has_value_low_and_high():
+    data = inference()
+    curves = bounded(data, "mean_force")
+    xr.testing.assert_equal(curves["value"], data["mean_force"].rename("value"))
+    assert np.allclose(curves["low"], 0.8 * curves["value"])
+    assert np.allclose(curves["high"], 1.2 * curves["value"])
+    assert "bound" not in curves.coords
+
+
+def test_one_number_with_its_bounds():
+    fit = inference().sel(contact_model="plastic")
+    interval = fit["work_of_adhesion_interval"].values
+    assert value_and_bounds(fit, "work_of_adhesion") == {
+        "value": 0.0447,
+        "low": interval[0],
+        "high": interval[1],
+    }
+
+
+def test_published_values_have_the_ends_of_their_uncertainty():
+    constants = published_constants()
+    work = published_value(constants, "work_of_adhesion")
+    assert np.allclose(list(work.values()), [0.0463, 0.0428, 0.0498])
+    cutoff = published_value(constants, "critical_wavelength_small")
+    assert cutoff["value"] == 43 and np.isnan([cutoff["low"], cutoff["high"]]).all()
+
+
+def test_rows_get_the_label_of_their_surface():
+    rows = pd.DataFrame({"group": ["mcd", "pooled"]})
+    labelled = label_surfaces(rows, inference(), "group")
+    assert list(labelled["label"][:1]) == ["MCD"] and labelled["label"].isna()[1]

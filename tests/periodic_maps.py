@@ -1,0 +1,32 @@
+"""Periodic maps and bodies to bring into contact, in the units of the library."""
+
+import numpy as np
+
+from hardcontact.contact.geometry import Bodies, ContactGeometry, contact_positions
+from hardcontact.surfaces.height_map import HeightMap
+
+RADIUS = 250e3  # nm
+
+
+def periodic_noise(pixels, rms, seed):
+    """Periodic noise with some correlation, (pixels, pixels) in nm."""
+    rng = np.random.default_rng(seed)
+    noise = np.fft.rfft2(rng.standard_normal((pixels, pixels)))
+    order = np.hypot(np.fft.fftfreq(pixels)[:, None], np.fft.rfftfreq(pixels)) * pixels
+    heights = np.fft.irfft2(noise / (1 + (order / 3) ** 2), s=(pixels, pixels))
+    return heights / heights.std() * rms
+
+
+def height_map(heights, pixel_size):
+    """A periodic substitute."""
+    return HeightMap(heights, pixel_size, True, "substitute")
+
+
+def over(heights, roughness, pixel_size, window, contacts, radius=RADIUS):
+    """Bodies of a substrate (n, n), and of a roughness (m, m) or a smooth sphere (None)."""
+    positions = contact_positions(len(heights), contacts)
+    return Bodies(
+        height_map(heights, pixel_size),
+        None if roughness is None else height_map(roughness, pixel_size),
+        ContactGeometry(radius, pixel_size, window, positions),
+    )

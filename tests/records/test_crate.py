@@ -1,0 +1,139 @@
+"""A study described for archives, and redrawn from what an archive keeps."""
+
+import json
+import re
+import shutil
+from pathlib import Path
+
+import pandas as pd
+import pytest
+import yaml
+from refusals import assert_says, refusal
+from repository import ROOT, copy_repository, run_snakemake, snakemake
+from rocrate.rocrate import ROCrate
+from scan_files import cut
+
+from hardcontact.records import crate
+from hardcontact.records.origin import digest, pinned_versions
+
+REDRAW = ("-s", "workflow/redraw.smk", "--forceall", "--config", "study=quick")
+REPORT = ("--report", "results/quick/report.html", "--report-after-run")
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Make a folder of results with a table, a log and a hidden file, and its crate."""
+    folder = tmp_path / "results" / "small"
+    for name in ("claims.csv", "figures/fig1.csv", "logs/a.log", ".lock"):
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(name)
+    text = crate.describe(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
+    (folder / crate.NAME).write_text(text)
+    return folder
+
+
+def test_outputs_are_described_and_logs_are_not(folder):
+    files = [folder / "claims.csv", folder / "figures/fig1.csv"]
+    assert crate.described_files(folder) == {path.as_posix(): digest([path]) for path in files}
+
+
+def test_the_crate_can_be_read_and_names_the_software(folder):
+    read = ROCrate(str(folder))
+    assert read.root_dataset["name"].endswith("study small")
+    required = read.get("#software")["softwareRequirements"]
+    assert [(package["name"], package["version"]) for package in required] == [("numpy", "2.0")]
+
+
+def test_describing_twice_gives_the_same(folder):
+    again = crate.describe(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
+    assert again == (folder / crate.NAME).read_text()
+    json.loads(again)
+
+
+@pytest.mark.parametrize("content", ["", "{", "[]", '{"@graph": [{"@type": "File"}]}'])
+def test_a_damaged_crate_is_refused(folder, content):
+    (folder / crate.NAME).write_text(content)
+    assert_says(
+        refusal(crate.described_files, folder), crate.NAME, "expected a whole RO-Crate, found: "
+    )
+
+
+def test_a_folder_without_a_crate_has_nothing_described(tmp_path):
+    assert crate.described_files(tmp_path) == {}
+
+
+# The quick study
+
+
+@pytest.mark.study
+def test_a_damaged_crate_is_named(finished_copy):
+    cut(finished_copy / "results/quick" / crate.NAME, 0.5)
+    run = run_snakemake(finished_copy, "verify")
+    assert run.returncode == 1
+    expected = f"error: results/quick/{crate.NAME}: expected a whole RO-Crate, found: "
+    assert expected in run.stdout and "Traceback" not in run.stdout
+
+
+@pytest.mark.study
+def test_the_crate_says_what_an_archive_asks(finished, monkeypatch):
+    monkeypatch.chdir(finished)
+    folder = Path("results/quick")
+    read = ROCrate(str(folder))
+    root = read.root_dataset
+    citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
+    assert root["name"].startswith(citation["title"]) and root["license"]["name"] == "MIT"
+    assert root["author"][0]["name"] == citation["authors"][0]["name"]
+    assert root["citation"].id == "https://doi.org/10.1007/s11340-021-00733-6"
+    action = read.get("#study")
+    results = {folder / entity.id: entity["sha256"] for entity in action["result"]}
+    assert {path.suffix for path in results} >= {".nc", ".csv", ".pdf", ".png", ".html", ".yaml"}
+    assert all(digest([path]) == value for path, value in results.items())
+    inputs = {entity["name"]: entity["sha256"] for entity in action["object"]}
+    assert "resources/spectra/uncd.csv" in inputs and "config/surfaces.tsv" in inputs
+    assert all(digest([path]) == value for path, value in inputs.items())
+    required = action["instrument"]["softwareRequirements"]
+    versions = {package["name"]: package["version"] for package in required}
+    assert versions == pinned_versions(ROOT / "environment.txt")
+
+
+@pytest.mark.study
+def test_the_kept_configuration_is_the_study(finished):
+    kept = yaml.safe_load((finished / "results/quick/configuration.yaml").read_text())
+    assert kept["study"] == "quick" and kept["contact"]["hardness"] == "25 GPa"
+    tables = [pd.read_csv(finished / path, sep="\t") for path in
+              ("results/quick/surfaces.tsv", "config/surfaces.tsv")]  # fmt: skip
+    pd.testing.assert_frame_equal(*tables)
+
+
+# Figures without the data
+
+
+@pytest.mark.study
+def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_path):
+    study = copy_repository(tmp_path / "downloaded")
+    results = study / "results/quick"
+    results.mkdir(parents=True)
+    for path in (finished / "results/quick").iterdir():
+        if path.is_file() and path.suffix in (".nc", ".csv", ".yaml"):
+            shutil.copyfile(path, results / path.name)
+    run = snakemake(study, *REDRAW, *REPORT)
+    assert run.returncode == 0, run.stdout[-3000:]
+    jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
+    assert len(jobs) == 11
+    assert jobs == {name for name in jobs if name.startswith("draw_")} | {"describe_study"}
+    assert {path.name for path in (study / "results").iterdir()} == {"quick"}
+    for path in [*(finished / "results/quick/figures").iterdir(),
+                 *(finished / "results/quick/report").iterdir()]:  # fmt: skip
+        redrawn = results / path.relative_to(finished / "results/quick")
+        assert redrawn.read_bytes() == path.read_bytes(), path
+    assert "fig6" in (results / "report.html").read_text()
+
+
+@pytest.mark.study
+def test_redrawing_without_results_says_so(finished, tmp_path):
+    study = copy_repository(tmp_path / "empty")
+    run = snakemake(study, *REDRAW)
+    assert run.returncode == 1 and "Traceback" not in run.stdout
+    assert "results/quick/configuration.yaml: expected the configuration of a finished study" in (
+        run.stdout
+    )

@@ -1,0 +1,192 @@
+"""What a file was made from: traced to its sources, compared with what is at hand."""
+
+import json
+import re
+import shutil
+
+import numpy as np
+import pytest
+from refusals import assert_says, refusal
+from repository import run_snakemake
+
+from hardcontact.records import crate, dataset, netcdf, provenance
+from hardcontact.records.netcdf import Arrays
+from hardcontact.records.origin import Origin, canonical, digest, digests
+
+# A small study of a store, a dataset and a table
+
+
+def write(path, origin, value):
+    arrays = Arrays({"a": (("x",), np.full(3, value), {})}, {}, origin.attributes())
+    netcdf.write(arrays, path)
+
+
+@pytest.fixture
+def study(tmp_path, monkeypatch):
+    """Source -> store.nc -> results/final.nc -> results/table.csv, with its record."""
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "source.txt").write_text("source")
+    (tmp_path / "code.py").write_text("code")
+    (tmp_path / "results/provenance").mkdir(parents=True)
+    write("store.nc", Origin("{}", ["source.txt", "code.py"], ["code.py"]), 1.0)
+    write("results/final.nc", Origin("{}", ["store.nc", "code.py"], ["code.py"]), 2.0)
+    (tmp_path / "results/table.csv").write_text("a\n1\n")
+    origin = Origin("{}", ["results/final.nc"], [])
+    record = origin.attributes() | {"output_digests": digests(["results/table.csv"])}
+    (tmp_path / "results/provenance/table.json").write_text(canonical(record))
+    return tmp_path
+
+
+def test_files_are_traced_to_their_sources(study):
+    assert provenance.folder_records("results").keys() == {"results/final.nc", "results/table.csv"}
+    traced = provenance.traced_records("results")
+    assert traced.keys() == {"results/final.nc", "results/table.csv", "store.nc"}
+    assert provenance.sources(traced) == {
+        "code.py": digest(["code.py"]),
+        "source.txt": digest(["source.txt"]),
+    }
+
+
+def test_a_study_as_it_was_made_has_no_faults(study):
+    result = provenance.check("results", {})
+    assert result == ("results", provenance.traced_records("results").keys(), [], set())
+    assert str(result) == "results: 3 files checked, 0 faults, 0 inputs not at hand"
+
+
+@pytest.mark.parametrize(
+    ("path", "faults"),
+    [
+        ("source.txt", ["store.nc: does not match its input source.txt"]),
+        (
+            "code.py",
+            [
+                "results/final.nc: does not match its input code.py",
+                "store.nc: does not match its input code.py",
+            ],
+        ),
+        ("results/table.csv", ["results/table.csv: is not the file that the study wrote"]),
+    ],
+)
+def test_another_file_is_a_fault_of_what_was_made_from_it(study, path, faults):
+    (study / path).write_text("other")
+    assert provenance.check("results", {}).faults == faults
+
+
+def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):
+    (study / "store.nc").unlink()
+    (study / "results/table.csv").unlink()
+    result = provenance.check("results", {})
+    assert result.absent == {"store.nc"}
+    assert result.faults == ["results/table.csv: expected a file of the study, found none"]
+
+
+def test_the_crate_says_what_a_file_was(study):
+    result = provenance.check("results", {"results/final.nc": "0" * 64})
+    assert result.faults == ["results/final.nc: is not the file that the study wrote"]
+
+
+def test_files_of_a_record_are_required(study):
+    provenance.require(["results/final.nc", "results/provenance/table.json"])
+    (study / "results/table.csv").write_text("a\n2\n")
+    message = refusal(provenance.require, ["results/provenance/table.json"])
+    assert_says(message, "results/table.csv: expected the file that the study wrote, found another")
+
+
+@pytest.mark.parametrize("text", ["", "{", "[]", "{}", '{"output_digests": "[1]"}', "null"])
+def test_a_damaged_record_is_named(study, text):
+    path = study / "results/provenance/table.json"
+    path.write_text(text)
+    assert_says(
+        refusal(provenance.folder_records, "results"), "table.json: expected a whole record, found"
+    )
+
+
+def test_what_is_not_there_cannot_be_verified(tmp_path):
+    with pytest.raises(ValueError, match=f"{tmp_path}: expected files of a study, found none"):
+        provenance.check(tmp_path, crate.described_files(tmp_path))
+
+
+# The quick study
+
+
+def rewritten(path, **attributes):
+    """Write a dataset again with other attributes; all values stay."""
+    dataset.write(dataset.read(path).assign_attrs(attributes), path)
+
+
+@pytest.mark.study
+def test_a_finished_study_has_no_faults(finished):
+    run = run_snakemake(finished, "verify")
+    assert run.returncode == 0, run.stdout
+    checked, faults, absent = map(
+        int, re.search(r"(\d+) files checked, (\d+) faults, (\d+) inputs not", run.stdout).groups()
+    )
+    made = len(list((finished / "results/store-quick").rglob("*.nc")))
+    assert faults == absent == 0 and checked > made  # all of the store, and the results
+
+
+FINAL, STITCHED = "results/quick", "results/store-quick/stitched/ncd/study/scan-2-flat.nc"
+
+
+@pytest.mark.study
+@pytest.mark.parametrize(
+    ("path", "named"),
+    [
+        (
+            f"{FINAL}/adhesion.nc",
+            [
+                f"{FINAL}/adhesion.nc: is not the file that the study wrote",
+                f"{FINAL}/inference.nc: does not match its input {FINAL}/adhesion.nc",
+                f"{FINAL}/claims.csv: does not match",
+                f"{FINAL}/figures/fig3.png: does not match",
+            ],
+        ),
+        (f"{FINAL}/figures/fig6.csv", [f"{FINAL}/figures/fig6.csv: is not the file"]),
+        (
+            STITCHED,
+            [f"{FINAL}/indent.nc: does not match its input {STITCHED}", "/ncd/study/scan-2/"],
+        ),
+        ("resources/paper/table1.csv", ["figures/table1.pdf: does not match its input resources"]),
+        (
+            "workflow/hardcontact/contact/indents.py",
+            ["indent.nc: does not match its input workflow"],
+        ),
+    ],
+)
+def test_a_changed_file_is_named_by_all_that_was_made_from_it(finished_copy, path, named):
+    if path.endswith(".nc"):
+        rewritten(finished_copy / path, comment="another")
+    else:
+        with open(finished_copy / path, "a") as file:
+            file.write("\n")
+    run = run_snakemake(finished_copy, "verify")
+    assert run.returncode == 1 and "Traceback" not in run.stdout
+    for part in named:
+        assert part in run.stdout, run.stdout
+
+
+@pytest.mark.study
+def test_a_missing_output_is_a_fault_and_a_missing_input_is_counted(finished_copy):
+    (finished_copy / "results/quick/figures/fig1.png").unlink()
+    shutil.rmtree(finished_copy / "results/store-quick/masters")
+    run = run_snakemake(finished_copy, "verify")
+    assert run.returncode == 1
+    assert "results/quick/figures/fig1.png: expected a file of the study, found none" in run.stdout
+    assert "1 faults, 16 inputs not at hand" in run.stdout
+
+
+@pytest.mark.study
+def test_records_name_parameters_code_versions_and_inputs(finished, monkeypatch):
+    monkeypatch.chdir(finished)
+    records = provenance.traced_records("results/quick")
+    described = crate.described_files("results/quick")
+    assert {path for path in described if "/provenance/" not in path} == {
+        path for path in records if path.startswith("results/quick/")
+    }
+    for path, record in records.items():
+        inputs = json.loads(record["input_digests"])
+        assert inputs and all(digest([name]) == value for name, value in inputs.items())
+        assert json.loads(record["versions"])["numpy"]
+        assert len(record["code_digest"]) == 64
+        json.loads(record["parameters"])
+        assert "environment.txt" in inputs, path

@@ -1,0 +1,58 @@
+"""Files are whole or not there."""
+
+import os
+import stat
+from pathlib import Path
+
+import pytest
+from refusals import assert_says
+
+from hardcontact.records.whole_file import PART, remove_parts, whole_file
+
+
+def test_a_file_appears_when_the_block_has_ended(tmp_path):
+    path = tmp_path / "made" / "a.txt"
+    with whole_file(path) as temporary:
+        Path(temporary).write_text("whole")
+        assert not path.exists() and Path(temporary).suffix == ".txt"
+    assert path.read_text() == "whole"
+    assert [entry.name for entry in path.parent.iterdir()] == ["a.txt"]
+
+
+def test_permissions_are_those_of_any_new_file(tmp_path):
+    with whole_file(tmp_path / "a") as temporary:
+        Path(temporary).write_text("")
+    (tmp_path / "b").touch()
+    modes = {stat.S_IMODE(os.stat(tmp_path / name).st_mode) for name in "ab"}
+    assert len(modes) == 1
+
+
+def test_a_failing_write_leaves_what_was_there(tmp_path):
+    (tmp_path / "old.nc").write_text("whole")
+    for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
+        with pytest.raises(RuntimeError), whole_file(target) as temporary:
+            Path(temporary).write_text("half")
+            raise RuntimeError
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
+
+
+def test_what_the_system_refuses_is_said_in_one_line(tmp_path):
+    (tmp_path / "file").touch()
+    path = tmp_path / "file" / "a.nc"  # a folder cannot be made where a file is
+    with pytest.raises(ValueError) as caught, whole_file(path):
+        pass
+    message = str(caught.value)
+    assert_says(
+        message, f"{path}: expected a file to be written, found:", "MB of the disk are free"
+    )
+    assert len(message.splitlines()) == 1
+
+
+def test_unfinished_files_are_removed_at_any_depth(tmp_path):
+    kept = tmp_path / "a" / "b" / "kept.nc"
+    kept.parent.mkdir(parents=True)
+    kept.touch()
+    for folder in (tmp_path, kept.parent):
+        (folder / f"{PART}x.nc").touch()
+    remove_parts(tmp_path)
+    assert [path for path in tmp_path.rglob("*") if path.is_file()] == [kept]

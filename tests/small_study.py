@@ -1,0 +1,39 @@
+"""The surfaces of the paper, some of their scans, and a configuration to change."""
+
+import copy
+
+import pandas as pd
+from repository import PAPER, ROOT
+
+from hardcontact.study.aggregate import Files
+from hardcontact.study.patterns import Patterns
+from hardcontact.study.selection import Selection
+
+PATTERNS = Patterns("results/paper", "results/store", "ruby")
+
+
+def selection(scans=(1, 2), measured=()):
+    """Return the paper's surfaces with these scans; those that are measured have files."""
+    table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
+    rows = table[table.scan.isin(scans)].copy()
+    own = rows.surface.isin(measured)
+    rows.loc[own, "source"] = "measured"
+    rows.loc[own, "path"] = [f"{row.surface}-{row.scan}.nc" for row in rows[own].itertuples()]
+    return Selection(rows, "ruby")
+
+
+def configuration(**changes):
+    """Return the paper's configuration with other values of some keys, ``scales__range``."""
+    changed = copy.deepcopy(PAPER)
+    for name, value in changes.items():
+        *above, key = name.split("__")
+        part = changed
+        for step in above:
+            part = part[step]
+        part[key] = value
+    return changed
+
+
+def files(scans=(1, 2), measured=(), **changes):
+    """Return the files of a study of these scans, with other values of some keys."""
+    return Files(configuration(**changes), selection(scans, measured), PATTERNS)

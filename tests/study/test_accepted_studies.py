@@ -1,0 +1,191 @@
+"""Studies that are accepted can be computed."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, Phase, assume, given, settings
+from hypothesis import strategies as st
+from paper_numbers import SUBSTRATES
+from repository import PAPER, SCHEMAS, merged
+
+from hardcontact.adhesion.filtered_pull_off import mean_filtered_pull_off
+from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.asperities import asperities_of_pair
+from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.indents import indents
+from hardcontact.study import checks, configuration, surface_table
+from hardcontact.surfaces import spectrum, synthesis
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
+from hardcontact.surfaces.topography import level, mirror_stitch, subtract_sphere
+
+
+def lengths(least, most, count):
+    """Give up to `count` quantities in nm, ascending, often at the ends of what is accepted."""
+    inside = st.floats(least, most) | st.sampled_from([least * 1.0001, most])
+    return st.lists(inside, min_size=1, max_size=count).map(
+        lambda values: [f"{length:.9g} nm" for length in sorted(set(values))]
+    )
+
+
+@st.composite
+def tiny(draw):
+    """Give a study on tiny grids, with values at and about the limits of what is accepted."""
+
+    def pick(*values):
+        return draw(st.sampled_from(values))
+
+    pixels, pixel, tiles = pick(16, 17, 21, 32), pick(0.5, 4.883, 20.0, 78.0), pick(1, 2, 3)
+    small, large = 2 * pixels * pick(1, 2, 3), 2 * pixels * tiles * pick(1, 2)
+    period, domain, count = 2 * pixels * pixel, 2 * pixels * tiles * pixel, pick(1, 2, 3)
+    hardness, contact_pixels = pick(1, 25, 1000), pick(0.1, 1, 2, 17, pixels, pixels**2)
+    load = f"{contact_pixels * hardness * pixel**2:.6g} nN"
+    cutoffs = {
+        "small": draw(lengths(2 * period / small, period, 3)),
+        "large": draw(lengths(2 * pixel, domain, 3)),
+    }
+    return {
+        "scan": {
+            "pixels": pixels,
+            "size": f"{pixels * pixel:.9g} nm",
+            "realization_pixels": pick(pixels, pixels + 1, 2 * pixels),
+        },
+        "sphere": {"radius": f"{max(pixels * pixel, pick(10, 1e4, 2.5e5, 1e9)):.9g} nm"},
+        "contact": {
+            "count": count,
+            "window": f"{period * pick(0.5, 0.99, 1, 2.3):.9g} nm",
+            "preload": load,
+            "hardness": f"{hardness} GPa",
+        },
+        "adhesion": {
+            "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
+            "traced_contact": {"contact": [0, count - 1]},
+        },
+        "scales": {
+            "range": pick("0.1 nm", "1 nm", "5.6 nm", "5.6 nm", "1 um"),
+            "sphere_roughness": pick(True, False),
+            "small": {
+                "pixels": small,
+                "transition": draw(lengths(2 * pixel, period, 1))[0],
+                "cutoffs": cutoffs["small"],
+            },
+            "large": {
+                "pixels": large,
+                "tiles": tiles,
+                "transition": draw(lengths(2 * pixel, domain, 1))[0],
+                "cutoffs": cutoffs["large"],
+            },
+        },
+        "elastic": {"contacts": 1, "window": f"{16 * pixel:.9g} nm"},
+        "indent": {"preloads": [f"{4 * contact_pixels * hardness * pixel**2:.6g} nN"]},
+        "asperities": {
+            "contacts": 1,
+            "share": pick(0.001, 0.5, 0.999),
+            "ranges": ["0.1 nm", "9 nm"],
+        },
+        "robustness": {
+            "count": pick(1, 2),
+            "preloads": [],
+            "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"],
+            "small": {"pixels": small, "cutoffs": cutoffs["small"]},
+            "large": {"pixels": large, "cutoffs": cutoffs["large"]},
+        },
+    }
+
+
+def accepted(overlay):
+    """Return the configuration in numbers, or None if the study is refused."""
+    try:
+        config = configuration.configuration(merged(PAPER, overlay), SCHEMAS["config"])
+        table = surface_table.surface_table("config/surfaces.tsv", SCHEMAS["surfaces"])
+        checks.check(config, table, SUBSTRATES)
+    except ValueError:
+        return None
+    return config
+
+
+#: About as rough as MCD, and as the ruby.
+ROUGH, SMOOTH = (
+    Spectrum(WAVEVECTORS, spectrum.self_affine(WAVEVECTORS, plateau, rolloff=1500.0, hurst=0.9))
+    for plateau in (2e9, 5e4)
+)
+
+
+def stitched_scan(config, rng, density, radius=None):
+    """Make a substitute scan as masters and contacts use it."""
+    scan = config["scan"]
+    pixel_size = scan["size"] / scan["pixels"]
+    surface = synthesis.random_surface(rng, scan["realization_pixels"], pixel_size, density)
+    made = substitute_scan(rng, surface, scan["pixels"])
+    if radius is None:
+        return mirror_stitch(level(made))
+    return mirror_stitch(subtract_sphere(sphere_scan(rng, made, radius), radius))
+
+
+def assert_forces(arrays):
+    forces = arrays.variables["pull_off_force"][1]
+    assert np.isfinite(forces).all() and (forces > 0).all()
+
+
+def check_pair(config, rng, substrate, sphere):
+    """Compute forces at all contacts and ranges, the largest indents, and asperities."""
+    contact = config["contact"]
+    pair = bodies(substrate, sphere, config["sphere"]["radius"], contact)
+    pixel_size = pair.geometry.pixel_size
+    assert_forces(pull_off_of_pair(pair, contact, config["adhesion"]["ranges"]))
+    for preload in config["indent"]["preloads"]:
+        contact_pixels = contact_pixel_count(contact | {"preload": preload}, pixel_size)
+        for lowest in all_lowest_gaps(pair, contact_pixels).values():
+            assert len(lowest.gaps) == contact_pixels
+            assert 0 < indents(lowest, pixel_size).depth < np.inf
+    carriers = asperities_of_pair(pair, contact, config["asperities"], rng)
+    assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
+
+
+def check_masters(config, rng, stitched, sphere, section, side):
+    """Compute forces of one master, filtered at every cutoff, on a smooth and a rough sphere."""
+    scales, contact = config["scales"][side], config["contact"]
+    wanted = scales | config[section][side]
+    size = wanted["pixels"] if side == "small" else scales["tiles"]
+    make = getattr(synthesis, f"{side}_scale_master")
+    master = make(rng, stitched, size, wanted["transition"], ROUGH)
+    parameters = {
+        "side": side,
+        "scales": {"pixels": wanted["pixels"], "cutoffs": wanted["cutoffs"]},
+        "radius": config["sphere"]["radius"],
+        "rho": config["scales"]["range"],
+        "window": contact["window"],
+        "count": config["robustness" if section == "robustness" else "contact"]["count"],
+        "loads": [{"name": "one", "preload": contact["preload"], "hardness": contact["hardness"]}],
+    }
+    for probe in [None, sphere] if section == "robustness" else [None]:
+        assert_forces(mean_filtered_pull_off(master, probe, parameters))
+
+
+@pytest.mark.parametrize("examples", [10, pytest.param(40, marks=pytest.mark.study)])
+def test_what_is_accepted_can_be_computed(at_root, examples):
+    seen = []
+
+    @given(tiny())
+    @settings(
+        max_examples=examples,
+        deadline=None,
+        derandomize=True,
+        phases=[Phase.generate],
+        suppress_health_check=list(HealthCheck),
+    )
+    def compute(overlay):
+        config = accepted(overlay)
+        seen.append(config is not None)
+        assume(config is not None)
+        rng = np.random.default_rng(1)
+        stitched = stitched_scan(config, rng, ROUGH)
+        sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
+        check_pair(config, rng, stitched, sphere)
+        for section, side in product(("scales", "robustness"), ("small", "large")):
+            check_masters(config, rng, stitched, sphere, section, side)
+
+    compute()
+    assert sum(seen) >= examples and not all(seen)

@@ -1,0 +1,114 @@
+"""The lists of files: as long as what they are made of, and parallel to their keys."""
+
+from itertools import product
+
+import pytest
+from paper_numbers import SUBSTRATES, SURFACES
+from small_study import PATTERNS, files
+
+pytestmark = pytest.mark.usefixtures("at_root")
+
+
+def test_every_substrate_scan_meets_every_scan_of_the_sphere():
+    study = files(scans=[1, 2, 4])
+    assert [(pair.surface, pair.scan, pair.sphere_scan) for pair in study.pairs] == list(
+        product(SUBSTRATES, [1, 2, 4], [1, 2, 4])
+    )
+    paths = study.of_pairs(PATTERNS.pull_off, study.pairs)
+    assert len(set(paths)) == len(study.pairs)
+    assert paths[1] == (
+        "results/store/pull_off/R250um/H25GPa-F10uN/polished_uncd/study/scan-1/sphere-scan-2.nc"
+    )
+
+
+def test_scans_of_the_sphere_are_taken_in_turn():
+    pairs = files(scans=[1, 2]).pairs_in_turn
+    assert [(pair.scan, pair.sphere_scan) for pair in pairs] == [(1, 1), (2, 2)] * len(SUBSTRATES)
+
+
+def test_swept_values_stand_in_paths():
+    study = files(
+        sphere__radius="0.3 mm",
+        contact__preload="12000 nN",
+        contact__hardness="0.03 TPa",
+        scales__range="0.5 nm",
+    )
+    assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.window_changes[0]
+    assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.filtered_pull_offs[0]
+    assert study.stitched("ruby", 1).endswith("ruby/study/scan-1-sphere-R300um.nc")
+    assert study.stitched("uncd", 1).endswith("uncd/study/scan-1-flat.nc")
+
+
+def test_topography_is_of_all_scans_and_windows_of_those_of_substrates():
+    study = files(scans=[1, 3])
+    assert study.scans == list(product(SURFACES, [1, 3]))
+    assert study.substrate_scans == list(product(SUBSTRATES, [1, 3]))
+    assert len(study.topographies) == len(study.scans)
+    assert len(study.window_changes) == len(study.substrate_scans)
+    assert len(study.spectra) == len(study.first_scans) == len(SURFACES)
+    assert study.topographies_of("uncd") == study.topographies[2:4]
+    assert [path.split("/")[-1] for path in study.stitched_spheres] == [
+        "scan-1-sphere-R250um.nc",
+        "scan-3-sphere-R250um.nc",
+    ]
+    assert study.first_sphere == study.stitched_spheres[0]
+
+
+def test_measured_scans_are_read_where_they_lie():
+    study = files(measured=["mcd"])
+    assert study.scan("mcd", 2) == "mcd-2.nc"
+    assert study.spectrum("mcd") == "results/store/spectra/mcd/study/extrapolated-flat.nc"
+    assert study.scan("uncd", 2) == "results/store/substitutes/uncd/study/scan-2-flat.nc"
+    assert study.spectrum("uncd") == "results/store/spectra/uncd/study/calibrated.nc"
+
+
+def test_realizations_begin_again_when_the_scans_are_used_up():
+    study = files(scans=[2, 5])
+    numbers = [
+        study.stitched_of_realization("uncd", realization, "study").split("/")[-1]
+        for realization in (1, 2, 3)
+    ]
+    assert numbers == ["scan-2-flat.nc", "scan-5-flat.nc", "scan-2-flat.nc"]
+
+
+def test_every_cutoff_of_every_realization_and_the_unfiltered_surface():
+    cutoffs = {"scales__small__cutoffs": ["43 nm", "0.1 um"], "scales__large__cutoffs": ["2 um"]}
+    study = files(scales__realizations=2, **cutoffs)
+    small = [cutoff for *_, side, cutoff in study.filters if side == "small"]
+    large = [cutoff for *_, side, cutoff in study.filters if side == "large"]
+    assert small == ["none", "43nm", "100nm"] * 2 * len(SUBSTRATES)
+    assert large == ["none", "2000nm"] * 2 * len(SUBSTRATES)
+    assert len(set(study.filtered_pull_offs)) == len(study.filters) == 10 * len(SUBSTRATES)
+    assert study.filtered_pull_offs[1].endswith(
+        "rho5.6nm/polished_uncd/study/realization-1/small/cutoff-43nm.nc"
+    )
+
+
+def test_indents_are_made_on_one_surface():
+    assert files(scans=[1, 2], indent__surface="mcd").indent_pairs == list(product([1, 2], [1, 2]))
+
+
+def test_robustness_asks_for_each_variant_of_a_surface_once():
+    study = files(robustness__skewness=[0], robustness__realizations=3)
+    made = [(name, "study") for name in SUBSTRATES] + [
+        ("polished_uncd", "laplacian"), ("uncd", "laplacian"), ("mcd", "laplacian"),
+        ("uncd", "skewness-0"),
+    ]  # fmt: skip
+    assert list(dict.fromkeys(pair[:2] for pair in study.varied_pairs)) == made
+    assert len(study.varied_pairs) == 4 * len(made)
+    masters = {(name, variant, probe) for name, variant, _, _, probe in study.varied_masters}
+    assert masters == {(*one, "smooth") for one in made} | {
+        (name, "study", "rough") for name in SUBSTRATES
+    }
+    assert len(study.varied_masters) == len(study.varied_scales) == 2 * 3 * len(masters)
+    assert study.varied_scales[0].endswith("polished_uncd/study/realization-1/small-smooth.nc")
+
+
+def test_the_other_sphere_bears_the_load_of_the_study_alone():
+    study = files(robustness__preloads=["5 uN", "10 uN"], robustness__hardnesses=[])
+    loads = [
+        {"name": "H25GPa-F10uN", "preload": 1e-5, "hardness": 25e9},
+        {"name": "H25GPa-F5uN", "preload": 5e-6, "hardness": 25e9},
+    ]
+    assert study.loads("smooth") == loads  # the study's own preload is not listed again
+    assert study.loads("rough") == loads[:1]

@@ -1,0 +1,265 @@
+"""Arbitrary configurations and tables: a valid study or one clear line, at once."""
+
+import os
+import re
+import time
+from functools import reduce
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from paper_numbers import SUBSTRATES
+from repository import PAPER, ROOT, ROWS, SCHEMAS, leaves
+from studies import changed
+
+from hardcontact.study import checks, configuration, surface_table
+
+LEAVES = sorted(leaves(PAPER))
+BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
+MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
+
+#: Plain runs of pytest are short; the marker asks for more.
+bulk = pytest.mark.parametrize("examples", [100, pytest.param(300, marks=pytest.mark.study)])
+
+
+def many(examples):
+    """Make settings for so many examples, the same in every run."""
+    return settings(
+        max_examples=examples,
+        deadline=None,
+        derandomize=True,
+        suppress_health_check=[HealthCheck.too_slow, HealthCheck.data_too_large],
+    )
+
+
+NASTY = [
+    "", " ", "~", "null", "..", "../..", "/", "/dev/zero", "a\nb", "a\0b", "{", "{}", "{scan}",
+    "$x", "%s", "*", "\\", "'", '"', "\t", "\x1b[31m", "\u2028", "é" * 300, "x" * 10**5, "-",
+    "1 nm", "1nm", "1 µm", "1e300 nm", "1e-300 nm", "-1 nm", "0 nm", "nan nm", "inf nm", "1e999 nm",
+    "1" * 400 + " nm", "1 N", "1 lb", "1 degC", "1 dBm", "1 nm nm", "5 uN m", "9**9**9 nm",
+    "1 percent", "0x10 nm", "1_0 nm", "١ nm", "1 Å", "1 Pa", "1e13 Pa", "all", "refuse", "uncd",
+    "--help",
+]  # fmt: skip
+EDGES = [
+    -1, 0, 1, 2, 3, 15, 16, 17, 20, 63, 64, 199, 200, 201, 1000, 4095, 4096, 8191, 8192, 8193,
+    16384, 16385, 32768, 10**6, 10**9, 10**12, 2**31, 2**63, 10**400, 1.0, 0.5, 1e-300, 1e300,
+    0.001, 0.999, -0.0, float("nan"), float("inf"), float("-inf"), True, False, None,
+]  # fmt: skip
+UNITS = ["nm", "um", "µm", "mm", "m", "pm", "Å", "N", "uN", "nN", "mN", "GPa", "MPa", "Pa", "s", ""]
+
+scalars = st.one_of(
+    st.sampled_from(NASTY + EDGES),
+    st.integers(),
+    st.floats(),
+    st.text(max_size=30),
+    st.dates(),
+    st.binary(max_size=5),
+    st.builds("{:.4g} {}".format, st.floats(1e-12, 1e12), st.sampled_from(UNITS)),
+)
+keys = st.one_of(
+    st.text(max_size=5), st.integers(), st.booleans(), st.none(), st.sampled_from(NASTY)
+)
+values = st.recursive(
+    scalars,
+    lambda inner: st.lists(inner, max_size=5) | st.dictionaries(keys, inner, max_size=4),
+    max_leaves=12,
+)
+
+
+def nested(depth):
+    """Lists in lists, many levels deep."""
+    return reduce(lambda inner, _: [inner], range(depth), "1 nm")
+
+
+def near(value):
+    """Values like one of the paper's: about as large, repeated, in another order, one more."""
+    if isinstance(value, list):
+        parts = [near(item) for item in value] or [st.just(0)]
+        return st.lists(st.one_of(parts), max_size=5) | st.permutations(value)
+    if isinstance(value, bool):
+        return st.booleans()
+    if isinstance(value, int | float):
+        whole = isinstance(value, int)
+        scaled = st.sampled_from([0.1, 0.25, 0.5, 0.99, 1, 1.01, 2, 4, 10]).map(lambda f: f * value)
+        return scaled.map(round) if whole else scaled
+    if match := re.fullmatch(r"([\d.]+) (\w+)", value):
+        return st.builds("{:.4g} {}".format, near(float(match[1])), st.just(match[2]))
+    return st.sampled_from([value, *SUBSTRATES, "ruby", "laplacian", "profile", "harmonic"])
+
+
+@pytest.fixture(scope="module", autouse=True)
+def at_root():
+    before = os.getcwd()
+    os.chdir(ROOT)
+    yield
+    os.chdir(before)
+
+
+def outcome(config, table=None):
+    """None for a valid study, else the one line that refuses it; within seconds of computing."""
+    start = time.process_time()
+    try:
+        numbers = configuration.configuration(config, SCHEMAS["config"])
+        rows = surface_table.surface_table(table or numbers["surfaces"], SCHEMAS["surfaces"])
+        checks.check(numbers, surface_table.selected_scans(rows, numbers["scans"]), SUBSTRATES)
+        message = None
+    except ValueError as error:
+        message = str(error)
+        assert message.isprintable() and len(message) < 1500, message
+        assert MESSAGE.fullmatch(message), message
+    assert time.process_time() - start < 5
+    return message
+
+
+def test_the_study_of_the_paper_is_valid():
+    assert outcome(PAPER) is None
+
+
+@bulk
+def test_any_value_at_any_key(examples):
+    @many(examples)
+    @given(st.sampled_from(LEAVES + BRANCHES), values)
+    def check(path, value):
+        message = outcome(changed(PAPER, path.split("."), value))
+        assert message is None or message.startswith("config key")
+
+    check()
+
+
+@bulk
+def test_an_added_key(examples):
+    @many(examples)
+    @given(st.sampled_from(BRANCHES), keys, values)
+    def check(branch, key, value):
+        assert outcome(changed(PAPER, [*filter(None, branch.split(".")), key], value))
+
+    check()
+
+
+@pytest.mark.parametrize("path", LEAVES + list(filter(None, BRANCHES)))
+def test_a_missing_key(path):
+    *branch, last = path.split(".")
+    parent = reduce(dict.get, branch, PAPER)
+    kept = {key: value for key, value in parent.items() if key != last}
+    message = outcome(changed(PAPER, branch, kept) if branch else kept)
+    assert f"found no {last}" in message
+
+
+@pytest.mark.parametrize("depth", [10, 100, 1000, 50_000])
+@pytest.mark.parametrize("key", ["scans", "contact.count", "scales.small.cutoffs", "seed", "deep"])
+def test_deep_nesting(key, depth):
+    assert outcome(changed(PAPER, key.split("."), nested(depth)))
+
+
+@pytest.mark.parametrize("config", [None, [], "", 5, {}, {None: None}, {("a", 1): 2}])
+def test_no_configuration(config):
+    assert "(top level)" in outcome(config)
+
+
+def plausible(draw):
+    """The paper's configuration with values near those of some keys."""
+    config = PAPER
+    for path in draw(st.lists(st.sampled_from(LEAVES), min_size=1, max_size=6, unique=True)):
+        path = path.split(".")
+        config = changed(config, path, draw(near(reduce(dict.get, path, PAPER))))
+    return config
+
+
+@bulk
+def test_values_near_valid_ones(examples):
+    @many(examples)
+    @given(st.data())
+    def check(data):
+        config = plausible(data.draw)
+        message = outcome(config)
+        if message is None:  # then at any rate everything is a number in the end, and of this size
+            numbers = configuration.configuration(config, SCHEMAS["config"])
+            for path in LEAVES:
+                value = reduce(dict.get, path.split("."), numbers)
+                for item in value if isinstance(value, list) else [value]:
+                    assert isinstance(item, str) or 0 <= abs(item) < 1e14
+
+    check()
+
+
+# Tables of surfaces
+
+CELLS = [
+    *NASTY, "0", "01", "1.0", "-1", "1e3", "99999", "9" * 30, "one", "True", "measured",
+    "substitute", "UNCD", "resources", "resources/spectra", "resources/spectra/none.csv",
+    "../" * 20 + "etc/passwd", "README.md", "config/surfaces.tsv", "/dev/null", "/dev/urandom",
+    "resources/spectra/uncd-tem.csv", "resources/paper/table1.csv", "pooled", "Uncd", "a-b",
+    "a" * 41, "http://localhost/a.csv", "resources/spectra/mcd.csv", "{scan}.csv", "$x^{2}$", "<b>",
+    "\u200b",
+]  # fmt: skip
+cells = st.sampled_from(CELLS) | st.text(max_size=20)
+
+
+@st.composite
+def tables(draw):
+    """The bytes of a table with some cells, rows or columns changed."""
+    rows = [line.split("\t") for line in ROWS.splitlines()]
+    for _ in range(draw(st.integers(1, 3))):
+        row = draw(st.integers(0, len(rows) - 1))
+        column = draw(st.integers(0, 5))
+        match draw(st.sampled_from(["cell", "cell", "source", "drop", "repeat", "move", "column"])):
+            case "cell":
+                rows[row][column : column + 1] = [draw(cells)]
+            case "source":
+                rows[row][3:5] = ["measured", draw(cells)]
+            case "drop":
+                rows[row : row + draw(st.integers(1, 30))] = []
+            case "repeat":
+                rows.insert(row, list(rows[row]))
+            case "move":
+                rows = draw(st.permutations(rows))
+            case "column":
+                rows = [[*cut[:column], *cut[column + 1 :]] for cut in rows]
+        rows = rows or [[""]]
+    ending = draw(st.sampled_from(["\n", "\r\n", "\n\n", "\r", "\0", " ", "\n\ufeff"]))
+    text = draw(st.sampled_from(["", "", "\ufeff", "#", "\n\n"])) + ending.join(
+        draw(st.sampled_from(["\t", "\t", "\t", ",", " ", "\t\t"])).join(cells) for cells in rows
+    )
+    encoding = draw(st.sampled_from(["utf-8"] * 6 + ["utf-16", "latin-1"]))
+    content = text.encode(encoding, "replace")
+    if draw(st.integers(0, 9)) == 0:
+        place = draw(st.integers(0, len(content)))
+        content = content[:place] + draw(st.binary(max_size=8)) + content[place:]
+    return content
+
+
+@pytest.fixture(scope="module")
+def table_path(tmp_path_factory):
+    return tmp_path_factory.mktemp("tables") / "surfaces.tsv"
+
+
+@bulk
+def test_any_table(table_path, examples):
+    @many(examples)
+    @given(content=tables())
+    def check(content):
+        table_path.write_bytes(content)
+        message = outcome(PAPER, table_path)
+        if message is None:
+            rows = surface_table.surface_table(table_path, SCHEMAS["surfaces"])
+            assert set("abcdefghijklmnopqrstuvwxyz_0123456789") >= set("".join(rows.surface))
+            assert (
+                all(os.path.isfile(path) for path in rows.path) and rows.scan.between(1, 9999).all()
+            )
+
+    check()
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"\0", b"\n" * 10**5, b"\t" * 10**6, b"x" * 2**21, ROWS.encode() * 300, b"\xff\xfe\x00",
+     b"PK\3\4", b"surface\tlabel\tscan\tsource\tpath\tdataset\n" + b"a\t" * 10**5],
+)  # fmt: skip
+def test_no_table(table_path, content):
+    table_path.write_bytes(content)
+    assert outcome(PAPER, table_path)
+
+
+@pytest.mark.parametrize("path", ["none.tsv", ".", "config", "/dev/zero", "/dev/null", "x" * 300])
+def test_no_file(path):
+    assert "config key surfaces" in outcome(PAPER | {"surfaces": path})

@@ -1,0 +1,137 @@
+"""Studies whose keys, tables and scans contradict each other: one line that says so."""
+
+import numpy as np
+import pytest
+import yaml
+from refusals import assert_says, refusal
+from repository import PAPER, QUICK, ROOT, SCHEMAS, merged
+from scan_files import heights, scan
+from studies import check, numbers, own_scans
+
+from hardcontact.study import configuration
+
+
+@pytest.mark.parametrize(
+    ("change", "parts"),
+    [
+        (("scales.small.cutoffs", ["1.2 nm"]), ["scales.small.cutoffs", "1.221 nm", "found 1.2"]),
+        (("scales.small.cutoffs", ["6 um"]), ["scales.small.cutoffs", "5000 nm", "found 6000"]),
+        (("scales.large.cutoffs", ["9 nm"]), ["scales.large.cutoffs", "9.766 nm", "found 9 nm"]),
+        (("scales.large.cutoffs", ["21 um"]), ["scales.large.cutoffs", "20000 nm"]),
+        (("scales.small.cutoffs", ["9 nm", "5 nm"]), ["ascending", "found 5 nm after 9 nm"]),
+        (("adhesion.ranges", ["1 nm", "0.001 um"]), ["ascending", "found 1 nm after 1 nm"]),
+        (("scales.small.transition", "9 nm"), ["scales.small.transition", "found 9 nm"]),
+        (("scales.small.pixels", 512), ["scales.small.pixels", "1024", "found 512"]),
+        (("scales.large.pixels", 512), ["scales.large.pixels", "4096", "found 512"]),
+        (
+            ("scan.pixels", 32, "elastic.window", "2500 nm", "sphere.radius", "2500 nm"),
+            ["adhesion.ranges", "156.2", "found 50 nm"],
+        ),
+        (("contact.preload", "1 N"), ["contact.preload", "a quarter of", "262144", "1677722"]),
+        (("contact.window", "10 nm"), ["contact.preload", "1, can carry", "needs 17"]),
+        (
+            ("scan.pixels", 64, "contact.count", 129, "elastic.window", "800 nm"),
+            ["contact.count", "128", "found 129"],
+        ),
+        (("sphere.radius", "2 um"), ["sphere.radius", "2500 nm", "found 2000 nm"]),
+        (("store", "results/paper/store"), ["store", "results/paper", "found results/paper/store"]),
+        (("store", "results"), ["store", "apart from results/paper", "found results"]),
+        (("scan.size", "20 nm"), ["scan.size", "0.05 to 10000 nm", "found 0.0390625 nm"]),
+        (("contact.window", "90 um"), ["contact.window", "16384", "found 18432"]),
+        (("indent.preloads", ["3 mN"]), ["indent.preloads", "4096", "found 5034"]),
+        (
+            ("contact.count", 200, "contact.preload", "0.5 mN"),
+            ["contact.preload", "at most 268", "found 839"],
+        ),
+        (("robustness.skewness", [0.1234567]), ["robustness.skewness", "six digits", "0.1234567"]),
+        (("sphere.surface", "glass"), ["sphere.surface", "ruby", "found glass"]),
+        (("reference_surface", "glass"), ["reference_surface", "mcd", "found glass"]),
+        (("reference_surface", "ruby"), ["reference_surface", "mcd", "found ruby"]),
+        (("adhesion.traced_contact.surface", "ruby"), ["traced_contact.surface", "found ruby"]),
+        (("adhesion.traced_contact.scan", 9), ["traced_contact.scan", "uncd [1, 2", "found 9"]),
+        (("adhesion.traced_contact.sphere_scan", 9), ["traced_contact.sphere_scan", "found 9"]),
+        (("adhesion.traced_contact.contact", [20, 0]), ["contact.count = 20", "found [20, 0]"]),
+        (("scan.realization_pixels", 256), ["scan.realization_pixels", "512", "found 256"]),
+        (("scans", [1, 7]), ["config key scans", "[1, 2, 3, 4, 5]", "found [7]"]),
+        (("indent.surface", "glass"), ["indent.surface", "mcd", "found glass"]),
+        (("indent.surface", "ruby"), ["indent.surface", "mcd", "found ruby"]),
+        (("elastic.contacts", 401), ["elastic.contacts", "400", "found 401"]),
+        (("asperities.contacts", 401), ["asperities.contacts", "400", "found 401"]),
+        (("asperities.ranges", ["2 nm", "1 nm"]), ["asperities.ranges", "found 1 nm after 2 nm"]),
+        (("indent.preloads", ["1 uN", "1 N"]), ["indent.preloads", "262144", "1677722"]),
+        (("robustness.preloads", ["1 uN", "1 N"]), ["robustness.preloads", "1677722"]),
+        (("robustness.hardnesses", ["0.1 MPa", "1 GPa"]), ["robustness.hardnesses", "4194304"]),
+        (
+            ("robustness.hardnesses", ["2 GPa", "1 GPa"]),
+            ["found 1000000000 Pa after 2000000000 Pa"],
+        ),
+        (("robustness.preloads", ["5 uN", "0.005 mN"]), ["found 5e-06 N after 5e-06 N"]),
+        (
+            ("indent.preloads", ["20 uN", "10 uN"]),
+            ["indent.preloads", "found 1e-05 N after 2e-05 N"],
+        ),
+        (
+            (
+                *("contact.preload", "20 mN", "contact.hardness", "1000 GPa"),
+                *("elastic.sphere.modulus", "50 GPa", "elastic.substrate.modulus", "50 GPa"),
+            ),
+            ["contact.preload", "at most 0.00669 N", "5000 nm", "found 0.02 N"],
+        ),
+        (("elastic.window", "50 nm"), ["elastic.window", "16 pixels", "78.12 nm", "found 50 nm"]),
+        (("robustness.large.pixels", 4094), ["robustness.large.pixels", "4096", "found 4094"]),
+        (("robustness.small.cutoffs", ["2 nm"]), ["robustness.small.cutoffs", "2.441 nm"]),
+        (("scales.large.tiles", 8), ["robustness.large.pixels", "8192", "found 4096"]),
+    ],
+)
+def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):
+    assert_says(
+        refusal(lambda: check(numbers(*change), tmp_path)),
+        "config key",
+        "expected",
+        "found",
+        *parts,
+    )
+
+
+def test_limits_of_other_keys_may_be_reached(tmp_path, at_root):
+    config = numbers("elastic.contacts", 400, "asperities.contacts", 400, "indent.surface", "mcd")
+    check(config, tmp_path)
+
+
+def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):
+    quick = yaml.safe_load((ROOT / QUICK).read_text())
+    for overlay in ({}, quick):
+        config = configuration.configuration(merged(PAPER, overlay), SCHEMAS["config"])
+        check(config, tmp_path)
+
+
+def in_other_order(tree):
+    if not isinstance(tree, dict):
+        return tree
+    return {key: in_other_order(tree[key]) for key in reversed(tree)}
+
+
+def test_keys_may_come_in_any_order(tmp_path, at_root):
+    config = configuration.configuration(in_other_order(PAPER), SCHEMAS["config"])
+    assert config == numbers()
+    check(config, tmp_path)
+
+
+# Measured scans
+
+
+def test_scans_of_one_surface_that_differ(tmp_path, at_root):
+    first = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
+    others = {
+        "found 256 of 9.766 nm": scan(tmp_path / "b.nc", heights(256, 256), (2500.0, 2500.0)),
+        "found 512 of 9.766 nm": scan(tmp_path / "c.nc", heights(512, 512), (5000.0, 5000.0)),
+    }
+    for found, second in others.items():
+        message = refusal(check, numbers(), tmp_path, own_scans(first, second))
+        assert_says(message, second.name, "512 pixels of 4.883 nm", found)
+
+
+def test_measured_scan_of_constant_height(tmp_path, at_root):
+    text = own_scans(scan(tmp_path / "a.nc", np.ones((32, 32))))
+    message = refusal(check, numbers(), tmp_path, text)
+    assert_says(message, "a.nc", "rough", "constant height")

@@ -1,0 +1,94 @@
+"""A job writes whole files that say what they were made from, and keeps its log."""
+
+import json
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from hardcontact.records import dataset, netcdf
+from hardcontact.records.netcdf import Arrays
+from hardcontact.records.origin import canonical, digest
+from hardcontact.study.job import job
+
+PARAMETERS = {"surface": "uncd", "range": 5.6}
+
+
+class Named(list):
+    """A list with names for some of its entries, as Snakemake gives it."""
+
+    def __init__(self, **entries):
+        super().__init__()
+        for name, entry in entries.items():
+            setattr(self, name, entry)
+            self.extend(entry if isinstance(entry, list) else [entry])
+
+    def __getitem__(self, place):
+        return getattr(self, place) if isinstance(place, str) else super().__getitem__(place)
+
+
+@pytest.fixture
+def snakemake(tmp_path, monkeypatch):
+    """Return what a script is given: a scan, code, and three outputs."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("scan.txt", "script.py"):
+        (tmp_path / name).write_text(name)
+    return SimpleNamespace(
+        input=Named(scan="scan.txt", code=["script.py"]),
+        output=Named(data="made/data.nc", text="made/text.txt", record="made/record.json"),
+        params=SimpleNamespace(canonical=canonical(PARAMETERS)),
+        threads=2,
+        log=["a.log"],
+    )
+
+
+def assert_says_its_origin(attributes):
+    assert attributes["title"] == "a title" and attributes["Conventions"].startswith("CF-")
+    assert json.loads(attributes["parameters"]) == PARAMETERS
+    assert json.loads(attributes["input_digests"]).keys() == {"scan.txt", "script.py"}
+    assert attributes["code_digest"] == digest(["script.py"])
+
+
+def test_a_script_is_given_what_the_rule_names(snakemake):
+    with job(snakemake) as this:
+        assert this.parameters == PARAMETERS and this.threads == 2
+        assert this.input.scan == "scan.txt" and this.output.text == "made/text.txt"
+
+
+def test_arrays_are_written_with_their_origin(snakemake):
+    with job(snakemake) as this:
+        arrays = Arrays({"a": (("x",), np.arange(3.0), {})}, {}, {"basis": "measured"})
+        this.write_arrays(arrays, title="a title")
+    written = netcdf.read("made/data.nc")
+    assert written.variables["a"][1].tolist() == [0.0, 1.0, 2.0]
+    assert written.attributes["basis"] == "measured"
+    assert_says_its_origin(written.attributes)
+
+
+def test_a_dataset_is_written_with_its_origin(snakemake):
+    with job(snakemake) as this:
+        this.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data")
+    written = dataset.read("made/data.nc")
+    assert written.a.values.tolist() == [1.0] and written.attrs["basis"] == "measured"
+    assert_says_its_origin(written.attrs)
+
+
+def test_files_without_attributes_have_a_record(snakemake, tmp_path):
+    with job(snakemake) as this:
+        this.write_text("µ\n", "text")
+        this.copy(this.input.scan, "data")
+        this.record("text", "data")
+    assert (tmp_path / "made/text.txt").read_bytes() == "µ\n".encode()
+    assert (tmp_path / "made/data.nc").read_text() == "scan.txt"
+    record = json.loads((tmp_path / "made/record.json").read_text())
+    assert json.loads(record["output_digests"]) == {
+        path: digest([path]) for path in ("made/data.nc", "made/text.txt")
+    }
+    assert json.loads(record["parameters"]) == PARAMETERS
+
+
+def test_a_rule_may_name_neither_inputs_nor_code(snakemake):
+    snakemake.input = Named()
+    with job(snakemake) as this:
+        assert this.origin.inputs == this.origin.code == []

@@ -1,0 +1,96 @@
+"""Where a study may run, and the fault of Snakemake that its start goes around."""
+
+import re
+import shutil
+import subprocess
+import sys
+
+from refusals import assert_says
+from repository import ROOT, environment, snakemake
+
+# Where a study runs
+
+
+def said(run):
+    """Return the one line with which a run is refused."""
+    assert run.returncode == 1 and "Traceback" not in run.stdout, run.stdout
+    (line,) = [line for line in run.stdout.splitlines() if line.startswith("error: ")]
+    return line
+
+
+def test_another_working_directory_is_refused(repository, tmp_path):
+    snakefile = str(repository / "Snakefile")
+    line = said(snakemake(repository, "-n", "--directory", str(tmp_path)))
+    assert_says(line, "working directory", str(tmp_path), "relative to that folder")
+    (tmp_path / "workflow").symlink_to(repository / "workflow")  # the library it runs with
+    assert said(snakemake(tmp_path, "-n", "--snakefile", snakefile)) == line
+
+
+def test_use_as_a_module_is_refused(repository, tmp_path):
+    text = f'module study:\n    snakefile: "{repository / "Snakefile"}"\n\nuse rule * from study\n'
+    (tmp_path / "Snakefile").write_text(text)
+    (tmp_path / "workflow").symlink_to(repository / "workflow")
+    assert_says(said(snakemake(tmp_path, "-n")), "used as a module", str(tmp_path))
+
+
+def test_the_library_of_another_copy_is_refused(repository, tmp_path):
+    shutil.copy2(repository / "Snakefile", tmp_path)
+    (tmp_path / "workflow").symlink_to(repository / "workflow")
+    line = said(snakemake(tmp_path, "-n"))
+    assert_says(line, f"expected the library of {tmp_path}", f"found that of {repository}")
+
+
+# Snakemake's faults, and what can go with them
+
+CHAIN = """
+workflow.looks = 0
+onstart:
+    {at_start}
+rule all:
+    input: "3"
+for number in (1, 2, 3):
+    rule:
+        input: [str(number - 1)] if number > 1 else []
+        output: str(number)
+        shell: "sleep 1; touch {{output}}"
+onsuccess:
+    print("looks for work:", workflow.looks)
+"""
+COUNTED = """
+from snakemake.scheduling.job_scheduler import JobScheduler
+from snakemake.cli import main
+workflow, looks = None, []
+again = JobScheduler._schedule_reevalutation
+def counted(self, delay):
+    looks.append(delay)
+    again(self, delay)
+    self.workflow.looks = len(looks)
+JobScheduler._schedule_reevalutation = counted
+main()
+"""
+
+
+def looks_for_work(folder, at_start):
+    """Return how often Snakemake looks for work again in a chain of three jobs of a second."""
+    folder.mkdir()
+    (folder / "Snakefile").write_text(CHAIN.format(at_start=at_start))
+    run = subprocess.run(
+        [sys.executable, "-c", COUNTED, "--cores", "1"],
+        cwd=folder,
+        env=environment(ROOT),
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+    )
+    assert run.returncode == 0, run.stdout
+    return int(re.search(r"looks for work: (\d+)", run.stdout)[1])
+
+
+def test_snakemake_still_looks_for_work_without_end(tmp_path):
+    """Should this fail, Snakemake is mended: `start.lift_rate_limit` can go, and this test."""
+    assert looks_for_work(tmp_path / "default", "pass") > 3
+
+
+def test_the_study_lets_snakemake_look_for_work_when_a_job_ends(tmp_path):
+    lifted = "from hardcontact.study import start; start.lift_rate_limit(workflow)"
+    assert looks_for_work(tmp_path / "lifted", lifted) == 0

@@ -1,0 +1,55 @@
+"""Bad tables of surfaces: one line, the line or surface, what was expected and found."""
+
+import pytest
+from refusals import assert_says, refusal
+from repository import ROWS, SCHEMAS
+from scan_files import scan
+from studies import own_scans, surfaces
+
+from hardcontact.study import surface_table
+
+FIRST = ROWS.splitlines()[1]
+
+
+def with_description(name, count=-1):
+    """The paper's table with another description of UNCD in the first rows."""
+    return ROWS.replace("spectra/uncd.csv", f"spectra/{name}", count)
+
+
+@pytest.mark.parametrize(
+    ("text", "parts"),
+    [
+        (ROWS + FIRST + "\n", ["line 27", "once", "polished_uncd 1"]),
+        (with_description("no.csv"), ["line 7", "spectra/no.csv", "no such file"]),
+        (ROWS.replace("label", "name", 1), ["the columns", "label", "found surface, name"]),
+        (
+            ROWS.replace("\tdataset", "").replace("csv\t", "csv"),
+            ["the columns", "path and 25 rows"],
+        ),
+        (ROWS.replace("2\tsubstitute", "2\tmeasured", 1), ["polished_uncd", "one source"]),
+        (ROWS.replace("UNCD\t2", "U\t2", 1), ["polished_uncd", "one label", "polished U"]),
+        (with_description("mcd.csv", 1), ["surface uncd", "one path", "mcd.csv"]),
+        (ROWS.replace("UNCD\t1", "UNCD\tone", 1), ["line 2", "scan", "found 'one'"]),
+        (ROWS.replace("substitute", "guess", 1), ["line 2", "source", "found 'guess'"]),
+        (ROWS.replace("\t", ","), ["separated by tabs", "found surface,label"]),
+        (ROWS.replace("\t", " "), ["separated by tabs", "found surface label"]),
+        (ROWS.partition("\n")[2], ["the columns", "found "]),
+        (ROWS.partition("\n")[0], ["a row a scan", "0 rows"]),
+        (ROWS + "\t".join("abcdefgh") + "\n", ["line 27", "expected 6 cells", "found 8"]),
+        ("", ["expected a table of surfaces"]),
+        (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
+    ],
+)
+def test_table_refused(tmp_path, at_root, text, parts):
+    assert_says(refusal(surfaces, text, tmp_path), "surfaces.tsv", "expected", *parts)
+
+
+def test_no_table(tmp_path):
+    message = refusal(surface_table.surface_table, tmp_path / "none.tsv", SCHEMAS["surfaces"])
+    assert_says(message, "none.tsv", "expected a table of surfaces", "found")
+
+
+def test_one_file_twice(tmp_path, at_root):
+    path = scan(tmp_path / "a.nc")
+    message = refusal(surfaces, own_scans(path, path), tmp_path)
+    assert_says(message, "surfaces.tsv", "path and dataset once", "a.nc")

@@ -1,0 +1,36 @@
+"""Quantities of the configuration: a number and a unit, and nothing else."""
+
+import pytest
+
+from hardcontact.study import units
+
+
+@pytest.mark.parametrize(
+    "text, unit, value",
+    [
+        ("10 uN", "N", 1e-5),
+        ("10 µN", "N", 1e-5),
+        ("25GPa", "Pa", 25e9),
+        ("2.5e3 nm", "um", 2.5),
+        ("0.25 mm", "nm", 250e3),
+        ("-3 nm", "nm", -3),
+    ],
+)
+def test_magnitude(text, unit, value):
+    assert units.magnitude(text, unit) == value
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["10", "nm", "", "ten nm", "10 N", "nan nm", "inf nm", "9**9**9 nm", "1e999 nm", "2*3 nm",
+     "10 foo", 10, None, ["1 nm"], "__import__('os') nm"],
+)  # fmt: skip
+def test_what_is_no_length_is_refused_in_one_line(text):
+    with pytest.raises(ValueError, match="expected a number with a unit") as refused:
+        units.magnitude(text, "nm")
+    assert "\n" not in str(refused.value)
+
+
+def test_token_is_the_same_for_equal_quantities():
+    assert units.token("10 uN", "uN") == units.token("0.01 mN", "uN") == "10uN"
+    assert units.token("5.6 nm", "nm") == "5.6nm"

@@ -1,0 +1,99 @@
+"""Interpolation and cutoff filters: through the points, and every scale kept exactly once."""
+
+import numpy as np
+import pytest
+
+from hardcontact.surfaces.filters import filtered, highpass, interpolate, lowpass
+from hardcontact.surfaces.height_map import HeightMap
+
+
+def periodic(heights, pixel_size=10.0):
+    return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+
+
+def noise(pixels, seed=0):
+    return periodic(np.random.default_rng(seed).standard_normal((pixels, pixels)))
+
+
+@pytest.mark.parametrize("coarse, fine", [(16, 64), (15, 45), (32, 32), (20, 60)])
+def test_interpolation_passes_through_the_points(coarse, fine):
+    surface = noise(coarse)
+    step = fine // coarse
+    interpolated = interpolate(surface, fine)
+    np.testing.assert_allclose(interpolated.heights[::step, ::step], surface.heights, atol=2e-6)
+    assert interpolated.size == pytest.approx(surface.size)
+    assert (interpolated.periodic, interpolated.basis) == (True, "substitute")
+
+
+def test_interpolation_of_a_wave_is_that_wave():
+    x = np.arange(24) / 24
+    wave = np.cos(2 * np.pi * (3 * x[:, None] - 5 * x))
+    u = np.arange(100) / 100
+    expected = np.cos(2 * np.pi * (3 * u[:, None] - 5 * u))
+    np.testing.assert_allclose(interpolate(periodic(wave), 100).heights, expected, atol=1e-6)
+
+
+def test_interpolation_refuses_a_coarser_grid():
+    with pytest.raises(ValueError, match="at least 16 pixels to interpolate to, found 8"):
+        interpolate(noise(16), 8)
+
+
+@pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0, 640.0])
+def test_lowpass_and_highpass_make_the_surface(cutoff):
+    surface = noise(64)
+    low = interpolate(lowpass(surface, cutoff), 64)
+    high = highpass(surface, cutoff)
+    np.testing.assert_allclose(low.heights + high.heights, surface.heights, atol=1e-6)
+
+
+@pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0])
+def test_lowpass_keeps_just_the_long_waves(cutoff):
+    surface = noise(64)
+    band = lowpass(surface, cutoff)
+    wave = 2 * np.pi * np.fft.fftfreq(64, 10.0)
+    keep = np.hypot(wave[:, None], wave) <= 2 * np.pi / cutoff * (1 + 1e-12)
+    expected = np.fft.ifft2(np.fft.fft2(surface.heights) * keep).real
+    np.testing.assert_allclose(interpolate(band, 64).heights, expected, atol=1e-6)
+    assert band.size == pytest.approx(640.0)
+
+
+def test_a_wave_at_the_cutoff_is_kept_once():
+    x = np.arange(64) / 64
+    wave = periodic(np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1)))  # 80 nm
+    assert np.std(lowpass(wave, 80.0).heights) == pytest.approx(np.std(wave.heights))
+    np.testing.assert_allclose(highpass(wave, 80.0).heights, 0, atol=1e-6)
+
+
+def test_a_cutoff_of_two_pixels_is_refused():
+    with pytest.raises(ValueError, match="more than two pixels"):
+        lowpass(noise(64), 20.0)
+
+
+@pytest.mark.parametrize("pixels", [64, 100])
+@pytest.mark.parametrize("cutoff", [60.0, 333.0])
+def test_what_either_side_removes_makes_the_master(pixels, cutoff):
+    master = noise(64)
+    whole, long, short = (
+        filtered(master, side, wavelength, pixels)
+        for side, wavelength in (("small", None), ("small", cutoff), ("large", cutoff))
+    )
+    assert whole.pixel_size == 640 / pixels
+    assert whole.pixels == long.pixels == short.pixels == pixels
+    np.testing.assert_allclose(long.heights + short.heights, whole.heights, atol=3e-6)
+    expected = interpolate(lowpass(master, cutoff), pixels)
+    np.testing.assert_allclose(long.heights, expected.heights, atol=1e-12)
+
+
+@pytest.mark.parametrize("side", ["small", "large"])
+def test_without_a_cutoff_the_master_is_interpolated_alone(side):
+    master = noise(64)
+    np.testing.assert_array_equal(filtered(master, side, None, 64).heights, master.heights)
+    finer = filtered(master, side, None, 128)
+    np.testing.assert_allclose(finer.heights[::2, ::2], master.heights, atol=2e-6)
+    assert finer.pixel_size == 5.0
+
+
+def test_a_master_on_fewer_pixels_is_refused():
+    for cutoff in (None, 100.0):
+        with pytest.raises(ValueError, match="at least 64 pixels to interpolate to, found 32"):
+            filtered(noise(64), "large", cutoff, 32)

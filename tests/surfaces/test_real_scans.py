@@ -1,0 +1,115 @@
+"""Measured scans: their numbers, and a study with one's own scan among substitutes."""
+
+import re
+
+import numpy as np
+import pytest
+import xarray as xr
+from repository import ROOT, copy_repository, run_snakemake
+
+from hardcontact.surfaces.scans import read_scan
+from hardcontact.surfaces.topography import level
+
+SCANS = ROOT / "../shared/scans"
+pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")
+
+AFM = (SCANS / "afm-10um-512.di").resolve()
+CONTAINER = (SCANS / "uncd-demo-container.zip").resolve()
+MEMBER = "gain_control_uncd_35.001"
+
+
+@pytest.mark.parametrize(
+    ("path", "member", "size", "rms_height"),
+    [(AFM, "", 10_000.0, 14.3), (CONTAINER, MEMBER, 100.0, 4.69)],
+)
+def test_levelled_rms_height(path, member, size, rms_height):
+    scan = read_scan(path, member)
+    assert scan.heights.shape == (512, 512)
+    assert scan.size == pytest.approx(size)
+    assert level(scan).heights.std() == pytest.approx(rms_height, abs=0.05)
+
+
+def test_line_scans_of_the_container_are_refused():
+    for member in ("80_Scale10.472_FIXEDv2p1.asc", "uncd_stylus_300um_5mar_3.txt"):
+        with pytest.raises(ValueError, match=r"uncd-demo-container.*found a line scan$"):
+            read_scan(CONTAINER, member)
+
+
+@pytest.mark.parametrize("share", [0.001, 0.5, 0.99])
+def test_truncated_afm_scan_is_refused(tmp_path, share):
+    content = AFM.read_bytes()
+    path = tmp_path / "a.di"
+    path.write_bytes(content[: int(share * len(content))])
+    with pytest.raises(ValueError, match=r"^\S*a\.di: expected .* found:? [^\n]*\Z"):
+        read_scan(path)
+
+
+TABLE = f"""\
+surface\tlabel\tscan\tsource\tpath\tdataset
+uncd\tmy UNCD\t1\tmeasured\t{AFM}\t
+mcd\tMCD\t1\tsubstitute\tresources/spectra/mcd.csv\t
+mcd\tMCD\t2\tsubstitute\tresources/spectra/mcd.csv\t
+ruby\truby\t1\tsubstitute\tresources/spectra/ruby.csv\t
+"""
+#: The scan is 512 pixels of 19.5 nm, as the quick study's; four tiles of it need 4096.
+OWN = {
+    "study": "own",
+    "surfaces": "own.tsv",
+    "scales": {"large": {"pixels": 4096}},
+    "robustness": {"small": {"pixels": 4096}, "large": {"pixels": 4096}},
+    "indent": {"surface": "uncd"},
+}
+
+
+@pytest.fixture(scope="module")
+def own_study(tmp_path_factory):
+    """A study with one measured surface, as far as adhesion."""
+    folder = copy_repository(tmp_path_factory.mktemp("own") / "study")
+    (folder / "own.tsv").write_text(TABLE)
+    run = run_snakemake(folder, "topography", "adhesion", overlays=[OWN])
+    assert run.returncode == 0, run.stdout[-3000:]
+    return folder / "results" / "own"
+
+
+@pytest.mark.study
+def test_datasets_say_which_surface_was_measured(own_study):
+    expected = {"uncd": "measured", "mcd": "substitute", "ruby": "substitute"}
+    for name in ("topography", "adhesion"):
+        dataset = xr.load_dataset(own_study / f"{name}.nc")
+        basis = dict(zip(dataset.surface.values, dataset.basis.values, strict=True))
+        assert basis == {key: expected[key] for key in basis}
+        assert {"uncd", "mcd"} <= basis.keys()
+    assert xr.load_dataset(own_study / "contact.nc").attrs["basis"] == "measured"
+
+
+@pytest.mark.study
+def test_topography_of_the_own_scan(own_study):
+    own = xr.load_dataset(own_study / "topography.nc").sel(surface="uncd")
+    assert float(own.rms_height.sel(scan=1)) == pytest.approx(14.3, abs=0.05)
+    assert np.isnan(own.rms_height.sel(scan=2))
+    assert float(own.rms_height_mean) == pytest.approx(14.3, abs=0.05)
+    assert float(own.scan_size) == pytest.approx(10_000.0)
+    assert str(own.label.values) == "my UNCD"
+    assert str(own.calibrated_to_table1.values) == ""
+
+
+@pytest.mark.study
+def test_adhesion_of_the_own_scan(own_study):
+    force = xr.load_dataset(own_study / "adhesion.nc").pull_off_force
+    own = force.sel(surface="uncd", scan=1, sphere_scan=1)
+    assert np.isfinite(own).all() and (own > 0).all()
+    rigid, plastic = (own.sel(contact_model=model) for model in ("rigid", "plastic"))
+    assert (plastic >= rigid).all()
+    assert force.sel(surface="uncd", scan=2).isnull().all()
+    assert force.sel(surface="mcd", sphere_scan=1).notnull().all()
+
+
+@pytest.mark.study
+def test_a_measured_surface_keeps_its_scans_in_every_variant(own_study):
+    run = run_snakemake(own_study.parents[1], "-n", "robustness", overlays=[OWN])
+    assert run.returncode == 0, run.stdout[-3000:]
+    outputs = re.findall(r"^    output: (.*)$", run.stdout, re.M)
+    assert any("/mcd/laplacian/" in output for output in outputs)
+    own = [output for output in outputs if "/uncd/" in output]
+    assert any(re.search("/robustness/.*/uncd/study/scan-1/sphere-scan-1.nc", o) for o in own)
+    assert [output for output in own if "/uncd/study/" not in output] == []

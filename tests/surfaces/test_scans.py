@@ -1,0 +1,132 @@
+"""Bad scans: one line that names the file, what was expected and what was found."""
+
+import numpy as np
+import pytest
+from refusals import assert_says, refusal
+from scan_files import container, cut, heights, scan
+from SurfaceTopography import UniformLineScan
+
+from hardcontact.surfaces import scans
+
+
+def test_a_good_scan_is_read_in_nm_with_rows_along_y(tmp_path):
+    values = heights(32, 32)
+    height_map = scans.read_scan(scan(tmp_path / "a.nc", values, (32.0, 32.0), "µm"))
+    assert height_map.pixel_size == pytest.approx(1000.0)
+    assert (height_map.periodic, height_map.basis) == (False, "measured")
+    np.testing.assert_allclose(height_map.heights, 1000 * values.T, rtol=1e-6)
+    assert scans.read_scan(tmp_path / "a.nc", basis="substitute").basis == "substitute"
+
+
+def test_missing_scan(tmp_path):
+    message = refusal(scans.read_scan, tmp_path / "none.nc")
+    assert_says(message, "none.nc", "expected a scan", "found no such file")
+
+
+@pytest.mark.parametrize("name", ["a.nc", "a.di", "a.txt", "a.zip", "a.sur"])
+@pytest.mark.parametrize(
+    "content", [b"hello\nno scan\n", b"", bytes(range(256)) * 8, b"CDF\x02", b"PK\x03\x04abc"]
+)
+def test_unreadable_scan(tmp_path, name, content):
+    (tmp_path / name).write_bytes(content)
+    message = refusal(scans.read_scan, tmp_path / name)
+    assert_says(message, name, "expected", "found")
+    assert "None" not in message
+
+
+@pytest.mark.parametrize("share", [0.01, 0.3, 0.7, 0.999])
+def test_truncated_scan(tmp_path, share):
+    message = refusal(scans.read_scan, cut(scan(tmp_path / "a.nc"), share))
+    assert_says(message, "a.nc", "expected a whole file", "found")
+
+
+def test_scan_without_physical_size(tmp_path):
+    np.save(tmp_path / "a.npy", heights())
+    np.savetxt(tmp_path / "a.txt", heights())
+    for name in ("a.npy", "a.txt"):
+        message = refusal(scans.read_scan, tmp_path / name)
+        assert_says(message, name, "expected", "physical size", "found none")
+
+
+def test_scan_without_unit(tmp_path):
+    message = refusal(scans.read_scan, scan(tmp_path / "a.nc", unit=None))
+    assert_says(message, "a.nc", "expected a physical size and a unit", "unit None")
+
+
+def test_scan_in_a_unit_that_is_no_length(tmp_path):
+    np.savetxt(tmp_path / "a.txt", heights())
+    entry = {"name": "a", "datafile": {"original": "a.txt"}, "size": [320, 320], "unit": "V"}
+    path = container(tmp_path / "a.zip", [entry], {"a.txt": tmp_path / "a.txt"})
+    assert_says(refusal(scans.read_scan, path, "a"), "a.zip", "unit", "V")
+
+
+def test_undefined_pixels_are_counted_and_filled_on_demand(tmp_path):
+    values = np.ma.masked_array(heights(), False)
+    values[3, 4:9] = np.ma.masked
+    path = scan(tmp_path / "a.nc", values)
+    message = refusal(scans.read_scan, path)
+    assert_says(message, "a.nc", "found 5", "scan.undefined_pixels: harmonic")
+    filled = scans.read_scan(path, "", "harmonic").heights
+    assert np.isfinite(filled).all()
+    defined = ~values.mask.T
+    np.testing.assert_array_equal(filled[defined], values.data.T[defined])
+    around = values.data[2:5, 3:10]
+    assert around.min() <= filled.T[3, 4:9].min() <= filled.T[3, 4:9].max() <= around.max()
+
+
+def test_nothing_but_undefined_pixels(tmp_path):
+    path = scan(tmp_path / "a.nc", np.ma.masked_all((32, 32)))
+    assert_says(refusal(scans.read_scan, path, "", "harmonic"), "a.nc", "1024 undefined")
+
+
+def test_scan_that_is_not_square(tmp_path):
+    path = scan(tmp_path / "a.nc", heights(32, 16), (320.0, 160.0))
+    assert_says(refusal(scans.read_scan, path), "a.nc", "square scan", "32 x 16 pixels")
+
+
+def test_pixels_that_are_not_square(tmp_path):
+    path = scan(tmp_path / "a.nc", sizes=(320.0, 160.0))
+    assert_says(refusal(scans.read_scan, path), "square pixels", "10 nm x 5 nm")
+
+
+def test_line_scan(tmp_path):
+    UniformLineScan(heights(32), 320.0, unit="nm").to_netcdf(str(tmp_path / "a.nc"))
+    message = refusal(scans.read_scan, tmp_path / "a.nc")
+    assert_says(message, "a.nc", "expected a height map", "found a line scan")
+
+
+def test_dataset_of_a_single_file(tmp_path):
+    message = refusal(scans.read_scan, scan(tmp_path / "a.nc"), "first")
+    assert_says(message, "a.nc", "container", "'first'")
+
+
+def text_entry(name, file):
+    return {"name": name, "datafile": {"original": file}, "size": [320, 320], "unit": "nm"}
+
+
+def test_container_without_the_dataset(tmp_path):
+    path = container(tmp_path / "a.zip", [text_entry("one", "1.txt"), text_entry("two", "2")], {})
+    for dataset_name in ("three", ""):
+        message = refusal(scans.read_scan, path, dataset_name)
+        assert_says(message, "a.zip", "column dataset", "one, two", f"found {dataset_name!r}")
+    assert_says(refusal(scans.read_scan, path, "one"), "a.zip", "the data file 1.txt")
+
+
+def test_container_with_two_datasets_of_one_name(tmp_path):
+    np.savetxt(tmp_path / "a.txt", heights())
+    entries = [text_entry("one", "1.txt"), text_entry("one", "2.txt")]
+    files = dict.fromkeys(("1.txt", "2.txt"), tmp_path / "a.txt")
+    path = container(tmp_path / "a.zip", entries, files)
+    message = refusal(scans.read_scan, path, "one")
+    assert_says(message, "expected one scan 'one'", "found 1.txt, 2.txt")
+    assert scans.read_scan(path, "2.txt").pixel_size == pytest.approx(10.0)
+
+
+def test_container_says_what_its_data_file_does_not(tmp_path):
+    values = heights()
+    np.savetxt(tmp_path / "a.txt", values)
+    entry = text_entry("one", "a.txt") | {"height_scale": 2.5}
+    path = container(tmp_path / "a.zip", [entry], {"a.txt": tmp_path / "a.txt"})
+    height_map = scans.read_scan(path, "one")
+    assert height_map.pixel_size == pytest.approx(10.0)
+    assert height_map.heights.std() == pytest.approx(2.5 * values.std())

@@ -1,0 +1,109 @@
+"""Spectra: published twins, moments, tables, what is measured of scans and beyond their band."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from random_scans import UNCD, levelled_scan, measured_spectra, uncd
+from refusals import assert_says, refusal
+
+from hardcontact.random import generator
+from hardcontact.records import dataset
+from hardcontact.surfaces import spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds
+
+
+def test_profile_and_isotropic_spectra_are_twins():
+    # C_1D = 1.1e5 nm3 [1 + (q/q_r)^2]^-1.34 has C_iso = 6.1e7 nm4 [...]^-1.84: published pair.
+    q = np.linspace(0, 400, 2_000_001) * 2 * np.pi / 930
+    profile = np.trapezoid(uncd(q), q) / np.pi
+    assert profile == pytest.approx(1.1e5, rel=0.01)
+
+
+def test_profile_of_a_power_law_is_its_integral():
+    q, hurst = 0.3, 0.7
+    along = np.linspace(0, 600, 4_000_001)
+    integral = np.trapezoid((q**2 + along**2) ** (-1 - hurst), along) / np.pi
+    ratio = spectrum.profile_from_isotropic_power_law(q, hurst)
+    assert ratio * q ** (-2 - 2 * hurst) == pytest.approx(integral, rel=1e-4)
+
+
+def test_points_of_a_profile_give_the_power_law_they_lie_on():
+    wavelengths, hurst = np.array([66.0, 7.0, 24.0, 15.0]), 0.7
+    isotropic = Spectrum(WAVEVECTORS, WAVEVECTORS ** (-2 - 2 * hurst))
+    q = 2 * np.pi / wavelengths
+    profile = isotropic(q) * spectrum.profile_from_isotropic_power_law(q, hurst)
+    density = spectrum.profile_points(WAVEVECTORS, wavelengths, profile)
+    np.testing.assert_allclose(density, isotropic.density, rtol=1e-6)
+
+
+def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
+    wave = np.geomspace(0.01, 10, 30)
+    q = np.array([0.0, 0.001, 0.02, 0.333, 9.9, 10.1])
+    density = Spectrum(wave, 5 * wave**-3.4)(q)
+    expected = 5 * np.array([0.01, 0.01, 0.02, 0.333, 9.9, np.nan]) ** -3.4
+    np.testing.assert_allclose(density[:-1], expected[:-1], rtol=1e-9)
+    assert density[-1] == 0
+
+
+def test_self_affine_height_is_the_moment_of_its_spectrum():
+    q = np.geomspace(1e-6, 1e3, 200_001)
+    table = Spectrum(q, spectrum.self_affine(q, 5e9, 2000.0, 0.8))
+    height = spectrum.all_scales_moments(table)[0]
+    assert height == pytest.approx(spectrum.self_affine_height(5e9, 2000.0, 0.8), rel=1e-4)
+    assert height == pytest.approx(94, abs=0.5)  # the published model of NCD
+
+
+def test_moments_of_a_band_are_its_integrals():
+    # C_iso = 1 nm4 from q = 1 to 2: (1/2 pi) ∫ q^(1 + 2k) dq, the Laplacian's a quarter of it.
+    q = np.geomspace(1, 2, 20_001)
+    moments = spectrum.all_scales_moments(Spectrum(q, np.ones_like(q)))
+    squares = np.array([3 / 2, 15 / 4, 63 / 6 / 4]) / (2 * np.pi)
+    np.testing.assert_allclose(moments, np.sqrt(squares), rtol=1e-6)
+
+
+def test_measured_psd_of_scans_is_the_spectrum():
+    wave, isotropic = measured_spectra(12, seed=3)
+    middle = (wave > 0.03) & (wave < 0.3)
+    ratio = isotropic[:, middle].mean(axis=0) / uncd(wave[middle])
+    np.testing.assert_allclose(ratio, 1, atol=0.15)
+
+
+def test_empty_bins_are_no_measurement():
+    wave, *densities = measured_psds(levelled_scan(generator(8), 64, 20.0))
+    outside = (wave < 2 * np.pi / (64 * 20.0) * 0.8) | (wave > 2 * np.pi / 40.0 * 1.5)
+    for density in densities:
+        assert np.isnan(density[outside]).all()
+        assert (density[np.isfinite(density)] > 0).all()
+
+
+def test_spectrum_of_scans_continues_beyond_their_band():
+    density = spectrum.from_scans(*measured_spectra(8, seed=10))
+    assert np.isfinite(density).all() and (density > 0).all()
+    middle = (WAVEVECTORS > 0.03) & (WAVEVECTORS < 0.3)
+    np.testing.assert_allclose(density[middle] / uncd(WAVEVECTORS[middle]), 1, atol=0.35)
+    # Constant at long wavelengths, and a decade below the pixels within what its slope allows.
+    assert np.ptp(density[WAVEVECTORS < 2 * np.pi / 2000]) == 0
+    beyond = Spectrum(WAVEVECTORS, density)(6.0)
+    assert 1 / 3 < beyond / uncd(6.0) < 3
+
+
+def test_extrapolated_spectrum_says_that_it_was_measured():
+    wave, densities = measured_spectra(2, seed=11)
+    scans = [
+        xr.Dataset({"psd_isotropic": ("wavevector", density)}, {"wavevector": wave})
+        for density in densities
+    ]
+    extrapolated = spectrum.extrapolated_spectrum(scans)
+    np.testing.assert_array_equal(extrapolated.spectrum, spectrum.from_scans(wave, densities))
+    assert extrapolated.attrs == {"basis": "measured", "calibrated_to_table1": ""}
+
+
+def test_a_spectrum_comes_back_as_it_was_stored(tmp_path):
+    dataset.write(spectrum.spectrum_dataset(UNCD.density), tmp_path / "a.nc")
+    stored = spectrum.read_spectrum(tmp_path / "a.nc")
+    np.testing.assert_array_equal(stored.wavevector, WAVEVECTORS)
+    np.testing.assert_array_equal(stored.density, UNCD.density)
+
+
+def test_a_missing_spectrum_is_one_clear_line(tmp_path):
+    assert_says(refusal(spectrum.read_spectrum, tmp_path / "none.nc"), "none.nc: expected")

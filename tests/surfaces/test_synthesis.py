@@ -1,0 +1,100 @@
+"""Random surfaces: Parseval, PSD in = PSD out. Masters keep the scan beyond a wavelength."""
+
+import numpy as np
+import pytest
+from random_scans import UNCD, levelled_scan, uncd
+
+from hardcontact.random import generator
+from hardcontact.surfaces.filters import interpolate, lowpass
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
+from hardcontact.surfaces.topography import mirror_stitch
+
+
+def radii(pixels, pixel_size):
+    """Wavevectors of a two-dimensional transform."""
+    wave = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)
+    return np.hypot(wave[:, None], wave)
+
+
+def grid_variance(density, pixels, pixel_size):
+    """Variance that a spectrum has on a periodic grid (Parseval), its mean left out."""
+    modes = density(radii(pixels, pixel_size))
+    modes[0, 0] = 0
+    return modes.sum() / (pixels * pixel_size) ** 2
+
+
+def test_random_surface_has_the_variance_of_its_spectrum():
+    variances = [random_surface(generator(1, k), 256, 20.0, uncd).heights.var() for k in range(40)]
+    error = np.std(variances) / np.sqrt(len(variances))
+    assert abs(np.mean(variances) - grid_variance(uncd, 256, 20.0)) < 4 * error
+    surface = random_surface(generator(1), 64, 20.0, uncd)
+    assert abs(surface.heights.mean()) < 1e-5 and surface.heights.dtype == np.float32
+    assert (surface.pixel_size, surface.periodic, surface.basis) == (20.0, True, "substitute")
+
+
+def test_psd_in_is_psd_out_over_the_ensemble():
+    pixels, pixel_size = 256, 20.0
+    mean = np.zeros((pixels, pixels))
+    for k in range(60):
+        heights = random_surface(generator(2, k), pixels, pixel_size, uncd).heights
+        mean += np.abs(np.fft.fft2(heights)) ** 2 * (pixel_size / pixels) ** 2 / 60
+    wave = radii(pixels, pixel_size)
+    for low, high in ((0.003, 0.01), (0.01, 0.03), (0.03, 0.1), (0.1, 0.15)):
+        ring = (wave > low) & (wave < high)
+        assert (mean[ring] / uncd(wave[ring])).mean() == pytest.approx(1, abs=0.05)
+
+
+@pytest.fixture(scope="module")
+def stitched():
+    return mirror_stitch(levelled_scan(generator(6), 64, 20.0))
+
+
+def band(surface, low, high):
+    """The part with wavelengths between low and high, on the surface's own grid."""
+    radius = radii(surface.pixels, surface.pixel_size)
+    keep = (radius < 2 * np.pi / low * 0.999) & (radius > 2 * np.pi / high * 1.001)
+    return np.fft.ifft2(np.fft.fft2(surface.heights) * keep).real
+
+
+def test_small_scale_master_keeps_the_scan_above_the_transition(stitched):
+    master = small_scale_master(generator(1), stitched, 512, 100.0, np.zeros_like)
+    assert master.pixel_size == 5.0 and master.heights.dtype == np.float32
+    assert (master.periodic, master.basis) == (True, stitched.basis)
+    kept = interpolate(lowpass(stitched, 100.0), 512)
+    np.testing.assert_allclose(master.heights, kept.heights, atol=1e-4)
+
+
+def test_small_scale_master_adds_the_spectrum_below_and_a_plateau_above(stitched):
+    # The scan's part set to zero: what is left is the added roughness alone.
+    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, basis="measured")
+    masters = [small_scale_master(generator(9, k), flat, 512, 100.0, UNCD) for k in range(8)]
+    assert {master.basis for master in masters} == {"measured"}
+    power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0) * (5 / 512) ** 2
+    radius = radii(512, 5.0)
+    edge = 2 * np.pi / 100.0
+    above = (radius < edge) & (radius > 0)
+    below = (radius > edge) & (radius < 0.5)
+    assert power[above].mean() == pytest.approx(uncd(edge), rel=0.1)
+    assert (power[below] / uncd(radius[below])).mean() == pytest.approx(1, abs=0.05)
+
+
+def test_large_scale_master_keeps_the_scan_below_the_transition(stitched):
+    master = large_scale_master(generator(2), stitched, 2, 500.0, UNCD)
+    repeated = HeightMap(np.tile(stitched.heights, (2, 2)), 20.0, True, "substitute")
+    assert master.pixels == 2 * stitched.pixels and master.pixel_size == 20.0
+    assert master.heights.dtype == np.float32
+    assert (master.periodic, master.basis) == (True, stitched.basis)
+    np.testing.assert_allclose(band(master, 40, 499), band(repeated, 40, 499), atol=1e-3)
+    assert np.std(band(master, 501, 5120) - band(repeated, 501, 5120)) > 1
+
+
+def test_large_scale_master_adds_the_spectrum_above_the_transition(stitched):
+    flat = HeightMap(np.zeros_like(stitched.heights), 20.0, periodic=True, basis="measured")
+    masters = [large_scale_master(generator(3, k), flat, 2, 500.0, UNCD) for k in range(12)]
+    pixels, radius = masters[0].pixels, radii(masters[0].pixels, 20.0)
+    power = np.mean([np.abs(np.fft.fft2(m.heights)) ** 2 for m in masters], axis=0)
+    power *= (20.0 / pixels) ** 2
+    above = (radius < 2 * np.pi / 500) & (radius > 0)
+    assert (power[above] / uncd(radius[above])).mean() == pytest.approx(1, abs=0.1)
+    assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[above].mean()

@@ -1,0 +1,122 @@
+"""Height maps: planes, spheres, mirrors, metrics with known answers, scans as they are stored."""
+
+import numpy as np
+import pytest
+
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.topography import (
+    DEFINITIONS,
+    METRICS,
+    level,
+    metrics,
+    mirror_stitch,
+    prepared_scan,
+    subtract_sphere,
+    table1_variables,
+)
+
+RADIUS = 250e3
+
+
+def scan_of(heights, pixel_size=10.0):
+    return HeightMap(heights, pixel_size, periodic=False, basis="measured")
+
+
+@pytest.fixture
+def roughness():
+    """A wave of eight periods, on pixels of 40 nm."""
+    return scan_of(np.cos(2 * np.pi * np.arange(64) * 8 / 64) * np.ones((64, 1)), 40.0)
+
+
+@pytest.fixture
+def sphere(roughness):
+    """The wave on a sphere whose apex is off the middle."""
+    y, x = (np.mgrid[:64, :64] - 20.3) * 40.0
+    return scan_of(roughness.heights - (x**2 + (y - 500) ** 2) / (2 * RADIUS), 40.0)
+
+
+def test_levelling_removes_a_plane_and_only_that():
+    y, x = np.mgrid[:32, :32]
+    wave = np.sin(2 * np.pi * 4 * x / 32) * np.sin(2 * np.pi * 3 * y / 32)
+    levelled = level(scan_of(wave + 3 * x - 2 * y + 7)).heights
+    assert abs(levelled.mean()) < 1e-9
+    assert np.polyfit(x[0], levelled.mean(axis=0), 1)[0] == pytest.approx(0, abs=1e-9)
+    assert levelled.std() == pytest.approx(wave.std(), rel=0.1)
+
+
+def test_levelling_is_the_least_squares_plane():
+    heights = np.random.default_rng(0).standard_normal((9, 12))
+    y, x = np.mgrid[:9, :12]
+    basis = np.stack([np.ones(heights.size), x.ravel(), y.ravel()], axis=1)
+    coefficients = np.linalg.lstsq(basis, heights.ravel(), rcond=None)[0]
+    expected = heights - (basis @ coefficients).reshape(heights.shape)
+    np.testing.assert_allclose(level(scan_of(heights)).heights, expected, atol=1e-12)
+
+
+def test_sphere_is_removed_wherever_its_apex_lies(sphere, roughness):
+    subtracted = subtract_sphere(sphere, RADIUS)
+    np.testing.assert_allclose(subtracted.heights, level(roughness).heights, atol=1e-8)
+
+
+def test_mirrored_edges_match():
+    scan = scan_of(np.random.default_rng(0).standard_normal((7, 7)))
+    stitched = mirror_stitch(scan)
+    assert stitched.heights.shape == (14, 14)
+    assert stitched.periodic and not scan.periodic
+    np.testing.assert_array_equal(stitched.heights[:7, :7], scan.heights)
+    for axis in (0, 1):
+        edges = np.take(stitched.heights, [0, -1, 6, 7], axis=axis)
+        first, last, middle, next_ = np.split(edges, 4, axis=axis)
+        np.testing.assert_array_equal(first, last)
+        np.testing.assert_array_equal(middle, next_)
+
+
+def test_metrics_of_a_wave():
+    pixels, pixel_size, amplitude, order = 256, 3.0, 2.0, 16
+    x = np.arange(pixels) * pixel_size
+    wave = amplitude * np.cos(2 * np.pi * order * x / (pixels * pixel_size))
+    values = metrics(scan_of(wave[None] * np.ones((pixels, 1)), pixel_size))
+    assert list(values) == list(METRICS)
+    q = 2 * np.pi * order / (pixels * pixel_size)
+    difference = 2 * np.sin(q * pixel_size / 2) / pixel_size
+    rms = amplitude / np.sqrt(2)
+    assert values["rms_height"] == pytest.approx(rms)
+    assert values["rms_gradient"] == pytest.approx(rms * difference, rel=0.01)
+    assert values["rms_profile_slope"] == pytest.approx(rms * difference, rel=0.01)
+    assert values["rms_laplacian"] == pytest.approx(rms * difference**2, rel=0.01)
+    assert values["rms_half_laplacian"] == pytest.approx(values["rms_laplacian"] / 2)
+    assert values["kurtosis"] == pytest.approx(1.5) and values["skewness"] == pytest.approx(0)
+    assert values["peak_to_valley"] == pytest.approx(2 * amplitude)
+
+
+def test_a_prepared_scan_is_levelled_and_stitched():
+    y, x = np.mgrid[:16, :16]
+    scan = scan_of(np.random.default_rng(1).standard_normal((16, 16)) + 3 * x - y)
+    levelled, stitched = prepared_scan(scan)
+    expected = level(scan).heights.astype(np.float32)
+    np.testing.assert_array_equal(levelled.variables["heights"][1], expected)
+    np.testing.assert_array_equal(stitched.variables["heights"][1][16:, 16:], expected[::-1, ::-1])
+    assert levelled.attributes == {"periodic": 0, "basis": "measured"}
+    assert stitched.attributes == {"periodic": 1, "basis": "measured"}
+    assert list(levelled.variables) == list(stitched.variables) == ["heights"]
+
+
+def test_a_prepared_scan_of_the_sphere_keeps_what_was_scanned(sphere):
+    levelled, stitched = prepared_scan(sphere, RADIUS)
+    dimensions, as_scanned, attributes = levelled.variables["as_scanned"]
+    assert dimensions == ("y", "x") and attributes["units"] == "nm"
+    np.testing.assert_array_equal(as_scanned, sphere.heights.astype(np.float32))
+    expected = subtract_sphere(sphere, RADIUS).heights
+    np.testing.assert_allclose(levelled.variables["heights"][1], expected, atol=1e-6)
+    assert list(stitched.variables) == ["heights"]
+
+
+def test_rows_of_table1_are_variables_of_the_topography():
+    for slope in ("gradient", "profile"):
+        for curvature in ("half_laplacian", "laplacian"):
+            named = table1_variables(slope, curvature)
+            metric = named["afm_rms_slope"].removesuffix("_mean")
+            assert metric == DEFINITIONS[slope] and metric in METRICS
+            assert named["all_rms_slope"] == f"all_scales_{metric}"
+            assert named["all_rms_curvature"] == f"all_scales_{DEFINITIONS[curvature]}"
+            assert len(named) == 6

@@ -1,0 +1,53 @@
+"""The tables of the paper's numbers, as the study reads them."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hardcontact import published
+
+PAPER = Path(__file__).parents[1] / "resources" / "paper"
+
+
+def test_constants_by_quantity():
+    constants = published.constants(PAPER / "parameters.csv")
+    assert constants.loc["range_of_adhesion", ["value", "uncertainty"]].tolist() == [5.6, 0.5]
+    assert constants.value["critical_wavelength_small"] == 43
+    assert np.isnan(constants.uncertainty["critical_wavelength_small"])
+    assert constants.index.is_unique
+
+
+def test_pull_off_by_surface():
+    table = published.pull_off(PAPER / "pull_off.csv")
+    assert table.mean_force["polished_uncd"] == 8.8e-6
+    assert table.median_force["mcd"] == 0.06e-6
+    assert table.effective_work_of_adhesion["uncd"] == 0.32e-3
+
+
+def test_printed_digits_are_kept():
+    text = published.printed_pull_off(PAPER / "pull_off.csv")
+    assert text.mean_force["uncd"] == "0.4e-6"
+    numbers = published.pull_off(PAPER / "pull_off.csv")
+    assert text.astype(float).equals(numbers)
+
+
+def test_a_number_that_is_not_printed_is_missing(tmp_path):
+    path = tmp_path / "pull_off.csv"
+    path.write_text("surface,quantity,value\na,mean_force,1e-6\nb,median_force,2e-6\n")
+    assert np.isnan(published.pull_off(path).mean_force["b"])
+
+
+def test_table1_has_a_row_a_number():
+    table = published.table1(PAPER / "table1.csv").set_index(["surface", "quantity"])
+    assert table.loc[("ncd", "afm_rms_height"), "value"] == 97.1
+    assert table.loc[("ncd", "afm_rms_height"), "uncertainty"] == 11.2
+    assert table.index.is_unique
+
+
+@pytest.mark.parametrize("module", ["hardcontact.published"])
+def test_importing_does_not_load_xarray(module):
+    code = f"import sys, {module}; sys.exit('xarray' in sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)

@@ -1,0 +1,246 @@
+"""The table of changes to a study: what is done to its files, and which rules are to run again."""
+
+import shutil
+from pathlib import Path
+
+import pandas as pd
+import yaml
+from repository import PARTS, QUICK, ROOT
+from rule_graph import (
+    AGGREGATED,
+    CONTACTS,
+    DRAWN,
+    FILTERED,
+    FORCES,
+    FROM_SCANS,
+    INFERRED,
+    KEPT,
+    MASTER_LARGE,
+    MASTER_SMALL,
+    MASTERS,
+    PAIRS,
+    SCANS,
+    all_following,
+    drawn_from,
+    following,
+)
+from scan_files import heights, scan
+
+from hardcontact.study.patterns import PUBLISHED
+
+#: Another value of every key, and the rules that it concerns. Every value also stands in the
+#: configuration kept with the results and on the page of parameters.
+KEYS = {
+    "study": ("second", AGGREGATED | {"trace_contact", "measure_indents", "infer"}),
+    "store": ("results/other", FROM_SCANS | {"calibrate_spectrum"}),
+    "surfaces": ("config/same.tsv", set()),
+    "scans": ([1, 2, 3], SCANS | CONTACTS - {"trace_contact"}),
+    "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer"}),
+    "seed": (1, FROM_SCANS | {"calibrate_spectrum", *INFERRED}),
+    "sphere.surface": ("mcd", FROM_SCANS),
+    "sphere.radius": ("300 um", SCANS | FORCES),
+    "scan.pixels": (112, FROM_SCANS),
+    "scan.size": ("2400 nm", FROM_SCANS),
+    "scan.realization_pixels": (256, FROM_SCANS),
+    "scan.undefined_pixels": ("harmonic", set()),  # substitutes have none
+    "topography.slope": ("profile", FROM_SCANS | {"calibrate_spectrum"}),
+    "topography.curvature": ("laplacian", FROM_SCANS | {"calibrate_spectrum"}),
+    "contact.hardness": ("30 GPa", FORCES),
+    "contact.preload": ("12 uN", FORCES - {"measure_indents"}),
+    "contact.window": ("12000 nm", FORCES),
+    "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales"}),
+    "adhesion.ranges": (["1 nm", "3 nm", "5.6 nm"], {"compute_pull_off", "vary_adhesion"}),
+    "adhesion.traced_contact.surface": ("ncd", {"trace_contact"}),
+    "adhesion.traced_contact.scan": (2, {"trace_contact"}),
+    "adhesion.traced_contact.sphere_scan": (2, {"trace_contact"}),
+    "adhesion.traced_contact.contact": ([2, 3], {"trace_contact"}),
+    "inference.error_threshold": (0.2, {"infer", "aggregate_robustness"}),
+    "inference.force_floor": ("20 nN", {"infer"}),
+    "inference.bootstrap_samples": (120, INFERRED),
+    "inference.confidence": (0.9, INFERRED | {"aggregate_topography"}),
+    "scales.range": ("5 nm", {"measure_window_change", *FILTERED}),
+    "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness"}),
+    "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off"}),
+    "scales.sphere_roughness": (True, FILTERED),
+    "scales.small.pixels": (2048, {MASTER_SMALL, "compute_filtered_pull_off"}),
+    "scales.small.transition": ("90 nm", {MASTER_SMALL, *FILTERED}),
+    "scales.small.cutoffs": (["43 nm", "80 nm", "120 nm", "500 nm"], {"compute_filtered_pull_off"}),
+    "scales.large.pixels": (2048, {"compute_filtered_pull_off"}),
+    "scales.large.tiles": (3, {MASTER_LARGE, *FILTERED}),
+    "scales.large.transition": ("900 nm", {MASTER_LARGE, *FILTERED}),
+    "scales.large.cutoffs": (["500 nm", "1800 nm", "4000 nm", "5000 nm"],
+                             {"compute_filtered_pull_off"}),
+    "elastic.sphere.modulus": ("360 GPa", {"solve_elastic_contact"}),
+    "elastic.sphere.poisson_ratio": (0.3, {"solve_elastic_contact"}),
+    "elastic.substrate.modulus": ("1000 GPa", {"solve_elastic_contact"}),
+    "elastic.substrate.poisson_ratio": (0.2, {"solve_elastic_contact"}),
+    "elastic.contacts": (2, {"solve_elastic_contact"}),
+    "elastic.window": ("2400 nm", {"solve_elastic_contact"}),
+    "indent.surface": ("mcd", {"measure_indents"}),
+    "indent.preloads": (["20 uN"], {"measure_indents"}),
+    "asperities.contacts": (3, {"find_asperities"}),
+    "asperities.share": (0.8, {"find_asperities"}),
+    "asperities.ranges": (["1 nm", "2 nm"], {"find_asperities"}),
+    "robustness.preloads": (["6 uN"], {"vary_adhesion", "vary_scales"}),
+    "robustness.hardnesses": (["16 GPa"], {"vary_adhesion", "vary_scales"}),
+    "robustness.skewness": (
+        [0.1],
+        {"calibrate_spectrum", "synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scales"},
+    ),
+    "robustness.realizations": (2, {"vary_scales"}),
+    "robustness.count": (5, {"vary_adhesion", "vary_scales"}),
+    "robustness.small.pixels": (2048, {"vary_scales"}),
+    "robustness.small.cutoffs": (["43 nm", "120 nm"], {"vary_scales"}),
+    "robustness.large.pixels": (2048, {"vary_scales"}),
+    "robustness.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
+}  # fmt: skip
+
+#: What is made of one substitute surface, and with it; traced is uncd, indents are made on ncd.
+SUBSTITUTE = {"calibrate_spectrum", *FROM_SCANS}
+OF_MCD = SUBSTITUTE - {"trace_contact", "measure_indents"}
+
+#: Another text of a column of the rows of mcd (of its second scan), and the rules it concerns.
+COLUMNS = {
+    "surface": ("xcd", OF_MCD),
+    "label": ("fine diamond", AGGREGATED - {"aggregate_robustness"}),
+    "scan": ("6", SCANS | MASTERS | PAIRS | {"compute_filtered_pull_off"}),
+    "source": (
+        "measured",
+        OF_MCD - {"calibrate_spectrum", "synthesize_scan"} | {"extrapolate_spectrum"},
+    ),
+    "path": ("resources/spectra/ncd-table1.csv", OF_MCD),
+}
+
+
+SCRIPTS = sorted(path.name for path in (ROOT / "workflow/scripts").glob("*.py"))
+MODULES = sorted(
+    path.relative_to(ROOT).as_posix() for path in (ROOT / "workflow/hardcontact").rglob("*.py")
+)
+
+
+def rules_of(script):
+    """Return the rules that a script belongs to."""
+    return DRAWN if script == "draw_figure.py" else {Path(script).stem}
+
+
+#: Rules that the quick study has no job for.
+IDLE = {"extrapolate_spectrum", "verify"}
+ALL = set().union(*map(rules_of, SCRIPTS)) - IDLE
+
+
+def published(table, *rules):
+    """Return the path of a published table, and what follows by rules and figures that read it."""
+    return {PUBLISHED[table]: all_following({*rules, *drawn_from(table)})}
+
+
+#: Files beside the code, and what is to be made after a change of their text.
+FILES = {
+    "environment.txt": ALL,
+    "workflow/constraints.txt": ALL,
+    "README.md": set(),
+    **{
+        f"workflow/report/{chapter}.md": following({"describe_study"})
+        for chapter in ("departures", "methods", "performance", "cluster", "faults")
+    },
+    "CITATION.cff": {"describe_crate"},
+    "config/surfaces.tsv": following({"keep_configuration"}),
+    **published("published_table1", "calibrate_spectrum", "apply_classical_models"),
+    **published("published_pull_off", "infer", "apply_classical_models", "aggregate_robustness"),
+    **published("published_constants", "calibrate_spectrum", "apply_classical_models"),
+    "resources/paper/claims.csv": following({"evaluate_claims"}),
+    "resources/spectra/polished_uncd.csv": following(OF_MCD),
+    "resources/spectra/uncd.csv": following(SUBSTITUTE - {"measure_indents"}),
+    "resources/spectra/uncd-tem.csv": following(SUBSTITUTE),  # of uncd and ncd
+    "resources/spectra/ncd.csv": following(SUBSTITUTE - {"trace_contact"}),
+    "resources/spectra/mcd.csv": following(OF_MCD),
+    "resources/spectra/ruby.csv": following(SUBSTITUTE - MASTERS - {"compute_filtered_pull_off"}),
+    "resources/spectra/height_distribution.csv": set(),  # its values are parameters of the rules
+}
+
+
+def overlay(key, value):
+    """Return the overlay that gives this value to a key with dots."""
+    for part in reversed(key.split(".")):
+        value = {part: value}
+    return value
+
+
+def with_line(path):
+    """Return a change that adds a line without meaning: a comment, or an empty row."""
+
+    def change(folder):
+        with open(folder / path, "a") as file:
+            file.write("\n" if path.endswith((".csv", ".tsv")) else "\n# another line\n")
+
+    return change
+
+
+def with_column(column, text):
+    """Return a change of one column in the rows of mcd, and of what has to go with it."""
+
+    def change(folder):
+        path = folder / "config/surfaces.tsv"
+        table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
+        rows = table.surface == "mcd"
+        if column == "scan":
+            rows &= table.scan == "2"
+        table.loc[rows, column] = text
+        if column == "surface":  # of which Table 1 has no row to calibrate it to
+            table.loc[rows, "path"] = "resources/spectra/ruby.csv"
+        if column == "source":
+            table.loc[rows, "path"] = [f"{number}.nc" for number in table.scan[rows]]
+            for name in table.path[rows]:
+                scan(folder / name, heights(128, 128), (2500.0, 2500.0))
+        table.to_csv(path, sep="\t", index=False)
+
+    return change
+
+
+def same_table(folder):
+    """Copy the table of surfaces, for the key that names it."""
+    shutil.copy2(folder / "config/surfaces.tsv", folder / "config/same.tsv")
+
+
+def text_says_the_same(folder):
+    """Write the configuration with its keys in another order and with other comments."""
+    for name in ("config/config.yaml", QUICK):
+        content = yaml.safe_load((folder / name).read_text())
+        reordered = yaml.safe_dump(dict(reversed(content.items())), sort_keys=False)
+        (folder / name).write_text(f"# the same\n{reordered}")
+
+
+def checked_out(folder):
+    """Write all files again with the same content, as a checkout does."""
+    for part in PARTS:
+        for path in [folder / part, *(folder / part).rglob("*")]:
+            if path.is_file():
+                content = path.read_bytes()
+                path.unlink()
+                path.write_bytes(content)
+
+
+#: Name -> configuration laid over the quick study, what is done to its files, what is to be made.
+CHANGES = (
+    {
+        key: (overlay(key, value), same_table, following(rules | KEPT))
+        for key, (value, rules) in KEYS.items()
+    }
+    | {
+        f"column {name}": (
+            {"scans": [1, 2, 6]} if name == "scan" else {},
+            with_column(name, text),
+            following(rules | KEPT),
+        )
+        for name, (text, rules) in COLUMNS.items()
+    }
+    | {path: ({}, with_line(path), rules) for path, rules in FILES.items()}
+    | {
+        f"workflow/scripts/{name}": (
+            {}, with_line(f"workflow/scripts/{name}"), all_following(rules_of(name) - IDLE)
+        )
+        for name in SCRIPTS
+    }
+    | {"nothing": ({}, lambda folder: None, set())}
+    | {"touch and checkout": ({}, checked_out, set())}
+    | {"comments and order of keys": ({}, text_says_the_same, set())}
+)  # fmt: skip

@@ -1,0 +1,33 @@
+"""Whether two results folders hold the same: every file of the studies and of their stores."""
+
+import xarray as xr
+
+#: Folders of files that belong to one run and not to its results.
+OF_THE_RUN = {"logs", "benchmarks"}
+
+
+def paths(results):
+    """Return the paths in `results` of all files but those that belong to one run."""
+    files = (path.relative_to(results) for path in results.rglob("*") if path.is_file())
+    return {path for path in files if not OF_THE_RUN & set(path.parts) and path.name != ".lock"}
+
+
+def same(one, other):
+    """Say whether datasets hold the same values and attributes, other files the same bytes."""
+    if one.suffix != ".nc":
+        return one.read_bytes() == other.read_bytes()
+    with xr.open_dataset(one) as left, xr.open_dataset(other) as right:
+        return left.identical(right)
+
+
+def differences(made, reference):
+    """Return what is not in both results folders or not the same in both, a line each."""
+    there, expected = paths(made), paths(reference)
+    lines = [f"{path}: missing" for path in expected - there]
+    lines += [f"{path}: not in the reference" for path in there - expected]
+    lines += [
+        f"{path}: differs from the reference"
+        for path in there & expected
+        if not same(made / path, reference / path)
+    ]
+    return sorted(lines)

@@ -1,0 +1,97 @@
+"""The graph of rules: which of them make what again once others have."""
+
+from hardcontact.figures.catalogue import FIGURES
+
+# The rules of one stage
+
+SCANS = {"synthesize_scan", "prepare_scan", "measure_topography", "aggregate_topography"}
+MASTER_SMALL, MASTER_LARGE = "synthesize_small_scale_master", "synthesize_large_scale_master"
+MASTERS = {MASTER_SMALL, MASTER_LARGE}
+PAIRS = {
+    "compute_pull_off", "measure_window_change", "solve_elastic_contact", "find_asperities",
+    "vary_adhesion",
+}  # fmt: skip
+CONTACTS = PAIRS | {"trace_contact", "measure_indents"}
+FILTERED = {"compute_filtered_pull_off", "vary_scales"}
+FORCES = CONTACTS | FILTERED
+FROM_SCANS = SCANS | MASTERS | FORCES
+AGGREGATED = {
+    "aggregate_topography", "aggregate_adhesion", "aggregate_elastic", "aggregate_asperities",
+    "aggregate_scales", "aggregate_robustness",
+}  # fmt: skip
+INFERRED = {
+    "infer", "find_critical_band", "aggregate_robustness", "apply_classical_models",
+}  # fmt: skip
+#: What shows every value of the configuration.
+KEPT = {"keep_configuration", "describe_study"}
+
+DRAWN = {f"draw_{name}" for name in FIGURES}
+#: The rules that make what figures are drawn from.
+DATASETS = {
+    "adhesion": "aggregate_adhesion", "asperities": "aggregate_asperities",
+    "band": "find_critical_band", "classical": "apply_classical_models",
+    "contact": "trace_contact", "elastic": "aggregate_elastic", "indent": "measure_indents",
+    "inference": "infer", "robustness": "aggregate_robustness", "scales": "aggregate_scales",
+    "topography": "aggregate_topography",
+}  # fmt: skip
+
+
+def drawn_from(*names):
+    """Return the rules that draw figures from any of these datasets or published tables."""
+    return {f"draw_{name}" for name, figure in FIGURES.items() if set(names) & set(figure.inputs)}
+
+
+#: What reads the file that a rule makes; intermediates are named in full by the tables below.
+FOLLOWS = {
+    "compute_pull_off": {"aggregate_adhesion"},
+    "measure_window_change": {"aggregate_adhesion"},
+    "solve_elastic_contact": {"aggregate_elastic"},
+    "find_asperities": {"aggregate_asperities"},
+    "compute_filtered_pull_off": {"aggregate_scales"},
+    "vary_adhesion": {"aggregate_robustness"},
+    "vary_scales": {"aggregate_robustness"},
+    "measure_topography": {"aggregate_topography"},
+    "aggregate_topography": {"evaluate_claims"},
+    "aggregate_adhesion": {"infer", "evaluate_claims"},
+    "aggregate_elastic": {"evaluate_claims"},
+    "measure_indents": {"evaluate_claims"},
+    "aggregate_asperities": {"evaluate_claims"},
+    "aggregate_scales": {"find_critical_band", "evaluate_claims"},
+    "find_critical_band": {"evaluate_claims"},
+    "infer": {"apply_classical_models", "evaluate_claims"},
+    "apply_classical_models": {"evaluate_claims"},
+    "evaluate_claims": {"describe_study"},
+}
+for dataset, rule in DATASETS.items():
+    FOLLOWS[rule] = FOLLOWS.get(rule, set()) | drawn_from(dataset)
+
+#: What reads the intermediates, where all files of a rule are made again.
+INTERMEDIATE = {
+    "calibrate_spectrum": {"synthesize_scan", *MASTERS, "vary_scales", "aggregate_topography"},
+    "extrapolate_spectrum": {*MASTERS, "vary_scales", "aggregate_topography"},
+    "synthesize_scan": {"prepare_scan"},
+    "prepare_scan": {
+        "measure_topography",
+        "aggregate_topography",
+        *MASTERS,
+        *CONTACTS,
+        "vary_scales",
+    },
+    MASTER_SMALL: {"compute_filtered_pull_off"},
+    MASTER_LARGE: {"compute_filtered_pull_off"},
+}
+
+
+def following(rules, graph=FOLLOWS):
+    """Return the rules, what follows from them by the graph, and the description of the whole."""
+    reached, pending = set(rules), list(rules)
+    while pending:
+        more = graph.get(pending.pop(), set()) - reached
+        reached |= more
+        pending += more
+    return reached | ({"describe_crate"} if reached else set())
+
+
+def all_following(rules):
+    """Return the rules and what follows if all their files, intermediates too, are made again."""
+    return following(rules, FOLLOWS | INTERMEDIATE)

@@ -1,0 +1,287 @@
+"""The quick study through a real SLURM on this machine: `python tests/workflow/slurm.py`.
+
+Installs Debian's SLURM where there is none, starts it with a configuration of its own, runs the
+quick study with profiles/slurm, cancels a job that computes, and compares all that was made with
+a local run, value by value. Where it cannot run it says "skipped", why, and ends with 0.
+"""
+
+import argparse
+import contextlib
+import os
+import re
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+from collections import defaultdict
+from pathlib import Path
+
+import yaml
+
+sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the modules of tests/
+
+from comparison import differences, paths
+from repository import QUICK, ROOT, copy_repository, environment, run_snakemake
+
+PROFILE = "profiles/slurm"
+PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
+#: The group of jobs of which one is cancelled, and the rule that is then computing.
+CANCELLED = ("cutoffs", "compute_filtered_pull_off")
+#: On one machine files are seen at once and jobs are short.
+HERE = ["--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "5"]
+LIMIT = 1800  # seconds for the whole run
+CONFIGURATION = """
+ClusterName=test
+SlurmctldHost={host}(127.0.0.1)
+SlurmctldPort={ports[0]}
+SlurmdPort={ports[1]}
+SlurmUser=root
+AuthInfo=socket={folder}/munge.socket
+StateSaveLocation={folder}/state
+SlurmdSpoolDir={folder}/spool
+SlurmctldPidFile={folder}/slurmctld.pid
+SlurmdPidFile={folder}/slurmd.pid
+# Neither systemd nor cgroups are expected.
+ProctrackType=proctrack/linuxproc
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU_Memory
+SchedulerParameters=batch_sched_delay=0
+# Jobs that have ended can be asked about until the end.
+MinJobAge=3600
+KillWait=2
+# A busy machine answers late.
+MessageTimeout=90
+SlurmdTimeout=0
+NodeName={host} NodeAddr=127.0.0.1 CPUs={cpus} RealMemory={memory}
+PartitionName=study Nodes={host} Default=YES
+"""
+
+
+def obstacle():
+    """Why SLURM cannot run here, after an attempt to install it; empty if it can."""
+    if os.geteuid() != 0:
+        return "needs root"
+    if all(map(shutil.which, PROGRAMS)):
+        return ""
+    if not shutil.which("apt-get"):
+        return "neither SLURM nor apt-get here"
+    for command in ("update", "install --yes --no-install-recommends slurm-wlm munge"):
+        made = subprocess.run(
+            ["apt-get", *command.split()],
+            env=os.environ | {"DEBIAN_FRONTEND": "noninteractive"},
+            stdin=subprocess.DEVNULL,
+            capture_output=True,
+            text=True,
+        )
+        if made.returncode:
+            return f"apt-get {command}: {made.stderr.strip()[-200:]}"
+    return "" if all(map(shutil.which, PROGRAMS)) else "apt-get brought no whole SLURM"
+
+
+def until(condition, what, seconds=120):
+    """The first true value of `condition`; an error if none comes in time."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if value := condition():
+            return value
+        time.sleep(0.3)
+    raise TimeoutError(f"waited {seconds} s for {what}")
+
+
+def ask(*command):
+    """What a command says, without blanks around; empty if it fails."""
+    return subprocess.run(command, capture_output=True, text=True).stdout.strip()
+
+
+def configure(folder):
+    """Write the configuration of a cluster of this machine, with the processors SLURM finds."""
+    node = ask("slurmd", "-C")
+    with socket.socket() as first, socket.socket() as second:
+        ports = []
+        for free in (first, second):
+            free.bind(("127.0.0.1", 0))
+            ports.append(free.getsockname()[1])
+    path = folder / "slurm.conf"
+    path.write_text(
+        CONFIGURATION.format(
+            folder=folder,
+            host=re.search(r"NodeName=(\S+)", node)[1],
+            cpus=re.search(r"CPUs=(\d+)", node)[1],
+            memory=re.search(r"RealMemory=(\d+)", node)[1],
+            ports=ports,
+        )
+    )
+    (folder / "munge.key").write_bytes(os.urandom(128))
+    (folder / "munge.key").chmod(0o600)
+    for name in ("state", "spool"):
+        (folder / name).mkdir()
+    os.environ["SLURM_CONF"] = str(path)
+    # The executor starts the steps of a job without this variable.
+    srun = folder / "bin/srun"
+    srun.parent.mkdir()
+    srun.write_text(f'#!/bin/sh\nSLURM_CONF={path} exec {shutil.which("srun")} "$@"\n')
+    srun.chmod(0o755)
+    os.environ["PATH"] = f"{srun.parent}:{os.environ['PATH']}"
+
+
+@contextlib.contextmanager
+def slurm(folder):
+    """SLURM on this machine, with all its files in `folder`; at the end its daemons are stopped."""
+    configure(folder)
+    files = {"key-file": "key", "socket": "socket", "pid-file": "pid", "seed-file": "seed"}
+    munge = [f"--{option}={folder}/munge.{name}" for option, name in files.items()]
+    daemons = []
+
+    def start(*command):
+        with open(folder / f"{command[0]}.log", "w") as log:
+            daemons.append(subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT))
+
+    try:
+        start("munged", "--foreground", f"--log-file={folder}/munge.log", *munge)
+        until((folder / "munge.socket").exists, "munged")
+        start("slurmctld", "-D")
+        start("slurmd", "-D")
+        until(lambda: ask("sinfo", "-h", "-o", "%T") == "idle", "an idle node")
+        yield
+    except BaseException:
+        for log in folder.glob("*.log"):
+            print(f"--- {log.name}", *log.read_text().splitlines()[-15:], sep="\n")
+        raise
+    finally:
+        if len(daemons) == 3:
+            ask("scancel", "--user", "root")
+            with contextlib.suppress(TimeoutError):
+                until(lambda: not ask("squeue", "-h", "-t", "running,completing"), "jobs to end")
+        for daemon in reversed(daemons):
+            stop(daemon, signal.SIGTERM)
+        print(f"stopped: {', '.join(f'{daemon.args[0]} {daemon.pid}' for daemon in daemons)}")
+
+
+def stop(process, how):
+    """End one process by its number, by force if it does not listen."""
+    process.send_signal(how)
+    try:
+        process.wait(30)
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.wait()
+
+
+def computing(study):
+    """The SLURM job in which the rule to be cancelled computes; empty while there is none."""
+    group, rule = CANCELLED
+    for line in ask("squeue", "-h", "-t", "running", "-o", "%i %k").splitlines():
+        job, comment = line.split(maxsplit=1)
+        logs = list((study / ".snakemake/slurm_logs").rglob(f"{job}.log"))
+        if comment.startswith(f"rule_{group}_") and logs and f"rule {rule}:" in logs[0].read_text():
+            return job
+    return ""
+
+
+def run_study(study, log, targets):
+    """Run targets of the quick study through SLURM and cancel one job; the number of this job."""
+    command = ["-m", "snakemake", *targets, "--workflow-profile", PROFILE]
+    command += ["--configfile", QUICK, *HERE]
+    with open(log, "w") as out:
+        run = subprocess.Popen(
+            [sys.executable, *command],
+            cwd=study,
+            env=environment(study),
+            stdout=out,
+            stderr=subprocess.STDOUT,
+        )
+    try:
+        started = time.monotonic()
+        job = until(lambda: run.poll() is not None or computing(study), "a job to cancel", LIMIT)
+        assert run.poll() is None, "the run ended before a job could be cancelled"
+        ask("scancel", job)
+        print(f"cancelled: SLURM job {job}, after {time.monotonic() - started:.0f} s")
+        assert run.wait(LIMIT) == 0, f"snakemake ended with {run.returncode}"
+        print(f"run through SLURM: {time.monotonic() - started:.0f} s")
+    except BaseException:
+        print(*log.read_text().splitlines()[-40:], sep="\n")
+        raise
+    finally:
+        if run.poll() is None:
+            stop(run, signal.SIGINT)
+    return job
+
+
+def check_recovery(cancelled, log):
+    """All jobs but the cancelled one ended well, and that one was submitted again."""
+    jobs = {}
+    for line in ask("scontrol", "-o", "show", "job").splitlines():
+        job = dict(re.findall(r"(\w+)=(\S+)", line))
+        jobs[job["JobId"]] = job
+    states = {number: job["JobState"] for number, job in jobs.items()}
+    assert states.pop(cancelled) == "CANCELLED", states
+    assert set(states.values()) == {"COMPLETED"}, states
+
+    submissions = defaultdict(list)
+    for one, number in re.findall(r"Job (\S+) has been submitted with SLURM jobid (\d+)", log):
+        submissions[one].append(number)
+    again = [numbers for numbers in submissions.values() if cancelled in numbers]
+    assert len(again) == 1 and len(again[0]) == 2 and again[0][0] == cancelled, submissions
+    print(f"recovered: SLURM job {cancelled} was submitted again as {again[0][1]}")
+    return jobs
+
+
+def show_requests(jobs):
+    """What the jobs of each group asked for, and the longest of them."""
+    groups = set(yaml.safe_load((ROOT / PROFILE / "profile.yaml").read_text())["groups"].values())
+    of_group = defaultdict(list)
+    for job in jobs.values():
+        name = job["Comment"].removeprefix("rule_")
+        of_group[next((g for g in groups if name.startswith(f"{g}_")), name)].append(job)
+    print(f"SLURM jobs: {len(jobs)}; most that one of a group asked for, and the longest:")
+    for group, members in sorted(of_group.items()):
+        memory, limit, taken = (
+            max(job[key] for job in members) for key in ("MinMemoryNode", "TimeLimit", "RunTime")
+        )
+        print(f"  {group:12s} {len(members):2d}  {memory:>6s}  {limit}  took {taken}")
+
+
+def compare(made, reference):
+    """Expect that every file of a results folder is that of a local run; return how many."""
+    compared = paths(made)
+    lines = [line for line in differences(made, reference) if not line.endswith(": missing")]
+    assert compared and not lines, lines
+    return len(compared)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--reference", type=Path, help="results folder of a local run")
+    parser.add_argument("targets", nargs="*", help="of the study; without any all of it")
+    arguments = parser.parse_args()
+    reference, targets = arguments.reference, arguments.targets
+    folders = [Path(sys.executable).parent, os.environ["PATH"], "/usr/sbin", "/sbin"]
+    os.environ["PATH"] = os.pathsep.join(map(str, folders))
+    if why := obstacle():
+        print(f"skipped: {why}")
+        return
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("terminated"))
+    with tempfile.TemporaryDirectory(prefix="slurm-") as temporary:
+        temporary = Path(temporary)
+        if reference is None:
+            local = copy_repository(temporary / "local")
+            run = run_snakemake(local)
+            assert run.returncode == 0, run.stdout[-3000:]
+            reference = local / "results"
+        study, log = copy_repository(temporary / "study"), temporary / "run.log"
+        (temporary / "cluster").mkdir(mode=0o755)
+        temporary.chmod(0o755)  # munged wants others to reach its socket
+        with slurm(temporary / "cluster"):
+            cancelled = run_study(study, log, targets)
+            jobs = check_recovery(cancelled, log.read_text())
+        show_requests(jobs)
+        compared = compare(study / "results", reference)
+        assert targets or compared == len(paths(reference)), "files of the local run are missing"
+        print(f"compared: {compared} files, none differs")
+
+
+if __name__ == "__main__":
+    main()

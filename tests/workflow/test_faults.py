@@ -1,0 +1,80 @@
+"""Damaged files and jobs that fail: one line that says what is wrong, and nothing lost."""
+
+import pytest
+from comparison import differences
+from faults import ALTERED, OF_ALTERED, alter, errors, others
+from refusals import assert_says
+from repository import run_snakemake
+from scan_files import cut
+
+LOG = f"results/quick/logs/{ALTERED}.log"
+
+
+# Damaged files
+
+
+def test_deleted_results_are_made_again(finished_copy):
+    for path in ("figures/fig1.png", "indent.nc", "claims.csv", "configuration.yaml"):
+        (finished_copy / "results/quick" / path).unlink()
+    run = run_snakemake(finished_copy, "-n")
+    for rule in ("draw_fig1", "measure_indents", "evaluate_claims", "keep_configuration"):
+        assert f"\nrule {rule}:" in run.stdout, rule
+
+
+@pytest.mark.parametrize(
+    ("path", "expected", "targets"),
+    [
+        ("store-quick/scans/uncd/study/scan-1-flat.nc", "a complete netCDF file", ["topography"]),
+        ("store-quick/substitutes/uncd/study/scan-1-flat.nc", "a whole file", ["topography"]),
+        ("quick/provenance/fig5.json", "a whole record", []),
+        ("quick/claims.csv", "a whole table", []),
+        ("quick/figures/fig5.csv", "the file that the study wrote", []),
+    ],
+)
+def test_a_truncated_file_is_deleted_and_made_again(
+    finished_copy, finished, path, expected, targets
+):
+    truncated = cut(finished_copy / "results" / path, 0.7)
+    run = run_snakemake(finished_copy, *targets)
+    assert run.returncode != 0
+    assert len(errors(run.stdout)) == 1, run.stdout
+    assert_says(errors(run.stdout)[0], f"results/{path}: expected {expected}", "found")
+    truncated.unlink()
+    run = run_snakemake(finished_copy, *targets)
+    assert run.returncode == 0, run.stdout
+    # An intermediate from which nothing has to be made is not made again.
+    lines = differences(finished_copy / "results", finished / "results")
+    assert [line for line in lines if not line.endswith(".nc: missing")] == []
+
+
+# Jobs that fail
+
+
+FAILS_ONCE = """
+from pathlib import Path
+tried = Path("tried").exists()
+Path("tried").touch()
+if not tried:
+    raise RuntimeError("fails once")
+"""
+
+
+def test_a_job_that_fails_once_is_tried_again(finished_copy, finished):
+    alter(finished_copy, FAILS_ONCE)
+    run = run_snakemake(finished_copy)
+    assert run.returncode == 0, run.stdout
+    assert errors(run.stdout) == [f"error: fails once (see {LOG})"]
+    lines = differences(finished_copy / "results", finished / "results")
+    assert others(lines, *OF_ALTERED) == []
+
+
+def test_a_job_that_always_fails_lets_the_others_finish(finished_copy, finished):
+    alter(finished_copy, 'raise RuntimeError("fails always")')
+    other = "results/quick/figures/fig5.png"
+    (finished_copy / other).unlink()
+    run = run_snakemake(finished_copy, "--cores", "1")
+    assert run.returncode == 1
+    assert errors(run.stdout) == [f"error: fails always (see {LOG})"]
+    assert_says(run.stdout, f"Error in rule {ALTERED}:")
+    assert_says((finished_copy / LOG).read_text(), "Traceback", "RuntimeError: fails always")
+    assert (finished_copy / other).read_bytes() == (finished / other).read_bytes()

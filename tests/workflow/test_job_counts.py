@@ -1,0 +1,219 @@
+"""How many jobs of which rule a change or a named target asks for, and what they make."""
+
+import re
+from collections import Counter
+from pathlib import Path
+
+import pandas as pd
+import pytest
+from paper_numbers import SUBSTRATES
+from repository import OTHERWISE, ROOT, run_snakemake
+from rule_graph import AGGREGATED, KEPT, MASTERS, following
+from scan_files import container, heights, scan
+
+#: Pairs of robustness: of each surface, and of the substitutes made otherwise.
+VARIED_PAIRS = 4 * (len(SUBSTRATES) + len(OTHERWISE))
+#: Masters of robustness on one side: on either sphere, and of the substitutes made otherwise.
+VARIED = 2 * len(SUBSTRATES) + len(OTHERWISE)
+
+
+def planned(folder, *overlays, targets=()):
+    """Return what a dry run would make: (rule, output files) of each job."""
+    run = run_snakemake(folder, "-n", *targets, overlays=overlays)
+    assert run.returncode == 0, run.stdout
+    return re.findall(
+        r"^(?:local)?rule (\w+):\n(?:    input: .*\n)?    output: (.*)$", run.stdout, re.M
+    )
+
+
+def counts(jobs):
+    """Return the number of jobs of each rule."""
+    return Counter(rule for rule, _ in jobs)
+
+
+def outputs(jobs, rule):
+    """Return the output files of each job of a rule."""
+    return [output for name, output in jobs if name == rule]
+
+
+def after(*rules):
+    """Return one job each: of these rules, what follows from them and what shows every value."""
+    return dict.fromkeys(following({*rules} | KEPT), 1)
+
+
+# What a change brings about
+
+
+def test_a_second_run_has_nothing_to_do(finished):
+    run = run_snakemake(finished, "-n")
+    assert run.returncode == 0
+    assert "Nothing to be done" in run.stdout
+    assert planned(finished) == []
+
+
+def test_one_more_cutoff(finished):
+    cutoffs = ["43 nm", "80 nm", "120 nm", "500 nm"]
+    jobs = planned(finished, {"scales": {"small": {"cutoffs": cutoffs}}})
+    assert counts(jobs) == {
+        "compute_filtered_pull_off": 2 * len(SUBSTRATES),
+        **after("aggregate_scales"),
+    }
+    filtered = outputs(jobs, "compute_filtered_pull_off")
+    assert all(output.endswith("small/cutoff-80nm.nc") for output in filtered)
+
+
+def test_one_more_realization(finished):
+    jobs = planned(finished, {"scales": {"realizations": 3}})
+    assert counts(jobs) == {
+        "synthesize_small_scale_master": len(SUBSTRATES),
+        "synthesize_large_scale_master": len(SUBSTRATES),
+        "compute_filtered_pull_off": 8 * len(SUBSTRATES),
+        **after("aggregate_scales"),
+    }
+    assert all("realization-3" in output for _, output in jobs if "store-quick" in output)
+
+
+def test_one_more_scan(finished):
+    jobs = planned(finished, {"scans": [1, 2, 3]})
+    assert counts(jobs) == {
+        "synthesize_scan": 5 + len(OTHERWISE),
+        "prepare_scan": 5 + len(OTHERWISE),
+        "measure_topography": 5,
+        "compute_pull_off": len(SUBSTRATES) * (9 - 4),
+        "measure_window_change": 3 * len(SUBSTRATES),
+        "solve_elastic_contact": len(SUBSTRATES),
+        "find_asperities": len(SUBSTRATES),
+        "vary_adhesion": (9 - 4) * (len(SUBSTRATES) + len(OTHERWISE)),
+        **after(*AGGREGATED - {"aggregate_scales"}, "measure_indents"),
+    }
+    rules = {
+        "synthesize_scan", "prepare_scan", "solve_elastic_contact", "find_asperities",
+        "compute_pull_off", "vary_adhesion",
+    }  # fmt: skip
+    assert all("scan-3" in output for rule in rules for output in outputs(jobs, rule))
+
+
+def test_another_preload(finished):
+    assert counts(planned(finished, {"contact": {"preload": "12 uN"}})) == {
+        "compute_pull_off": 4 * len(SUBSTRATES),
+        "measure_window_change": 2 * len(SUBSTRATES),
+        "compute_filtered_pull_off": 16 * len(SUBSTRATES),
+        "solve_elastic_contact": 2 * len(SUBSTRATES),
+        "find_asperities": 2 * len(SUBSTRATES),
+        "vary_adhesion": VARIED_PAIRS,
+        "vary_scales": 2 * VARIED,
+        **after(*AGGREGATED - {"aggregate_topography"}, "trace_contact"),
+    }
+
+
+@pytest.mark.parametrize(
+    ("values", "token"),
+    [
+        ({"contact": {"preload": "12 uN"}}, "F12uN"),
+        ({"contact": {"hardness": "30 GPa"}}, "H30GPa"),
+        ({"sphere": {"radius": "300 um"}}, "R300um"),
+    ],
+)
+def test_two_studies_lie_side_by_side_and_share_masters(finished_copy, values, token):
+    other = {"study": "second", **values}
+    jobs = planned(finished_copy, other)
+    assert not {"calibrate_spectrum", *MASTERS} & counts(jobs).keys()
+    assert all(token in output for output in outputs(jobs, "compute_filtered_pull_off"))
+    pair = outputs(jobs, "compute_pull_off")[0]
+    run = run_snakemake(finished_copy, pair, "results/second/contact.nc", overlays=[other])
+    assert run.returncode == 0, run.stdout
+    assert token in pair and Path(finished_copy, pair).is_file()
+    assert planned(finished_copy) == []  # going back computes nothing
+
+
+def test_another_dataset_of_a_container_reruns_its_scan(finished_copy):
+    files = {
+        f"{name}.nc": scan(finished_copy / f"{name}.nc", heights(128, 128), (2500.0, 2500.0))
+        for name in "ab"
+    }
+    entries = [{"name": name[0], "datafile": {"original": name}} for name in files]
+    container(finished_copy / "mcd.zip", entries, files)
+    table = pd.read_csv(finished_copy / "config/surfaces.tsv", sep="\t", dtype=str, na_filter=False)
+    rows = (table.surface == "mcd") & table.scan.isin(["1", "2"])
+    table = table[rows | (table.surface != "mcd")]
+    target = "results/store-quick/scans/mcd/study/scan-1-flat.nc"
+    for datasets in (["a", "b"], ["b", "a"]):
+        table.loc[rows, ["source", "path", "dataset"]] = [
+            ["measured", "mcd.zip", name] for name in datasets
+        ]
+        table.to_csv(finished_copy / "config/surfaces.tsv", sep="\t", index=False)
+        assert counts(planned(finished_copy, targets=[target])) == {"prepare_scan": 1}
+        assert run_snakemake(finished_copy, target).returncode == 0
+    assert planned(finished_copy, targets=[target]) == []
+
+
+def test_another_study_shares_intermediates(finished):
+    jobs = planned(finished, {"study": "second"})
+    assert counts(jobs) == after(*AGGREGATED, "trace_contact", "measure_indents")
+    assert all("results/second/" in output for _, output in jobs)
+
+
+def test_other_hardnesses_of_robustness(finished):
+    jobs = planned(finished, {"robustness": {"hardnesses": ["16 GPa"]}})
+    assert counts(jobs) == {
+        "vary_adhesion": VARIED_PAIRS,
+        "vary_scales": 2 * (VARIED - len(SUBSTRATES)),  # the rough sphere bears one load alone
+        **after("aggregate_robustness"),
+    }
+    assert all("-smooth" in output for output in outputs(jobs, "vary_scales"))
+
+
+def test_one_more_skewness_of_robustness(finished):
+    jobs = planned(finished, {"robustness": {"skewness": [0, 0.3]}})
+    assert counts(jobs) == {
+        "calibrate_spectrum": len(SUBSTRATES),
+        "synthesize_scan": 2 * len(SUBSTRATES),
+        "prepare_scan": 2 * len(SUBSTRATES),
+        "vary_adhesion": 4 * len(SUBSTRATES),
+        "vary_scales": 2 * len(SUBSTRATES),
+        **after("aggregate_robustness"),
+    }
+    stored = [output for _, output in jobs if "store-quick" in output]
+    assert len(stored) == 11 * len(SUBSTRATES)
+    assert all("/skewness-0.3/" in output for output in stored)
+
+
+def test_robustness_without_other_values_has_nothing_more_to_make(finished):
+    jobs = planned(finished, {"robustness": {"preloads": [], "hardnesses": [], "skewness": []}})
+    assert not [output for _, output in jobs if "skewness" in output]
+    expected = {"vary_adhesion", "vary_scales", *after("aggregate_robustness")}
+    assert counts(jobs).keys() == expected
+
+
+# Named targets
+
+
+@pytest.mark.parametrize(
+    ("target", "last", "not_needed"),
+    [
+        ("topography", "aggregate_topography", "compute_pull_off"),
+        ("adhesion", "aggregate_adhesion", "compute_filtered_pull_off"),
+        ("scales", "aggregate_scales", "compute_pull_off"),
+        ("elastic", "aggregate_elastic", "compute_pull_off"),
+        ("plasticity", "measure_indents", "compute_pull_off"),
+        ("asperities", "aggregate_asperities", "solve_elastic_contact"),
+        ("robustness", "aggregate_robustness", "compute_filtered_pull_off"),
+        ("classical", "apply_classical_models", "vary_scales"),
+        ("claims", "evaluate_claims", "draw_fig1"),
+        ("figures", "draw_fig6", "evaluate_claims"),
+        ("pages", "describe_study", "vary_scales"),
+    ],
+)
+def test_named_target(finished, target, last, not_needed):
+    elsewhere = {"study": "elsewhere", "store": "results/store-elsewhere"}
+    jobs = counts(planned(finished, elsewhere, targets=[target]))
+    assert jobs[last] == 1 and not jobs[not_needed]
+
+
+# The study that all of this is planned on
+
+
+def test_finished_study_is_the_repository_as_it_stands(finished):
+    """What the fixture ran is what is tested here, not an older copy."""
+    for path in ("Snakefile", "workflow/hardcontact/study/job.py", "config/config.yaml"):
+        assert (finished / path).read_bytes() == (ROOT / path).read_bytes()

@@ -1,0 +1,58 @@
+"""The texts of the report and the README: captions, chapters, their links and their length."""
+
+import re
+
+import pytest
+from docutils.core import publish_doctree
+from jinja2 import Environment, StrictUndefined
+from repository import PAPER, ROOT
+
+from hardcontact.figures.catalogue import FIGURES
+from hardcontact.study.pages import CHAPTERS, PAGES
+
+CAPTIONS = sorted((ROOT / "workflow/report").glob("*.rst"))
+README = ROOT / "README.md"
+TEXTS = [
+    README,
+    *sorted((ROOT / "workflow/report").glob("*.md")),
+    *sorted((ROOT / "resources").rglob("README.md")),
+]
+
+
+@pytest.mark.parametrize("path", CAPTIONS, ids=lambda path: path.stem)
+def test_caption_is_restructured_text(path):
+    class Snakemake:
+        config = PAPER
+
+    environment = Environment(trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined)
+    text = environment.from_string(path.read_text()).render(snakemake=Snakemake)
+    document = publish_doctree(text, settings_overrides={"halt_level": 2})
+    assert document.astext().strip() and "{{" not in document.astext()
+
+
+def test_every_figure_and_page_has_a_caption():
+    assert {path.stem for path in CAPTIONS} == {"workflow", *FIGURES, *PAGES}
+
+
+@pytest.mark.parametrize("name", CHAPTERS)
+def test_a_chapter_begins_with_its_one_title(name):
+    lines = (ROOT / f"workflow/report/{name}.md").read_text().splitlines()
+    assert [line for line in lines if line.startswith("# ")] == lines[:1]
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: str(path.relative_to(ROOT)))
+def test_links_lead_to_files(path):
+    links = re.findall(r"\]\((?!https?:)([^)#]+)\)", path.read_text())
+    assert [link for link in links if not (path.parent / link).exists()] == []
+
+
+@pytest.mark.parametrize("path", TEXTS, ids=lambda path: str(path.relative_to(ROOT)))
+def test_files_that_a_text_names_exist(path):
+    folders = "tests|profiles|workflow|config|resources"
+    named = set(re.findall(rf"`(?:python )?((?:{folders})/[\w./-]+)[` ]", path.read_text()))
+    made_by_the_user = {"config/mine.tsv", "resources/scans/my-scan.spm"}
+    assert [name for name in named - made_by_the_user if not (ROOT / name).exists()] == []
+
+
+def test_the_readme_is_short():
+    assert len(README.read_text().splitlines()) <= 150

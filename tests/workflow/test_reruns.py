@@ -1,0 +1,151 @@
+"""The rerun matrix: what a dry run would make after each possible change, and nothing else."""
+
+import multiprocessing
+import os
+import re
+import shutil
+import subprocess
+import sys
+from multiprocessing.pool import ThreadPool
+
+import pytest
+import yaml
+from changes import CHANGES, COLUMNS, FILES, IDLE, KEYS, MODULES, SCRIPTS, rules_of, with_line
+from repository import PAPER, PARTS, QUICK, ROOT, ROWS, environment, leaves
+from rule_graph import all_following
+from snakemake.cli import main as snakemake
+
+from hardcontact.figures.catalogue import FIGURES
+
+pytestmark = pytest.mark.study
+
+#: Imports what a script imports; then, for they may come later, all imports inside of functions.
+LOAD = """
+import ast, importlib, inspect, sys
+def imports(path):
+    for node in ast.walk(ast.parse(open(path).read())):
+        if isinstance(node, ast.Import | ast.ImportFrom) and "hardcontact" in ast.unparse(node):
+            yield ast.unparse(node)
+def modules():
+    return {m.__file__ for name, m in sys.modules.items() if name.split(".")[0] == "hardcontact"}
+pending, done = {sys.argv[1]}, set()
+for name in sys.argv[2:]:
+    importlib.import_module(name)
+while pending := (pending | modules()) - done:
+    for path in pending:
+        for line in imports(path):
+            exec(line)
+    done |= pending
+    pending = set()
+print(*modules(), sep="\\n")
+"""
+
+
+def loaded(script, *modules):
+    """Return the modules of the library, as paths, that a script and given modules load."""
+    run = subprocess.run(
+        [sys.executable, "-c", LOAD, str(ROOT / "workflow/scripts" / script), *modules],
+        env=environment(ROOT),
+        stdout=subprocess.PIPE,
+        text=True,
+        check=True,
+    )
+    return {os.path.relpath(path, ROOT) for path in run.stdout.split()}
+
+
+def run_dry(folder):
+    """Run Snakemake dry in a folder, in this process; what it prints goes to a file there."""
+    os.chdir(folder)
+    # With its own library, not with that of this process.
+    for name in [name for name in sys.modules if name.partition(".")[0] == "hardcontact"]:
+        del sys.modules[name]
+    sys.path.insert(0, str(folder / "workflow"))
+    sys.stdout = sys.stderr = open("output", "w", buffering=1)
+    snakemake(["-n", "--configfile", QUICK, "overlay.yaml"])
+
+
+def dry_run(folder):
+    """Return the rules of a dry run in a folder that shares the finished results, or its error.
+
+    In a process that is forked where Snakemake is imported: this saves half of the time.
+    """
+    process = multiprocessing.get_context("fork").Process(target=run_dry, args=(folder,))
+    process.start()
+    process.join()
+    text = (folder / "output").read_text()
+    if process.exitcode:
+        return text
+    return set(re.findall(r"^(?:local)?rule (\w+):\n", text, re.M)) - {"all"}
+
+
+@pytest.fixture(scope="module")
+def uses():
+    """Module -> rules whose script loads it, or that draw by it."""
+    programs = {(script,): rules_of(script) for script in SCRIPTS if script != "draw_figure.py"} | {
+        ("draw_figure.py", f"hardcontact.figures.{name}"): {f"draw_{name}"} for name in FIGURES
+    }
+    with ThreadPool(2) as pool:
+        modules = pool.starmap(loaded, programs)
+    used = dict.fromkeys(MODULES, frozenset())
+    for rules, paths in zip(programs.values(), modules, strict=True):
+        for path in paths:
+            used[path] |= rules
+    return used
+
+
+@pytest.fixture(scope="module")
+def reruns(finished, tmp_path_factory):
+    """Name of a change -> the rules of a dry run after it."""
+    top = tmp_path_factory.mktemp("reruns")
+    requests = {}
+    changes = CHANGES | {path: ({}, with_line(path), None) for path in MODULES}
+    for number, (name, (overlay, change, _)) in enumerate(changes.items()):
+        folder = top / str(number)
+        folder.mkdir()
+        for part in PARTS:
+            copy = shutil.copytree if (finished / part).is_dir() else shutil.copy2
+            copy(finished / part, folder / part)
+        for part in ("results", ".snakemake"):
+            (folder / part).symlink_to(finished / part)
+        change(folder)
+        (folder / "overlay.yaml").write_text(yaml.safe_dump(overlay))
+        requests[name] = folder
+    with ThreadPool(2) as pool:
+        rules = pool.map(dry_run, requests.values(), chunksize=1)
+    shutil.rmtree(top)
+    return dict(zip(requests, rules, strict=True))
+
+
+def test_every_key_is_in_the_matrix():
+    assert sorted(KEYS) == sorted(leaves(PAPER))
+
+
+def test_every_column_is_in_the_matrix():
+    columns = ROWS.splitlines()[0].split("\t")
+    assert [*COLUMNS, "dataset"] == columns
+
+
+def test_every_resource_is_in_the_matrix():
+    used = {
+        path.relative_to(ROOT).as_posix()
+        for folder in ("paper", "spectra")
+        for path in (ROOT / "resources" / folder).glob("*.csv")
+    }
+    other = {"resources/spectra/ncd-table1.csv"}  # an alternative that no surface names
+    assert used - other <= set(FILES)
+
+
+@pytest.mark.parametrize("name", CHANGES)
+def test_a_change_reruns_what_depends_on_it(reruns, name):
+    assert reruns[name] == CHANGES[name][2]
+
+
+@pytest.mark.parametrize("path", MODULES)
+def test_a_module_reruns_the_rules_whose_scripts_load_it(reruns, uses, path):
+    assert reruns[path] == all_following(uses[path] - IDLE)
+
+
+def test_no_script_reads_the_configuration():
+    for name in SCRIPTS:
+        text = (ROOT / "workflow/scripts" / name).read_text()
+        assert not re.search(r"snakemake\.config|config\[|\.yaml['\"]", text), name

@@ -1,0 +1,76 @@
+"""The rules as they are written: what each has to have, and what belongs to none of them."""
+
+import re
+
+import pytest
+from repository import ROOT, snakemake
+from rule_graph import DRAWN
+
+FILES = [ROOT / "Snakefile", ROOT / "workflow/redraw.smk", *(ROOT / "workflow/rules").glob("*.smk")]
+BLOCKS = dict(
+    re.findall(
+        r"^rule (\w+):\n((?:(?: {4}.*)?\n)+)",
+        "\n".join(path.read_text() for path in FILES) + "\n",
+        re.M,
+    )
+)
+#: Rules that make files by a script of their name.
+RULES = {name: block for name, block in BLOCKS.items() if "script:" in block and name != "verify"}
+TARGETS = {
+    "all", "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical",
+    "robustness", "claims", "figures", "pages", "crate", "verify",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", RULES)
+def test_rule_has_log_benchmark_code_parameters_and_its_script(name):
+    block = RULES[name]
+    for directive in ("input", "output", "params", "log", "benchmark", "script"):
+        assert re.search(rf"^    {directive}:$", block, re.M), directive
+    assert f'code=code_inputs("{name}.py")' in block
+    assert f'PATTERNS.log("{name}"' in block and f'PATTERNS.benchmark("{name}"' in block
+    assert f'"../scripts/{name}.py"' in block
+    assert (ROOT / f"workflow/scripts/{name}.py").is_file()
+    assert re.search(r"^        canonical=", block, re.M)
+
+
+def test_every_script_belongs_to_a_rule():
+    scripts = {path.stem for path in (ROOT / "workflow/scripts").glob("*.py")}
+    assert scripts == set(RULES) | {"verify", "draw_figure"}
+
+
+def test_rule_files_hold_nothing_but_rules():
+    for path in FILES:
+        assert not re.search(r"^\s*(def|class) |lambda \w+(, \w+)+:", path.read_text(), re.M), path
+
+
+def test_every_rule_says_what_it_is_for(repository):
+    listed = re.findall(r"^(\w+) \((.+)\)$", snakemake(repository, "--list-rules").stdout, re.M)
+    assert dict(listed).keys() == RULES.keys() | TARGETS | DRAWN
+
+
+def test_lint_misses_nothing_but_environments(repository):
+    said = re.findall(r"^    \* (.*):$", snakemake(repository, "--lint").stdout, re.M)
+    assert set(said) == {"Specify a conda environment or container for each rule."}
+
+
+def test_the_crate_describes_what_every_target_makes():
+    block = RULES["describe_crate"].partition("    output:")[0]
+    named = set(re.findall(r"rules\.(\w+)\.input", block))
+    assert named == TARGETS - {"all", "crate", "verify"}
+
+
+def test_every_rule_wrote_its_log_and_benchmark(finished):
+    for kind, suffix in (("logs", ".log"), ("benchmarks", ".tsv")):
+        found = {
+            path.relative_to(folder).parts[0].removesuffix(suffix)
+            for folder in (finished / "results").glob(f"*/{kind}")
+            for path in folder.rglob(f"*{suffix}")
+        }
+        assert found - {"verify"} == (RULES.keys() | DRAWN) - {"extrapolate_spectrum"}, kind
+
+
+def test_library_knows_nothing_of_snakemake():
+    library = ROOT / "workflow/hardcontact"
+    for path in set(library.rglob("*.py")) - {library / "study/start.py"}:
+        assert not re.search(r"^\s*(import|from) snakemake", path.read_text(), re.M), path
