@@ -79,7 +79,8 @@ def table(maps):
         name: spectrum_dataset(factor * UNCD.density).assign_attrs(calibrated_to_table1=name)
         for name, factor in (("uncd", 1), ("ruby", 4))
     }
-    return roughness_table(scans, spectra, examples, SETTINGS)
+    conditionings = {"ruby": xr.Dataset(attrs={"calibrated_to_table1": "afm_rms_height"})}
+    return roughness_table(scans, spectra, conditionings, examples, SETTINGS)
 
 
 def test_table_has_every_scan_and_what_is_missing_is_nan(table, maps):
@@ -122,7 +123,7 @@ def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
 def test_table_says_what_the_surfaces_are(table):
     assert list(table.label.values) == ["UNCD", "ruby"]
     assert list(table.basis.values) == ["measured", "substitute"]
-    assert list(table.calibrated_to_table1.values) == ["uncd", "ruby"]
+    assert list(table.calibrated_to_table1.values) == ["uncd", "afm_rms_height"]
     assert table.attrs["sphere_surface"] == "ruby"
     assert table.attrs["reference_surface"] == "uncd"
     assert table.attrs["confidence"] == 0.9

@@ -19,23 +19,6 @@ def test_profile_and_isotropic_spectra_are_twins():
     assert profile == pytest.approx(1.1e5, rel=0.01)
 
 
-def test_profile_of_a_power_law_is_its_integral():
-    q, hurst = 0.3, 0.7
-    along = np.linspace(0, 600, 4_000_001)
-    integral = np.trapezoid((q**2 + along**2) ** (-1 - hurst), along) / np.pi
-    ratio = spectrum.profile_from_isotropic_power_law(q, hurst)
-    assert ratio * q ** (-2 - 2 * hurst) == pytest.approx(integral, rel=1e-4)
-
-
-def test_points_of_a_profile_give_the_power_law_they_lie_on():
-    wavelengths, hurst = np.array([66.0, 7.0, 24.0, 15.0]), 0.7
-    isotropic = Spectrum(WAVEVECTORS, WAVEVECTORS ** (-2 - 2 * hurst))
-    q = 2 * np.pi / wavelengths
-    profile = isotropic(q) * spectrum.profile_from_isotropic_power_law(q, hurst)
-    density = spectrum.profile_points(WAVEVECTORS, wavelengths, profile)
-    np.testing.assert_allclose(density, isotropic.density, rtol=1e-6)
-
-
 def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
     wave = np.geomspace(0.01, 10, 30)
     q = np.array([0.0, 0.001, 0.02, 0.333, 9.9, 10.1])
@@ -43,14 +26,6 @@ def test_table_interpolates_power_laws_exactly_and_ends_in_zero():
     expected = 5 * np.array([0.01, 0.01, 0.02, 0.333, 9.9, np.nan]) ** -3.4
     np.testing.assert_allclose(density[:-1], expected[:-1], rtol=1e-9)
     assert density[-1] == 0
-
-
-def test_self_affine_height_is_the_moment_of_its_spectrum():
-    q = np.geomspace(1e-6, 1e3, 200_001)
-    table = Spectrum(q, spectrum.self_affine(q, 5e9, 2000.0, 0.8))
-    height = spectrum.all_scales_moments(table)[0]
-    assert height == pytest.approx(spectrum.self_affine_height(5e9, 2000.0, 0.8), rel=1e-4)
-    assert height == pytest.approx(94, abs=0.5)  # the published model of NCD
 
 
 def test_moments_of_a_band_are_its_integrals():

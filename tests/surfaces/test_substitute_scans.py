@@ -1,18 +1,16 @@
-"""Substitute scans: skewed heights, the spread of scans, the sphere, files that readers know."""
+"""Substitute scans: their heights, the sphere, files that readers know."""
 
 import numpy as np
 import pytest
-from random_scans import PIXEL, UNCD, uncd
-from scipy.stats import skew
+from random_scans import PIXEL, uncd
 
 from hardcontact.random import generator
 from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scans import read_scan
-from hardcontact.surfaces.spectrum import spectrum_dataset
 from hardcontact.surfaces.substitute_scans import (
-    scan_to_scan_spread,
-    skewed_surface,
+    HeightChoices,
+    ScanGrid,
     sphere_scan,
     substitute_scan,
     synthesized_scan,
@@ -28,34 +26,10 @@ def surface():
     return random_surface(generator(5), 512, PIXEL, uncd)
 
 
-def test_skewed_heights_keep_their_spectrum(surface):
-    remapped = skewed_surface(surface, 0.54)
-    np.testing.assert_allclose(
-        np.abs(np.fft.rfft2(remapped.heights))[0, 1:],
-        np.abs(np.fft.rfft2(surface.heights))[0, 1:],
-        rtol=1e-3,
-    )
-    assert skew(remapped.heights, axis=None) == pytest.approx(0.54, abs=0.1)
-
-
-def test_scan_to_scan_spread_fills_up_to_the_published_one():
-    arguments = (256, PIXEL, 64, uncd)
-    natural = scan_to_scan_spread(generator(3), *arguments, 1e-6)
-    wide = scan_to_scan_spread(generator(3), *arguments, 0.5)
-    assert natural == 0
-    assert 0 < wide < np.sqrt(np.log1p(0.25))
-
-
-def test_a_scan_is_a_corner_of_its_surface_times_a_factor_of_mean_one(surface):
-    scan = substitute_scan(generator(1), surface, 100)
-    np.testing.assert_array_equal(scan.heights, surface.heights[:100, :100])
+def test_a_scan_is_a_corner_of_its_surface_times_a_factor(surface):
+    scan = substitute_scan(surface, 100, 0.7)
+    np.testing.assert_array_equal(scan.heights, 0.7 * surface.heights[:100, :100].astype(float))
     assert (scan.pixel_size, scan.periodic, scan.basis) == (PIXEL, False, "substitute")
-    rng = generator(2)
-    factors = np.array(
-        [substitute_scan(rng, surface, 1, spread=0.3).heights[0, 0] for _ in range(2000)]
-    ) / float(surface.heights[0, 0])
-    assert np.log(factors).std() == pytest.approx(0.3, rel=0.1)
-    assert factors.mean() == pytest.approx(1, abs=4 * 0.3 / np.sqrt(2000))
 
 
 def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
@@ -67,9 +41,9 @@ def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
         np.testing.assert_allclose(subtract_sphere(scan, RADIUS).heights, 0, atol=1e-9)
 
 
-@pytest.fixture
-def description():
-    return spectrum_dataset(UNCD.density).assign_attrs(skewness=0.54, spread=0.2)
+def heights_of(synthesized):
+    """The map in a dataset of `synthesized_scan`."""
+    return HeightMap(synthesized.heights.values.T, PIXEL, periodic=False, basis="substitute")
 
 
 def read_back(tmp_path, synthesized):
@@ -77,21 +51,45 @@ def read_back(tmp_path, synthesized):
     return read_scan(tmp_path / "a.nc", basis="substitute")
 
 
-def test_a_synthesized_scan_is_read_as_any_other(tmp_path, description):
-    synthesized = synthesized_scan(generator(1), description, 64, 64 * PIXEL, 128)
+def test_a_synthesized_scan_is_read_as_any_other(tmp_path):
+    grid = ScanGrid(64, 64 * PIXEL, 128)
+    synthesized = synthesized_scan(generator(1), uncd, grid, 0.7)
     scan = read_back(tmp_path, synthesized)
     assert (scan.basis, scan.periodic) == ("substitute", False)
     assert scan.pixel_size == pytest.approx(PIXEL)
-    rng = generator(1)
-    expected = substitute_scan(rng, random_surface(rng, 128, PIXEL, UNCD), 64, 0.54, 0.2)
+    expected = substitute_scan(random_surface(generator(1), 128, PIXEL, uncd), 64, 0.7)
     np.testing.assert_array_equal(scan.heights, expected.heights)
     assert synthesized.attrs["basis"].startswith("substitute")
 
 
-def test_a_synthesized_scan_of_the_sphere_has_its_shape(tmp_path, description):
-    arguments = (description, 64, 2500.0, 128)
+def test_a_synthesized_scan_of_the_sphere_has_its_shape(tmp_path):
+    arguments = (uncd, ScanGrid(64, 2500.0, 128), 1.0)
     flat = read_back(tmp_path, synthesized_scan(generator(1), *arguments))
     sphere = read_back(tmp_path, synthesized_scan(generator(1), *arguments, RADIUS))
     np.testing.assert_allclose(
         subtract_sphere(sphere, RADIUS).heights, level(flat).heights, atol=1e-9
     )
+
+
+@pytest.mark.parametrize("skewness", [-1.0, 1.0])
+def test_a_skewed_scan_is_as_high_as_the_gaussian_one(skewness):
+    arguments = (uncd, ScanGrid(64, 64 * PIXEL, 256), 0.7)
+    plain, skewed = (
+        heights_of(synthesized_scan(generator(1), *arguments, choices=choices))
+        for choices in (HeightChoices(), HeightChoices(skewness=skewness))
+    )
+    assert level(skewed).heights.std() == pytest.approx(level(plain).heights.std(), rel=1e-12)
+    assert np.abs(skewed.heights - plain.heights).max() > 1
+
+
+def test_a_scan_of_a_tip_is_of_the_same_surface_and_smoother():
+    arguments = (uncd, ScanGrid(64, 64 * PIXEL, 128), 0.7)
+    plain, imaged = (
+        heights_of(synthesized_scan(generator(1), *arguments, choices=choices))
+        for choices in (HeightChoices(), HeightChoices(tip_radius=26.0))
+    )
+    correlation = np.corrcoef(plain.heights.ravel(), imaged.heights.ravel())[0, 1]
+    assert correlation > 0.95
+    rough, smooth = (np.diff(one.heights, 2).std() for one in (plain, imaged))
+    assert smooth < 0.8 * rough
+    assert imaged.heights.mean() > plain.heights.mean()

@@ -7,12 +7,14 @@ from random_scans import PIXEL
 from refusals import assert_says, refusal
 
 from hardcontact import published
-from hardcontact.random import generator
-from hardcontact.surfaces import calibration, spectrum, substitute_spectra
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces import calibration, spectral_models, substitute_spectra
+from hardcontact.surfaces.scan_moments import expected_moments, transfer_weights
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
-HEADER = "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,table,basis,source\n"
-WEIGHTS = calibration.transfer_weights(512, PIXEL, 128)
+HEADER = (
+    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
+)
+WEIGHTS = transfer_weights(512, PIXEL, 128)
 NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 #: The paper's scans, made small.
 CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 2500.0}})
@@ -31,58 +33,62 @@ def described(tmp_path):
 
 
 @pytest.fixture
-def mcd(at_root):
+def polished(at_root):
     table1 = published.table1("resources/paper/table1.csv")
-    return calibration.rows_of_surface(table1, "mcd", "gradient", "half_laplacian")
+    return calibration.rows_of_surface(table1, "polished_uncd", "gradient", "half_laplacian")
 
 
 def test_bands_with_all_parameters_are_their_models(described, tmp_path):
     (tmp_path / "points.csv").write_text("wavelength_nm,c1d_nm3\n66,234\n24,6.7\n7,0.095\n")
     path = described(
-        "inf,500,self-affine,5e9,2000,0.8,",
-        "500,50,smooth roll-off,6.1e7,930,0.84,",
-        "50,7,profile,,,,points.csv",
-        "7,0.31,power law,,,0.5,",
+        "inf,1000,varying Hurst,5e9,2000,0.8,-0.1,",
+        "1000,500,self-affine,5e9,2000,0.8,,",
+        "500,50,smooth roll-off,6.1e7,930,0.84,,",
+        "50,7,profile,,,,,points.csv",
+        "7,0.31,power law,,,0.5,,",
     )
     density, bands, calibrated = substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
-    assert calibrated == [] and len(bands) == 4
+    assert calibrated == [] and len(bands) == 5
     table = Spectrum(WAVEVECTORS, density)
-    q = 2 * np.pi / np.array([1500.0, 200.0, 24.0])
+    q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
     expected = [
-        spectrum.self_affine(q[0], 5e9, 2000.0, 0.8),
-        spectrum.smooth_rolloff(q[1], 6.1e7, 930.0, 0.84),
+        spectral_models.varying_hurst(q[0], 5e9, 2000.0, (0.8, -0.1)),
+        spectral_models.self_affine(q[1], 5e9, 2000.0, 0.8),
+        spectral_models.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
     ]
-    np.testing.assert_allclose(table(q)[:2], expected, rtol=1e-3)
+    np.testing.assert_allclose(table(q)[:3], expected, rtol=1e-3)
     points = np.array([66.0, 24.0, 7.0]), np.array([234.0, 6.7, 0.095])
     inside = (WAVEVECTORS > 2 * np.pi / 50) & (WAVEVECTORS < 2 * np.pi / 7)
     np.testing.assert_allclose(
-        density[inside], spectrum.profile_points(WAVEVECTORS, *points)[inside]
+        density[inside], spectral_models.profile_points(WAVEVECTORS, *points)[inside]
     )
-    tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.31)
+    tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
     slopes = np.diff(np.log(density[tail])) / np.diff(np.log(WAVEVECTORS[tail]))
     np.testing.assert_allclose(slopes, -3)
-    assert (density[WAVEVECTORS > 2 * np.pi / 0.31] == 0).all()
+    assert (density[WAVEVECTORS > 2 * np.pi / 0.29] == 0).all()
 
 
-def test_blank_parameters_are_calibrated_to_table1(described, mcd):
-    path = described("inf,20,self-affine,,,,", "20,0,power law,,,,")
-    weights = calibration.transfer_weights(2048, PIXEL, 512)
-    density, bands, calibrated = substitute_spectra.from_description(path, mcd, weights)
-    assert calibrated == [*calibration.SELF_AFFINE_ROWS, *calibration.TAIL_ROWS]
+@pytest.mark.parametrize(
+    "band", ["inf,6.5,self-affine,,,,,", "inf,6.5,varying Hurst,,2000,,,"], ids=["H", "H'"]
+)
+def test_blank_parameters_are_calibrated_to_table1(described, polished, band):
+    path = described(band, "6.5,0,power law,,,,,")
+    weights = transfer_weights(2048, PIXEL, 512)
+    density, bands, calibrated = substitute_spectra.from_description(path, polished, weights)
+    assert calibrated == [*calibration.AFM_ROWS, *calibration.TAIL_ROWS]
     assert bands[["plateau_nm4", "rolloff_nm", "hurst"]].loc[0].notna().all()
     assert bands[["shortest_nm", "hurst"]].loc[1].notna().all()
-    moments = spectrum.all_scales_moments(Spectrum(WAVEVECTORS, density))
-    # The table of 40 points a decade ends within one of its points of the shortest wavelength.
-    expected = mcd.value[["all_rms_slope", "all_rms_curvature"]]
-    np.testing.assert_allclose(moments[1:], expected, rtol=0.1)
+    table = Spectrum(WAVEVECTORS, density)
+    found = [*expected_moments(table, weights), *all_scales_moments(table)[1:]]
+    np.testing.assert_allclose(found, polished.value[calibrated], rtol=1e-9)
 
 
 @pytest.mark.parametrize(
     ("band", "part"),
     [
-        ("inf,20,cubic,1,1,1,", "expected the model self-affine, .* found 'cubic'"),
-        ("inf,20,profile,,,,none.csv", "none.csv"),
-        ("inf,20,self-affine,,,,", "afm_rms_height"),
+        ("inf,20,cubic,1,1,1,,", "expected the model self-affine, .* found 'cubic'"),
+        ("inf,20,profile,,,,,none.csv", "none.csv"),
+        ("inf,20,self-affine,,,,,", "afm_rms_height"),
     ],
 )
 def test_a_band_that_cannot_be_made_is_named(described, band, part):
@@ -93,29 +99,22 @@ def test_a_band_that_cannot_be_made_is_named(described, band, part):
 
 def test_the_refusal_of_a_band_is_one_line(described):
     message = refusal(
-        substitute_spectra.from_description, described("inf,20,cubic,1,1,1,"), NO_TABLE1, WEIGHTS
+        substitute_spectra.from_description, described("inf,20,cubic,1,1,1,,"), NO_TABLE1, WEIGHTS
     )
     assert_says(message, "surface.csv", "expected", "found")
 
 
-def test_spectrum_of_a_substitute_has_what_its_scans_need(described, mcd):
-    path = described("inf,20,smooth roll-off,6.1e7,930,0.84,")
-    stored = substitute_spectra.substitute_spectrum(path, mcd, CONSTANTS, 0.54, generator(1))
+def test_spectrum_of_a_substitute_says_what_scans_would_show(described, polished):
+    path = described("inf,20,smooth roll-off,6.1e7,930,0.84,,")
+    stored = substitute_spectra.substitute_spectrum(path, polished, CONSTANTS)
     inside = WAVEVECTORS < 2 * np.pi / 20
     np.testing.assert_array_equal(stored.wavevector, WAVEVECTORS)
     np.testing.assert_allclose(
-        stored.spectrum[inside], spectrum.smooth_rolloff(WAVEVECTORS[inside], 6.1e7, 930.0, 0.84)
+        stored.spectrum[inside],
+        spectral_models.smooth_rolloff(WAVEVECTORS[inside], 6.1e7, 930.0, 0.84),
     )
-    assert (stored.attrs["basis"], stored.attrs["skewness"]) == ("substitute", 0.54)
-    assert stored.attrs["calibrated_to_table1"] == ""
-    expected = calibration.expected_moments(
-        Spectrum(WAVEVECTORS, stored.spectrum.values),
-        calibration.transfer_weights(256, 2500 / 64, 64),
+    assert (stored.attrs["basis"], stored.attrs["calibrated_to_table1"]) == ("substitute", "")
+    expected = expected_moments(
+        Spectrum(WAVEVECTORS, stored.spectrum.values), transfer_weights(256, 2500 / 64, 64)
     )
     np.testing.assert_array_equal(stored.attrs["expected_scan_moments"], expected)
-
-
-def test_a_surface_of_which_the_paper_says_nothing_has_no_spread(described):
-    path = described("inf,20,smooth roll-off,6.1e7,930,0.84,")
-    stored = substitute_spectra.substitute_spectrum(path, NO_TABLE1, CONSTANTS, 0.0, generator(1))
-    assert stored.attrs["spread"] == 0

@@ -1,6 +1,9 @@
 # Scans: substitutes where none was measured; all scans are then prepared in the same way.
 
 
+SCAN_GRID = {key: STUDY["scan"][key] for key in ("pixels", "size", "realization_pixels")}
+
+
 rule calibrate_spectrum:
     """Make the spectrum of a substitute from its description and Table 1."""
     input:
@@ -21,10 +24,7 @@ rule calibrate_spectrum:
         canonical=lambda w: canonical(
             {
                 "surface": w.surface,
-                "seed": STUDY["seed"],
-                **FILES.surface_variants[w.variant].parameters(
-                    STUDY["topography"], SELECTION.skewness(w.surface)
-                ),
+                "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
             }
         ),
     script:
@@ -48,10 +48,40 @@ rule extrapolate_spectrum:
         "../scripts/extrapolate_spectrum.py"
 
 
+rule condition_scans:
+    """Find the gain and the factors that give a group of substitute scans what Table 1 says."""
+    input:
+        spectrum=PATTERNS.calibrated_spectrum,
+        published_table1=PUBLISHED["published_table1"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("condition_scans.py"),
+    output:
+        PATTERNS.conditioning,
+    log:
+        PATTERNS.log("condition_scans", PATTERNS.conditioning),
+    benchmark:
+        PATTERNS.benchmark("condition_scans", PATTERNS.conditioning)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scans": SELECTION.scans_of_group(w.surface, int(w.group)),
+                "scan": SCAN_GRID,
+                "seed": STUDY["seed"],
+                "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
+            }
+        ),
+    script:
+        "../scripts/condition_scans.py"
+
+
 rule synthesize_scan:
     """Make a substitute scan, as a file that the scan reader knows."""
     input:
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        conditioning=lambda w: FILES.conditioning(w.surface, int(w.scan), w.variant),
         code=code_inputs("synthesize_scan.py"),
     output:
         PATTERNS.substitute,
@@ -66,10 +96,9 @@ rule synthesize_scan:
             {
                 "surface": w.surface,
                 "number": int(w.scan),
-                "scan": {
-                    key: STUDY["scan"][key] for key in ("pixels", "size", "realization_pixels")
-                },
+                "scan": SCAN_GRID,
                 "seed": STUDY["seed"],
+                **FILES.surface_variants[w.variant].heights(SELECTION.skewness(w.surface)),
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }
         ),

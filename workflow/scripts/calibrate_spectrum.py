@@ -1,7 +1,6 @@
 """C_iso of a substitute surface, from its description and the published Table 1."""
 
 from hardcontact import published
-from hardcontact.random import generator
 from hardcontact.study.job import job
 from hardcontact.surfaces.calibration import rows_of_surface
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
@@ -15,8 +14,6 @@ with job(snakemake) as this:
                 published.table1(this.input.published_table1), surface, **this.parameters["table1"]
             ),
             published.constants(this.input.published_constants),
-            this.parameters["skewness"],
-            generator(this.parameters["seed"], surface, "scan-to-scan spread"),
         ),
         title=f"power spectral density of the substitute for {surface}",
     )

@@ -3,16 +3,20 @@
 from hardcontact.random import generator
 from hardcontact.records import dataset
 from hardcontact.study.job import job
-from hardcontact.surfaces.substitute_scans import synthesized_scan
+from hardcontact.surfaces.spectral_gain import conditioned_density
+from hardcontact.surfaces.substitute_scans import HeightChoices, ScanGrid, synthesized_scan
 
 with job(snakemake) as this:
     surface, number = this.parameters["surface"], this.parameters["number"]
+    conditioning = dataset.read(this.input.conditioning)
     this.write(
         synthesized_scan(
             generator(this.parameters["seed"], surface, number, "scan"),
-            dataset.read(this.input.spectrum),
-            **this.parameters["scan"],
-            sphere_radius=this.parameters["sphere_radius"],
+            conditioned_density(dataset.read(this.input.spectrum), conditioning),
+            ScanGrid(**this.parameters["scan"]),
+            float(conditioning["factor"].sel(scan=number)),
+            this.parameters["sphere_radius"],
+            HeightChoices(this.parameters["skewness"], this.parameters["tip_radius"]),
         ),
         title=f"substitute scan {number} of {surface}",
         file_format="NETCDF3_64BIT",

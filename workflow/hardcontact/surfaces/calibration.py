@@ -1,90 +1,36 @@
-"""Calibration to the paper's Table 1: what a scan of a spectrum would show, and fits to it.
+"""Calibration to the paper's Table 1: spectra whose scans have its numbers.
 
 `scipy` is imported where it is used, because the configuration reads the names of rows here.
 """
+
+from collections.abc import Callable
 
 import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from hardcontact.surfaces import spectrum
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum
+from hardcontact.surfaces import spectral_models
+from hardcontact.surfaces.scan_moments import Weights, expected_moments
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 __all__ = [
-    "SELF_AFFINE_ROWS",
+    "AFM_ROWS",
     "TAIL_ROWS",
-    "Weights",
     "calibrate_self_affine",
     "calibrate_tail",
-    "expected_moments",
+    "calibrate_varying_hurst",
     "rows_of_surface",
-    "transfer_weights",
 ]
 
-#: Rows of Table 1 that fix a self-affine spectrum, and those that fix the tail below it.
-SELF_AFFINE_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature", "all_rms_height")
+#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
+AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 
-#: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
-Weights = tuple[NDArray[np.float64], NDArray[np.float64]]
+#: Relative error at which a number of Table 1 counts as met.
+TOLERANCE = 1e-9
 
-#: Bins of wavevectors in which weights are added up.
-BINS = 4000
-
-
-def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return weights that turn C_iso into the expected squared moments of a scan.
-
-    The scan is cut out of a larger periodic surface and levelled. Levelling takes from its
-    height variance what a plane fits (Legendre functions of degree 0 and 1, whose transforms are
-    spherical Bessel functions); its derivatives are differences of neighbouring pixels.
-
-    Parameters
-    ----------
-    pixels, window_pixels : int
-        Along an edge of the surface, and of the scan.
-    pixel_size : float
-        In nm.
-
-    Returns
-    -------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm.
-    weights : numpy.ndarray
-        (3, bins) for rms height², gradient² and half-Laplacian²:
-        moments = weights @ C_iso(wavevector).
-    """
-    from scipy.special import spherical_jn
-
-    wave = 2 * np.pi * np.fft.fftfreq(pixels, pixel_size)[:, None]
-    half = np.abs(wave[: pixels // 2 + 1].T)
-    count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
-    difference = sum((2 * np.sin(q * pixel_size / 2) / pixel_size) ** 2 for q in (wave, half))
-    mean_y, mean_x = (
-        spherical_jn(0, q * window_pixels * pixel_size / 2) ** 2 for q in (np.abs(wave), half)
-    )
-    tilt_y, tilt_x = (
-        3 * spherical_jn(1, q * window_pixels * pixel_size / 2) ** 2 for q in (np.abs(wave), half)
-    )
-    levelled = 1 - mean_y * mean_x - tilt_y * mean_x - mean_y * tilt_x
-    radius = np.hypot(wave, half)
-    radius[0, 0] = radius[0, 1]  # the mean carries no weight, and log 0 no bin
-    edges = np.geomspace(radius.min() * 0.999, radius.max() * 1.001, BINS + 1)
-    index = np.searchsorted(edges, radius.ravel()) - 1
-    area = (pixels * pixel_size) ** 2
-    weights = np.array(
-        [
-            np.bincount(index, (count * factor).ravel(), BINS) / area
-            for factor in (levelled, difference, difference**2 / 4)
-        ]
-    )
-    return np.sqrt(edges[1:] * edges[:-1]), weights
-
-
-def expected_moments(density: Density, weights: Weights) -> NDArray[np.float64]:
-    """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
-    wavevector, factors = weights
-    return np.sqrt(factors @ density(wavevector))
+#: Hurst exponents between which that of a tail is sought.
+TAIL_HURST = (-6.0, 5.0)
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
@@ -117,10 +63,7 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
 
 
 def calibrate_self_affine(table1: pd.DataFrame, weights: Weights) -> tuple[float, float, float]:
-    """Return plateau (nm⁴), roll-off (nm) and Hurst exponent that fit Table 1 best.
-
-    The three moments of the scans and the rms height over all scales are fitted by least
-    squares, each in units of its own uncertainty.
+    """Return plateau (nm⁴), roll-off (nm) and Hurst exponent of scans that are those of Table 1.
 
     Parameters
     ----------
@@ -132,86 +75,139 @@ def calibrate_self_affine(table1: pd.DataFrame, weights: Weights) -> tuple[float
     Returns
     -------
     tuple of float
-        Parameters of `spectrum.self_affine`.
+        Parameters of `spectral_models.self_affine`.
 
     Raises
     ------
     ValueError
-        If the fit misses one of the numbers by more than three of its uncertainties.
+        If no such spectrum has the three moments.
+    """
+
+    def model(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        log_plateau, log_rolloff, hurst = parameters
+        return spectral_models.self_affine(
+            WAVEVECTORS, np.exp(log_plateau), np.exp(log_rolloff), hurst
+        )
+
+    log_plateau, log_rolloff, hurst = _met(model, (np.log(1000.0), 0.9), table1, weights)
+    return float(np.exp(log_plateau)), float(np.exp(log_rolloff)), float(hurst)
+
+
+def calibrate_varying_hurst(
+    table1: pd.DataFrame, weights: Weights, rolloff: float
+) -> tuple[float, float, float]:
+    """Return the spectrum of a given roll-off (nm) whose scans are those of Table 1.
+
+    Parameters
+    ----------
+    table1 : pandas.DataFrame
+        Of `rows_of_surface`.
+    weights : Weights
+        Of `transfer_weights`.
+    rolloff : float
+        Wavelength in nm.
+
+    Returns
+    -------
+    tuple of float
+        Plateau (nm⁴), Hurst exponent and its change a decade: of `spectral_models.varying_hurst`.
+
+    Raises
+    ------
+    ValueError
+        If no such spectrum has the three moments.
+    """
+
+    def model(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        log_plateau, hurst, change = parameters
+        return spectral_models.varying_hurst(
+            WAVEVECTORS, np.exp(log_plateau), rolloff, (hurst, change)
+        )
+
+    log_plateau, hurst, change = _met(model, (0.9, 0.0), table1, weights)
+    return float(np.exp(log_plateau)), float(hurst), float(change)
+
+
+def _met(
+    model: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    shape: tuple[float, float],
+    table1: pd.DataFrame,
+    weights: Weights,
+) -> NDArray[np.float64]:
+    """Return ln C_0 and two parameters of the shape, here those to begin with, that meet Table 1.
+
+    What is fitted is the table of the model on WAVEVECTORS, because scans are made of that.
     """
     from scipy.optimize import least_squares
 
-    wavevector, factors = weights
-    value = table1.loc[list(SELF_AFFINE_ROWS), "value"].to_numpy(float)
-    error = table1.loc[list(SELF_AFFINE_ROWS), "uncertainty"].to_numpy(float) / value
+    values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
     def mismatch(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
-        shape = np.exp(parameters[0]), np.exp(parameters[1]), parameters[2]
-        scan = np.sqrt(factors @ spectrum.self_affine(wavevector, *shape))
-        height = spectrum.self_affine_height(*shape)
-        return np.asarray(np.log(np.append(scan, height) / value) / error)
+        table = Spectrum(WAVEVECTORS, model(parameters))
+        return np.asarray(np.log(expected_moments(table, weights) / values))
 
-    start = (2 * np.log(value[0] * 1000), np.log(1000), 0.9)
-    fit = least_squares(mismatch, start, x_scale=(1, 1, 0.1), xtol=1e-12, ftol=1e-12)
-    if np.abs(fit.fun).max() > 3:
+    start = (2 * np.log(values[0] * 1000), *shape)
+    fit = least_squares(mismatch, start, x_scale=(1, 0.3, 0.3), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    if np.abs(fit.fun).max() > TOLERANCE:
         worst = int(np.abs(fit.fun).argmax())
         raise ValueError(
-            f"expected Table 1 of a self-affine surface, found {SELF_AFFINE_ROWS[worst]}"
-            f" = {value[worst]}, missed by {fit.fun[worst]:+.1f} of its uncertainties"
+            "expected three numbers of Table 1 that a spectrum of this model has, found "
+            f"{AFM_ROWS[worst]} = {values[worst]:.3g}, missed by {100 * fit.fun[worst]:+.1f} %"
         )
-    return float(np.exp(fit.x[0])), float(np.exp(fit.x[1])), float(fit.x[2])
+    return np.asarray(fit.x)
 
 
-def calibrate_tail(
-    above: NDArray[np.float64], start: float, level: float, moments: tuple[float, float]
-) -> tuple[float, float]:
+def calibrate_tail(above: NDArray[np.float64], moments: tuple[float, float]) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
 
     Parameters
     ----------
     above : numpy.ndarray
-        C_iso in nm⁴ on WAVEVECTORS, down to the wavelength `start`.
-    start : float
-        Wavelength in nm at which the power law begins.
-    level : float
-        C_iso in nm⁴ there.
+        C_iso in nm⁴ on WAVEVECTORS, zero below the wavelength at which the power law begins.
     moments : tuple of float
         Gradient and half-Laplacian (1/nm) over all scales of the whole spectrum.
 
     Returns
     -------
     tuple of float
-        Hurst exponent and wavelength in nm.
+        Hurst exponent and wavelength in nm: of `spectral_models.power_law_tail`.
 
     Raises
     ------
     ValueError
-        If the part above `start` already exceeds one of the moments, or no power law adds them.
+        If the part above already exceeds one of the moments, or no power law adds them.
     """
-    from scipy.optimize import least_squares
+    from scipy.optimize import brentq
 
     gradient, half_laplacian = moments
-    _, *moments_above = spectrum.all_scales_moments(Spectrum(WAVEVECTORS, above))
-    missing = np.array(
-        [whole**2 - part**2 for whole, part in zip(moments, moments_above, strict=True)]
-    )
-    if missing.min() <= 0:
+    _, *moments_above = all_scales_moments(Spectrum(WAVEVECTORS, above))
+    missing = [whole**2 - part**2 for whole, part in zip(moments, moments_above, strict=True)]
+    if min(missing) <= 0:
         raise ValueError(
             f"expected an all-scales slope and curvature above {moments_above[0]:.3g} "
             f"and {moments_above[1]:.3g} nm-1, found {gradient} and {half_laplacian}"
         )
-    first = 2 * np.pi / start
 
-    def mismatch(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
-        hurst, log_last = parameters
-        wave = np.geomspace(first, np.exp(log_last), 2000)
-        tail = Spectrum(wave, level * (wave / first) ** (-2 - 2 * hurst))
-        return np.asarray(np.log(spectrum.all_scales_moments(tail)[1:]) - np.log(missing) / 2)
+    def excess(moment: int, hurst: float, shortest: float) -> float:
+        tail = spectral_models.power_law_tail(above, hurst, shortest)
+        added = all_scales_moments(Spectrum(WAVEVECTORS, tail))[1 + moment]
+        return float(np.log(added**2 / missing[moment]))
 
-    fit = least_squares(mismatch, (0.6, np.log(2 * np.pi / 0.3)), xtol=1e-12, ftol=1e-12)
-    if np.abs(fit.fun).max() > 1e-6:
+    def hurst_of(shortest: float) -> float:
+        return float(brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST, xtol=1e-14))
+
+    # Of the tails that add the gradient, those that end later add more to the half-Laplacian.
+    ends = 2 * np.pi / WAVEVECTORS[above.nonzero()[0][-1] + 1 :]
+    possible = [
+        end for end in ends if excess(0, TAIL_HURST[0], end) > 0 > excess(0, TAIL_HURST[1], end)
+    ]
+    reached = [excess(1, hurst_of(end), end) for end in possible]
+    if not reached or not reached[0] < 0 < reached[-1]:
         raise ValueError(
             "expected an all-scales slope and curvature that a power law "
-            f"below {start} nm can add, found {gradient} and {half_laplacian}"
+            f"below {ends[0]:.3g} nm can add, found {gradient} and {half_laplacian}"
         )
-    return float(fit.x[0]), float(2 * np.pi / np.exp(fit.x[1]))
+    shortest = brentq(
+        lambda end: excess(1, hurst_of(end), end), possible[0], possible[-1], xtol=1e-14
+    )
+    return hurst_of(shortest), float(shortest)

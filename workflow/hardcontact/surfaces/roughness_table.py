@@ -98,6 +98,7 @@ class TableSettings(NamedTuple):
 def roughness_table(
     scans: Mapping[tuple[str, int], xr.Dataset],
     spectra: Mapping[str, xr.Dataset],
+    conditionings: Mapping[str, xr.Dataset],
     examples: Mapping[str, xr.Dataset],
     settings: TableSettings,
 ) -> xr.Dataset:
@@ -109,6 +110,8 @@ def roughness_table(
         Of `measured_roughness`, by surface and number.
     spectra : mapping of str to xarray.Dataset
         C_iso over all scales, by surface.
+    conditionings : mapping of str to xarray.Dataset
+        Of `conditioning.conditioned_group`, by surface: that of the scans of each substitute.
     examples : mapping of str to xarray.Dataset
         One levelled scan of each surface; that of the sphere with the variable `as_scanned`.
     settings : TableSettings
@@ -135,6 +138,13 @@ def roughness_table(
         psd_isotropic_mean=stacked["psd_isotropic"].mean("scan", keep_attrs=True),
         label=("surface", [settings.labels[name] for name in names]),
         basis=("surface", [settings.basis[name] for name in names]),
+        calibrated_to_table1=(
+            "surface",
+            [
+                conditionings.get(name, spectra[name]).attrs["calibrated_to_table1"]
+                for name in names
+            ],
+        ),
     ).assign_attrs(
         sphere_surface=settings.sphere_surface,
         reference_surface=settings.reference_surface,
@@ -144,7 +154,7 @@ def roughness_table(
 
 
 def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) -> xr.Dataset:
-    """Return spectra (surface, wavevector), their moments over all scales, their calibration."""
+    """Return spectra (surface, wavevector) and their moments over all scales."""
     tables = [Spectrum(one["wavevector"].values, one["spectrum"].values) for one in spectra]
     height, gradient, half_laplacian = np.array([all_scales_moments(one) for one in tables]).T
     density = np.array([table(wavevector) for table in tables])
@@ -156,10 +166,6 @@ def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) 
             "all_scales_rms_profile_slope": ("surface", gradient / np.sqrt(2), {"units": "1"}),
             "all_scales_rms_half_laplacian": ("surface", half_laplacian, {"units": "nm-1"}),
             "all_scales_rms_laplacian": ("surface", 2 * half_laplacian, {"units": "nm-1"}),
-            "calibrated_to_table1": (
-                "surface",
-                [one.attrs["calibrated_to_table1"] for one in spectra],
-            ),
         }
     )
 

@@ -1,4 +1,4 @@
-"""Power spectral densities: measured, models, tables, moments.
+"""Power spectral densities: tables, their moments, what is measured of scans.
 
 Conventions: C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq, and C_1D = |h~|²/L in nm³
 with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka,
@@ -27,12 +27,7 @@ __all__ = [
     "extrapolated_spectrum",
     "from_scans",
     "measured_psds",
-    "profile_from_isotropic_power_law",
-    "profile_points",
     "read_spectrum",
-    "self_affine",
-    "self_affine_height",
-    "smooth_rolloff",
     "spectrum_dataset",
 ]
 
@@ -122,77 +117,6 @@ def measured_psds(
         np.where(profile > 0, profile, np.nan),
         np.where(isotropic > 0, isotropic, np.nan),
     )
-
-
-def self_affine(
-    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float
-) -> NDArray[np.float64]:
-    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), (q/q_r)^(-2-2H) below."""
-    return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
-
-
-def self_affine_height(plateau: float, rolloff: float, hurst: float) -> float:
-    """Return the rms height (nm) of `self_affine` over all scales.
-
-    Its square is C_0 q_r² (1 + 1/H)/(4 pi).
-    """
-    mean_square = plateau * (2 * np.pi / rolloff) ** 2 * (1 + 1 / hurst) / (4 * np.pi)
-    return float(np.sqrt(mean_square))
-
-
-def smooth_rolloff(
-    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float
-) -> NDArray[np.float64]:
-    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
-    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
-
-
-def profile_from_isotropic_power_law(
-    wavevector: NDArray[np.float64], hurst: float
-) -> NDArray[np.float64]:
-    """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
-
-    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
-    """
-    from scipy.special import gamma
-
-    ratio = wavevector / (2 * np.sqrt(np.pi)) * gamma(hurst + 0.5) / gamma(hurst + 1)
-    return np.asarray(ratio, float)
-
-
-def profile_points(
-    wavevector: NDArray[np.float64],
-    wavelengths: NDArray[np.float64],
-    profile: NDArray[np.float64],
-) -> NDArray[np.float64]:
-    """Return C_iso through measured points of C_1D, converted with one fitted Hurst exponent.
-
-    Parameters
-    ----------
-    wavevector : numpy.ndarray
-        Of the result, in rad/nm.
-    wavelengths, profile : numpy.ndarray
-        (points,) in nm and in nm³.
-
-    Returns
-    -------
-    numpy.ndarray
-        In nm⁴, of the shape of `wavevector`.
-    """
-    points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
-    hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
-    order = np.argsort(points)
-    density = np.exp(_extended(np.log(wavevector), points[order], level[order]))
-    return density / profile_from_isotropic_power_law(wavevector, hurst)
-
-
-def _extended(
-    x: NDArray[np.float64], points: NDArray[np.float64], values: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return the linear interpolation that continues its first and last segment."""
-    segment = np.clip(np.searchsorted(points, x) - 1, 0, len(points) - 2)
-    slope = np.diff(values)[segment] / np.diff(points)[segment]
-    return values[segment] + slope * (x - points[segment])
 
 
 def all_scales_moments(spectrum: Spectrum) -> NDArray[np.float64]:

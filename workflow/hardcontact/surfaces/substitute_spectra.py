@@ -7,26 +7,29 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from hardcontact.surfaces import spectrum
+from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.calibration import (
-    SELF_AFFINE_ROWS,
+    AFM_ROWS,
     TAIL_ROWS,
-    Weights,
     calibrate_self_affine,
     calibrate_tail,
-    expected_moments,
-    transfer_weights,
+    calibrate_varying_hurst,
 )
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-from hardcontact.surfaces.substitute_scans import scan_to_scan_spread
+from hardcontact.surfaces.scan_moments import Weights, expected_moments, transfer_weights
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_dataset
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["PARAMETERS", "from_description", "substitute_spectrum"]
+__all__ = ["CALIBRATED", "PARAMETERS", "from_description", "substitute_spectrum"]
 
 #: Columns of a description that hold numbers.
-PARAMETERS = ("longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst")
+PARAMETERS = (
+    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
+)  # fmt: skip
+
+#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
+CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
 
 
 def from_description(
@@ -38,7 +41,7 @@ def from_description(
     ----------
     path : str or Path
         CSV of bands from long to short wavelengths, each with its model, parameters and basis. A
-        self-affine band or a power law without Hurst exponent is calibrated to Table 1.
+        band of CALIBRATED without Hurst exponent is calibrated to Table 1.
     table1 : pandas.DataFrame
         Of `rows_of_surface`.
     weights : Weights
@@ -75,56 +78,50 @@ def _calibrated(
     band: pd.Series, above: NDArray[np.float64], table1: pd.DataFrame, weights: Weights
 ) -> tuple[pd.Series, list[str]]:
     """Return the band with its parameters filled in, and the rows of Table 1 that filled them."""
-    if not pd.isna(band.hurst) or band.model not in ("self-affine", "power law"):
+    if not pd.isna(band.hurst) or band.model not in CALIBRATED:
         return band, []
+    filled = band.copy()
     if band.model == "self-affine":
-        plateau, rolloff, hurst = calibrate_self_affine(table1, weights)
-        values = {"plateau_nm4": plateau, "rolloff_nm": rolloff, "hurst": hurst}
-        return pd.Series({**band, **values}), list(SELF_AFFINE_ROWS)
-    gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
-    hurst, shortest = calibrate_tail(
-        above, band.longest_nm, _level_above(band, above), (gradient, half_laplacian)
-    )
-    return pd.Series({**band, "hurst": hurst, "shortest_nm": shortest}), list(TAIL_ROWS)
-
-
-def _level_above(band: pd.Series, above: NDArray[np.float64]) -> float:
-    """Return C_iso at the shortest wavelength of the bands above this one."""
-    return float(above[WAVEVECTORS < 2 * np.pi / band.longest_nm][-1])
+        filled[["plateau_nm4", "rolloff_nm", "hurst"]] = calibrate_self_affine(table1, weights)
+    elif band.model == "varying Hurst":
+        filled[["plateau_nm4", "hurst", "hurst_change"]] = calibrate_varying_hurst(
+            table1, weights, band.rolloff_nm
+        )
+    else:
+        gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
+        filled[["hurst", "shortest_nm"]] = calibrate_tail(above, (gradient, half_laplacian))
+    return filled, list(CALIBRATED[band.model])
 
 
 def _band_density(band: pd.Series, above: NDArray[np.float64], folder: Path) -> NDArray[np.float64]:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
-    wavelength = 2 * np.pi / WAVEVECTORS
-    inside = (wavelength <= band.longest_nm) & (wavelength > band.shortest_nm)
+    if band.model == "power law":
+        return spectral_models.power_law_tail(above, band.hurst, band.shortest_nm)
+    shape = band.plateau_nm4, band.rolloff_nm
     if band.model == "self-affine":
-        model = spectrum.self_affine(WAVEVECTORS, band.plateau_nm4, band.rolloff_nm, band.hurst)
+        model = spectral_models.self_affine(WAVEVECTORS, *shape, band.hurst)
+    elif band.model == "varying Hurst":
+        model = spectral_models.varying_hurst(WAVEVECTORS, *shape, (band.hurst, band.hurst_change))
     elif band.model == "smooth roll-off":
-        model = spectrum.smooth_rolloff(WAVEVECTORS, band.plateau_nm4, band.rolloff_nm, band.hurst)
-    elif band.model == "power law":
-        relative = WAVEVECTORS * band.longest_nm / (2 * np.pi)
-        model = _level_above(band, above) * relative ** (-2 - 2 * band.hurst)
+        model = spectral_models.smooth_rolloff(WAVEVECTORS, *shape, band.hurst)
     elif band.model == "profile":
         points = pd.read_csv(folder / band.table).astype({"wavelength_nm": float, "c1d_nm3": float})
-        model = spectrum.profile_points(
+        model = spectral_models.profile_points(
             WAVEVECTORS, points["wavelength_nm"].to_numpy(), points["c1d_nm3"].to_numpy()
         )
     else:
         raise ValueError(
-            "expected the model self-affine, smooth roll-off, profile or power law, "
+            "expected the model self-affine, varying Hurst, smooth roll-off, profile or power law, "
             f"found {band.model!r}"
         )
-    return np.where(inside, model, 0.0)
+    wavelength = 2 * np.pi / WAVEVECTORS
+    return np.where((wavelength <= band.longest_nm) & (wavelength > band.shortest_nm), model, 0.0)
 
 
 def substitute_spectrum(
-    description: str | Path,
-    table1: pd.DataFrame,
-    constants: pd.DataFrame,
-    skewness: float,
-    rng: np.random.Generator,
+    description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> "xr.Dataset":
-    """Return the spectrum of a substitute, with what its scans need beside it.
+    """Return the spectrum of a substitute.
 
     Table 1 is for scans of the paper's pixels and size, not those of this study.
 
@@ -136,32 +133,19 @@ def substitute_spectrum(
         Of `rows_of_surface`; empty if the paper has no such surface.
     constants : pandas.DataFrame
         Of `published.constants`: pixels and size of the paper's scans.
-    skewness : float
-        Of the heights, kept as an attribute.
-    rng : numpy.random.Generator
-        Of the random surfaces from which the scan-to-scan spread is computed.
 
     Returns
     -------
     xarray.Dataset
-        `spectrum` (wavevector) in nm⁴ as it is stored; attributes skewness, spread, the bands and
-        what they were calibrated to.
+        `spectrum` (wavevector) in nm⁴ as it is stored; attributes: the bands, the rows of Table 1
+        that they were calibrated to, and the moments expected of one of the paper's scans.
     """
     window = int(constants["value"]["scan_pixels"])
-    pixels, pixel_size = 4 * window, constants["value"]["scan_size"] / window
-    weights = transfer_weights(pixels, pixel_size, window)
+    weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
     density, bands, calibrated = from_description(description, table1, weights)
-    table = Spectrum(WAVEVECTORS, density)
-    spread = 0.0
-    if "afm_rms_height" in table1.index:
-        height = table1.loc[["afm_rms_height"]]
-        relative = float((height["uncertainty"] / height["value"]).iloc[0])
-        spread = scan_to_scan_spread(rng, pixels, pixel_size, window, table, relative)
-    return spectrum.spectrum_dataset(density).assign_attrs(
+    return spectrum_dataset(density).assign_attrs(
         basis="substitute",
         calibrated_to_table1=",".join(calibrated),
         bands=bands.to_csv(index=False),
-        skewness=skewness,
-        spread=spread,
-        expected_scan_moments=expected_moments(table, weights),
+        expected_scan_moments=expected_moments(Spectrum(WAVEVECTORS, density), weights),
     )

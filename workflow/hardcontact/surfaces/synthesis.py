@@ -11,7 +11,7 @@ from hardcontact.surfaces.filters import ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
 
-__all__ = ["large_scale_master", "random_surface", "small_scale_master"]
+__all__ = ["large_scale_master", "random_surface", "refined", "small_scale_master"]
 
 
 def random_surface(
@@ -50,6 +50,40 @@ def random_surface(
     transform[0, 0] = 0
     heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
     return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+
+
+def refined(
+    rng: np.random.Generator, surface: HeightMap, fineness: int, density: Density
+) -> HeightMap:
+    """Return a surface on finer pixels, with random roughness of wavelengths below its own.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Of the roughness added.
+    surface : HeightMap
+        Periodic, on an even number of pixels.
+    fineness : int
+        New pixels along an edge of an old one.
+    density : callable
+        C_iso of the roughness added, in nm⁴ as a function of the wavevector in rad/nm.
+
+    Returns
+    -------
+    HeightMap
+        Heights (fineness * pixels,) * 2 in float32. All orders below two old pixels along both
+        axes are those of the surface.
+    """
+    from scipy import fft
+
+    pixels, pixel_size = fineness * surface.pixels, surface.pixel_size / fineness
+    added = random_surface(rng, pixels, pixel_size, density)
+    transform = fft.rfft2(added.heights, overwrite_x=True)
+    own, half = fft.rfft2(surface.heights) * fineness**2, surface.pixels // 2
+    transform[:half, :half] = own[:half, :half]
+    transform[1 - half :, :half] = own[1 - half :, :half]
+    heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
+    return replace(surface, heights=heights, pixel_size=pixel_size)
 
 
 def small_scale_master(

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
 __all__ = [
+    "DEFINITIONS",
     "METRICS",
     "level",
     "library_map",

@@ -1,0 +1,174 @@
+"""Conditioning of scans: their statistics are the targets, whatever their number and pixels."""
+
+from functools import partial
+
+import numpy as np
+import pandas as pd
+import pytest
+from random_scans import PIXEL, UNCD, levelled_scan, uncd
+from refusals import assert_says, refusal
+
+from hardcontact.random import generator
+from hardcontact.surfaces import conditioning, scan_targets, spectral_gain
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.scan_moments import expected_moments, transfer_weights
+from hardcontact.surfaces.scan_targets import Targets
+from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
+from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
+from hardcontact.surfaces.topography import level, metrics
+
+NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
+GRID = ScanGrid(64, 64 * PIXEL, 256)
+#: Rows of Table 1 of a surface, and the geometry of its scans, here that of GRID.
+TABLE1 = pd.DataFrame({"value": [20.0], "uncertainty": [5.0]}, index=["afm_rms_height"])
+CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL}})
+DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}
+
+
+def generators(*numbers):
+    return {number: partial(generator, 7, "uncd", number, "scan") for number in numbers}
+
+
+@pytest.fixture(scope="module")
+def spectrum():
+    """UNCD's spectrum as it is stored, calibrated to the AFM rows of Table 1."""
+    moments = expected_moments(UNCD, transfer_weights(256, PIXEL, 64))
+    return spectrum_dataset(UNCD.density).assign_attrs(
+        calibrated_to_table1="afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope",
+        expected_scan_moments=moments,
+    )
+
+
+def measured(spectrum, group, grid):
+    """The metrics of every scan of a group, as they are synthesized: {metric: (scan,)}."""
+    density = spectral_gain.conditioned_density(spectrum, group)
+    values = []
+    for number in group.scan.values:
+        rng = generator(7, "uncd", number, "scan")
+        stored = synthesized_scan(rng, density, grid, float(group.factor.sel(scan=number)))
+        heights = stored["heights"].values.T
+        scan = level(HeightMap(heights, grid.pixel_size, periodic=False, basis="substitute"))
+        values.append(metrics(scan))
+    return pd.DataFrame(values)
+
+
+@pytest.mark.parametrize("numbers", [(1,), (1, 2), (3, 4, 5), (6, 7, 8, 9, 10)], ids=len)
+@pytest.mark.parametrize(
+    "names", [NAMES, ("rms_height", "rms_profile_slope", "rms_laplacian")], ids=["2D", "1D"]
+)
+def test_scans_have_what_they_are_to_have(spectrum, numbers, names):
+    moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
+    units = [scan_targets.UNITS[name] for name in names]
+    targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
+    group = conditioning.conditioned_group(spectrum, targets, generators(*numbers), GRID)
+    found = measured(spectrum, group, GRID)
+    for name, mean in targets.means.items():
+        assert found[name].mean() == pytest.approx(mean, rel=1e-6)
+    if len(numbers) > 1:
+        assert found.rms_height.std(ddof=1) == pytest.approx(targets.deviation, rel=1e-6)
+
+
+def test_most_groups_of_any_number_of_scans_can_be_conditioned(spectrum):
+    targets = scan_targets.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, GRID)
+    for first in range(0, 60, 6):
+        numbers = range(first, first + 1 + first // 10)
+        group = conditioning.conditioned_group(spectrum, targets, generators(*numbers), GRID)
+        assert (group.factor > 0).all() and (group.gain > 0).all()
+        assert group.factor.mean().item() == pytest.approx(1)
+
+
+def test_targets_on_the_pixels_of_the_paper_are_what_the_spectrum_expects(spectrum):
+    targets = scan_targets.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, GRID)
+    moments = spectrum.attrs["expected_scan_moments"]
+    np.testing.assert_array_equal(list(targets.means.values()), moments)
+    assert targets.deviation == pytest.approx(0.25 * moments[0])
+    assert targets.rows == ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+
+
+def test_on_coarser_pixels_the_rms_height_stays(spectrum):
+    coarse = ScanGrid(32, GRID.size, 128)
+    targets = scan_targets.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, coarse)
+    height, slope, curvature = spectrum.attrs["expected_scan_moments"]
+    expected = expected_moments(uncd, transfer_weights(128, 2 * PIXEL, 32))
+    np.testing.assert_allclose(list(targets.means.values()), [height, *expected[1:]], rtol=1e-3)
+    assert targets.means["rms_gradient"] < slope
+    assert targets.means["rms_half_laplacian"] < curvature
+    assert targets.rows == ("afm_rms_height",)
+    group = conditioning.conditioned_group(spectrum, targets, generators(1, 2), coarse)
+    found = measured(spectrum, group, coarse)
+    assert found.rms_height.mean() == pytest.approx(height, rel=1e-6)
+    assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
+
+
+def test_on_another_size_nothing_of_table_1_is_met(spectrum):
+    grid = ScanGrid(128, 2 * GRID.size, 256)
+    targets = scan_targets.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
+    expected = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
+    np.testing.assert_allclose(list(targets.means.values()), expected)
+    assert targets.rows == ()
+
+
+def test_slope_and_curvature_are_read_as_the_study_says(spectrum):
+    definitions = {"slope": "profile", "curvature": "laplacian"}
+    targets = scan_targets.scan_targets(spectrum, TABLE1, CONSTANTS, definitions, GRID)
+    height, slope, curvature = spectrum.attrs["expected_scan_moments"]
+    expected = {
+        "rms_height": height,
+        "rms_profile_slope": slope / 2**0.5,
+        "rms_laplacian": 2 * curvature,
+    }
+    assert dict(targets.means) == pytest.approx(expected)
+
+
+def test_a_surface_that_nothing_is_published_of_is_left_as_it_is(spectrum):
+    assert (
+        scan_targets.scan_targets(spectrum, TABLE1.iloc[:0], CONSTANTS, DEFINITIONS, GRID) is None
+    )
+    group = conditioning.conditioned_group(spectrum, None, generators(1, 2), GRID)
+    assert (group.gain == 1).all() and (group.factor == 1).all()
+    np.testing.assert_array_equal(group.scan, [1, 2])
+
+
+def test_bands_add_up_to_one_and_go_over_smoothly():
+    shares = spectral_gain.band_shares(GRID)
+    np.testing.assert_allclose(shares.sum(axis=0), 1, rtol=1e-12)
+    assert (shares >= 0).all() and np.abs(np.diff(shares, axis=1)).max() < 0.1
+    assert (shares[0, WAVEVECTORS < 2 * np.pi / GRID.size] == 1).all()
+    assert (shares[2, WAVEVECTORS > np.pi / PIXEL] == 1).all()
+
+
+def test_a_gain_multiplies_amplitudes_also_between_the_points_of_the_table():
+    first, second = spectral_gain.band_shares(GRID)[:2]
+    q = np.array([0.0, 0.0123, 0.0456])
+    both = spectral_gain.amplified(uncd, 2 * first + 3 * second)(q)
+    parts = [np.sqrt(spectral_gain.amplified(uncd, share)(q)) for share in (first, second)]
+    np.testing.assert_allclose(np.sqrt(both), 2 * parts[0] + 3 * parts[1])
+
+
+def test_metrics_of_a_sum_are_a_quadratic_form():
+    bands = [levelled_scan(generator(9, k), 32) for k in range(3)]
+    matrices = conditioning.second_moments(bands, NAMES)
+    amplitudes = np.array([0.3, 1.7, 0.9])
+    total = sum(a * band.heights for a, band in zip(amplitudes, bands, strict=True))
+    found = metrics(HeightMap(total, PIXEL, periodic=False, basis="substitute"))
+    forms = np.sqrt(np.einsum("mij,i,j->m", matrices, amplitudes, amplitudes))
+    np.testing.assert_allclose(forms, [found[name] for name in NAMES], rtol=1e-12)
+
+
+def test_negative_heights_are_refused_in_one_line(spectrum):
+    targets = Targets(dict(zip(NAMES, (20.0, 0.4, 0.05), strict=True)), 40.0, ())
+    message = refusal(
+        conditioning.conditioned_group, spectrum, targets, generators(1, 2, 3, 4, 5), GRID
+    )
+    assert_says(message, "5 scans that are 20 +- 40", "expected", "found")
+
+
+def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
+    height, slope, curvature = spectrum.attrs["expected_scan_moments"]
+    rows = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+    targets = Targets(dict(zip(NAMES, (height, 0.05 * slope, curvature), strict=True)), 1.0, rows)
+    group = conditioning.conditioned_group(spectrum, targets, generators(1, 2, 3), GRID)
+    assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
+    found = measured(spectrum, group, GRID)
+    assert found.rms_height.mean() == pytest.approx(height, rel=1e-6)
+    assert found.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)

@@ -1,0 +1,104 @@
+"""Skewed heights: spectrum, skewness and summits, and the scan that they were fitted to."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from random_scans import PIXEL, uncd
+from repository import ROOT
+from scipy.ndimage import maximum_filter
+from scipy.stats import skew
+
+from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
+from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.contact.geometry import bodies
+from hardcontact.random import generator
+from hardcontact.surfaces.scans import read_scan
+from hardcontact.surfaces.skewed_surface import skewed_surface
+from hardcontact.surfaces.spectrum import Spectrum, measured_psds
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.topography import level, mirror_stitch
+
+AFM = (ROOT / "../shared/scans/afm-10um-512.di").resolve()
+WINDOW = 128
+
+
+@pytest.fixture(scope="module")
+def surface():
+    return random_surface(generator(5), 512, 4 * PIXEL, uncd)
+
+
+def summit_curvature(scan):
+    """Mean half-Laplacian at the summits above two rms heights, downwards, in 1/nm."""
+    heights = scan.heights
+    inner = heights[1:-1, 1:-1]
+    neighbours = heights[2:, 1:-1] + heights[:-2, 1:-1] + heights[1:-1, 2:] + heights[1:-1, :-2]
+    summit = (maximum_filter(heights, 3)[1:-1, 1:-1] == inner) & (inner > 2 * heights.std())
+    return ((4 * inner - neighbours)[summit] / (2 * scan.pixel_size**2)).mean()
+
+
+@pytest.mark.parametrize("skewness", [-1.0, -0.5, 0.0, 0.5, 1.0])
+def test_heights_have_the_skewness_and_keep_their_spectrum(surface, skewness):
+    skewed = skewed_surface(surface, skewness)
+    np.testing.assert_allclose(
+        np.abs(np.fft.rfft2(skewed.heights))[1:, 1:],
+        np.abs(np.fft.rfft2(surface.heights))[1:, 1:],
+        rtol=2e-3,
+    )
+    assert skew(skewed.heights, axis=None) == pytest.approx(skewness, rel=0.07, abs=0.01)
+    assert skewed.heights.dtype == float
+
+
+def test_tops_are_blunter_than_those_of_a_gaussian_surface(surface):
+    gaussian = summit_curvature(replace(surface, heights=surface.heights.astype(float)))
+    for skewness in (-0.5, 0.5):
+        assert summit_curvature(skewed_surface(surface, skewness)) < 0.7 * gaussian
+
+
+def test_heights_and_lengths_have_no_scale_of_their_own(surface):
+    skewed = skewed_surface(surface, 0.5).heights
+    larger = replace(surface, heights=4 * surface.heights, pixel_size=2 * surface.pixel_size)
+    np.testing.assert_allclose(skewed_surface(larger, 0.5).heights, 4 * skewed, rtol=1e-9)
+
+
+def test_the_paraboloid_may_be_wider_than_the_map():
+    rough = random_surface(generator(1), 16, PIXEL, uncd)
+    assert np.isfinite(skewed_surface(rough, 0.5).heights).all()
+
+
+def windows(heights, pixel_size):
+    """All levelled windows of 2.5 µm, of whole scans side by side."""
+    for place in np.ndindex(heights.shape[0] // WINDOW, heights.shape[1] // WINDOW):
+        y, x = (slice(WINDOW * i, WINDOW * (i + 1)) for i in place)
+        part = replace(random_surface(generator(0), 2, pixel_size, uncd), heights=heights[y, x])
+        yield level(replace(part, periodic=False))
+
+
+def forces(scan):
+    """Mean plastic forces in µN of 10 x 10 contacts at ranges of 2, 5.6 and 10 nm."""
+    pair = bodies(mirror_stitch(scan), None, 250e3, {"window": 12500.0, "count": 10})
+    pixels = contact_pixel_count(Load(preload=1e-5, hardness=25e9), scan.pixel_size)
+    ranges = (2.0, 5.6, 10.0)
+    totals = [plastic_totals(pair, [pixels], rho)[0].mean() for rho in ranges]
+    return 1e6 * pull_off_force(totals, np.array(ranges), scan.pixel_size, 0.0463)
+
+
+@pytest.mark.skipif(not AFM.is_file(), reason="no folder ../shared/scans")
+def test_the_scan_that_it_was_fitted_to_is_reproduced():
+    """A check of the fit, no test of it: forces within two errors of their mean, summits in 20 %.
+
+    Windows of a surface of skewness 0.65 have the mean skewness of those of the scan, 0.53.
+    """
+    scan = level(read_scan(AFM))
+    wave, _, isotropic = measured_psds(scan)
+    known = np.isfinite(isotropic)
+    density = Spectrum(wave[known], isotropic[known])
+    made = skewed_surface(random_surface(generator(1), 1024, scan.pixel_size, density), 0.65)
+    measured, modelled = (
+        list(windows(one.heights.astype(float), scan.pixel_size)) for one in (scan, made)
+    )
+    real, model = (np.array([forces(one) for one in part]) for part in (measured, modelled))
+    error = np.hypot(*(part.std(axis=0, ddof=1) / np.sqrt(len(part)) for part in (real, model)))
+    assert (np.abs(model.mean(axis=0) - real.mean(axis=0)) < 2 * error).all()
+    summits = [summit_curvature(replace(one, heights=one.heights)) for one in (scan, made)]
+    assert summits[1] == pytest.approx(summits[0], rel=0.2)

@@ -1,0 +1,133 @@
+"""Models of the isotropic power spectral density, in the conventions of `spectrum`."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.surfaces.spectrum import WAVEVECTORS
+
+__all__ = [
+    "power_law_tail",
+    "profile_from_isotropic_power_law",
+    "profile_points",
+    "self_affine",
+    "smooth_rolloff",
+    "varying_hurst",
+]
+
+
+def self_affine(
+    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float
+) -> NDArray[np.float64]:
+    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), (q/q_r)^(-2-2H) below."""
+    return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
+
+
+def varying_hurst(
+    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: tuple[float, float]
+) -> NDArray[np.float64]:
+    """Return C_iso whose Hurst exponent changes linearly with the logarithm of the wavelength.
+
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off and C_0 before it:
+    locally a power law of the exponent H + H' x.
+
+    Parameters
+    ----------
+    wavevector : numpy.ndarray
+        In rad/nm.
+    plateau : float
+        C_0 in nm⁴.
+    rolloff : float
+        Wavelength in nm.
+    hurst : tuple of float
+        H at the roll-off, and its change H' a decade of shorter wavelengths.
+
+    Returns
+    -------
+    numpy.ndarray
+        In nm⁴, of the shape of `wavevector`.
+    """
+    first, change = hurst
+    decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
+    return np.asarray(plateau * 10 ** (-(2 + 2 * first) * decades - change * decades**2))
+
+
+def power_law_tail(
+    above: NDArray[np.float64], hurst: float, shortest: float
+) -> NDArray[np.float64]:
+    """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
+
+    Parameters
+    ----------
+    above : numpy.ndarray
+        C_iso in nm⁴ on WAVEVECTORS, zero below some wavelength.
+    hurst : float
+        H.
+    shortest : float
+        Wavelength in nm at which the power law ends. The cell of WAVEVECTORS that it lies in counts
+        by the share before it, so that moments of the table depend on it continuously.
+
+    Returns
+    -------
+    numpy.ndarray
+        In nm⁴ on WAVEVECTORS, zero where `above` is not.
+    """
+    last = above.nonzero()[0][-1]
+    relative = WAVEVECTORS / WAVEVECTORS[last]
+    cells = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
+    tail = above[last] * relative ** (-2 - 2 * hurst) * np.clip(cells + 0.5, 0, 1)
+    return np.where(relative > 1, tail, 0.0)
+
+
+def smooth_rolloff(
+    wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float
+) -> NDArray[np.float64]:
+    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
+    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
+
+
+def profile_from_isotropic_power_law(
+    wavevector: NDArray[np.float64], hurst: float
+) -> NDArray[np.float64]:
+    """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
+
+    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
+    """
+    from scipy.special import gamma
+
+    ratio = wavevector / (2 * np.sqrt(np.pi)) * gamma(hurst + 0.5) / gamma(hurst + 1)
+    return np.asarray(ratio, float)
+
+
+def profile_points(
+    wavevector: NDArray[np.float64],
+    wavelengths: NDArray[np.float64],
+    profile: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Return C_iso through measured points of C_1D, converted with one fitted Hurst exponent.
+
+    Parameters
+    ----------
+    wavevector : numpy.ndarray
+        Of the result, in rad/nm.
+    wavelengths, profile : numpy.ndarray
+        (points,) in nm and in nm³.
+
+    Returns
+    -------
+    numpy.ndarray
+        In nm⁴, of the shape of `wavevector`.
+    """
+    points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
+    hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
+    order = np.argsort(points)
+    density = np.exp(_extended(np.log(wavevector), points[order], level[order]))
+    return density / profile_from_isotropic_power_law(wavevector, hurst)
+
+
+def _extended(
+    x: NDArray[np.float64], points: NDArray[np.float64], values: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the linear interpolation that continues its first and last segment."""
+    segment = np.clip(np.searchsorted(points, x) - 1, 0, len(points) - 2)
+    slope = np.diff(values)[segment] / np.diff(points)[segment]
+    return values[segment] + slope * (x - points[segment])

@@ -1,0 +1,36 @@
+"""What the scans of a substitute share: a gain of its spectrum, and a factor for each."""
+
+from functools import partial
+
+from hardcontact import published
+from hardcontact.random import generator
+from hardcontact.records import dataset
+from hardcontact.study.job import job
+from hardcontact.surfaces.calibration import rows_of_surface
+from hardcontact.surfaces.conditioning import conditioned_group
+from hardcontact.surfaces.scan_targets import scan_targets
+from hardcontact.surfaces.substitute_scans import ScanGrid
+
+with job(snakemake) as this:
+    surface, definitions = this.parameters["surface"], this.parameters["table1"]
+    spectrum, grid = dataset.read(this.input.spectrum), ScanGrid(**this.parameters["scan"])
+    this.write(
+        conditioned_group(
+            spectrum,
+            scan_targets(
+                spectrum,
+                rows_of_surface(
+                    published.table1(this.input.published_table1), surface, **definitions
+                ),
+                published.constants(this.input.published_constants),
+                definitions,
+                grid,
+            ),
+            {
+                number: partial(generator, this.parameters["seed"], surface, number, "scan")
+                for number in this.parameters["scans"]
+            },
+            grid,
+        ),
+        title=f"gain and factors of substitute scans of {surface}",
+    )
