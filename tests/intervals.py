@@ -7,6 +7,6 @@ from hardcontact.statistics import with_interval
 
 def between_multiples(name, dimensions, value, multiples, confidence, **attributes):
     """Return a variable and an interval between two multiples of it."""
-    value = np.asarray(value, float)
+    value = np.array(value, float)
     interval = np.stack([multiple * value for multiple in multiples], axis=-1)
     return with_interval(name, dimensions, value, interval, attributes, confidence)

@@ -1,4 +1,4 @@
-"""Intervals, resampling and log-normal fits."""
+"""Intervals, samples of means and log-normal fits."""
 
 import numpy as np
 import pytest
@@ -63,12 +63,66 @@ def test_student_interval_is_that_of_a_t_test(confidence):
         np.testing.assert_allclose(row, expected, rtol=1e-12)
 
 
-def test_resampling_draws_as_many_scans_as_there_are_and_never_a_missing_one():
-    counts = statistics.resampling_counts(
-        np.random.default_rng(0), np.array([True, False, True]), 2000
+def test_student_log_interval_is_that_of_a_t_test_on_logarithms_about_the_mean():
+    values = np.random.default_rng(0).lognormal(0, 0.5, (2, 5))
+    values[1, 3:] = np.nan
+    computed = statistics.student_log_interval(
+        xr.DataArray(values, {"surface": ["a", "b"]}, ("surface", "scan")), 0.9, "scan"
     )
-    assert (counts.sum(axis=1) == 2).all() and (counts[:, 1] == 0).all()
-    assert (counts[:, 0] == 1).mean() == pytest.approx(0.5, abs=0.05)
+    assert computed.dims == ("surface", "bound") and computed.attrs == {"confidence": 0.9}
+    for row, given in zip(computed.values, values, strict=True):
+        logarithms = np.log(given[np.isfinite(given)])
+        expected = stats.ttest_1samp(logarithms, 0).confidence_interval(0.9)
+        shift = np.log(np.nanmean(given)) - logarithms.mean()
+        np.testing.assert_allclose(np.log(row), np.array(expected) + shift, rtol=1e-12)
+
+
+@pytest.mark.parametrize("count", [3, 5])
+@pytest.mark.parametrize("shape", [0.2, 0.4, 0.6, 0.8])
+def test_student_log_interval_covers_the_mean_as_often_as_it_says(count, shape):
+    """Measured: 0.929 to 0.952. A percentile bootstrap over five covers 0.71 to 0.84."""
+    values = np.random.default_rng(0).lognormal(0, shape, (20000, count))
+    interval = statistics.student_log_interval(
+        xr.DataArray(values, dims=("run", "scan")), 0.95, "scan"
+    )
+    low, high = interval.values.T
+    mean = np.exp(shape**2 / 2)
+    assert 0.9 <= ((low <= mean) & (mean <= high)).mean() <= 0.98
+
+
+def test_samples_are_at_every_place_those_of_the_interval():
+    values = np.random.default_rng(1).lognormal(0, 0.4, (5, 3))
+    samples = statistics.student_log_samples(np.random.default_rng(2), values, 200000)
+    expected = statistics.student_log_interval(
+        xr.DataArray(values, dims=("scan", "rho")), 0.9, "scan"
+    )
+    np.testing.assert_allclose(statistics.percentile_interval(samples, 0.9), expected, rtol=0.01)
+
+
+def test_samples_keep_the_correlation_of_places():
+    common = np.random.default_rng(1).lognormal(0, 0.4, (4, 1))
+    values = common * np.array([1.0, 5.0]) ** np.array([1.0, 2.0])
+    samples = statistics.student_log_samples(np.random.default_rng(0), values, 50)
+    np.testing.assert_allclose(samples[:, 1] / samples[:, 0], 25.0)
+    assert np.ptp(samples[:, 0]) > 0
+
+
+def test_one_scan_has_no_interval_and_no_samples():
+    one = np.array([[2.0, 3.0]])
+    samples = statistics.student_log_samples(np.random.default_rng(0), one, 4)
+    assert samples.shape == (4, 2) and np.isnan(samples).all()
+    interval = statistics.student_log_interval(xr.DataArray(one[0], dims="scan")[:1], 0.9, "scan")
+    assert interval.isnull().all()
+    assert np.isnan(statistics.jackknife_interval(2.0, [np.nan], 0.9)).all()
+    assert np.isnan(statistics.percentile_interval(np.empty((0, 3)), 0.9)).all()
+
+
+def test_jackknife_of_a_geometric_mean_is_the_t_test_on_logarithms():
+    values = np.random.default_rng(0).lognormal(0, 0.5, 6)
+    left_out = [stats.gmean(np.delete(values, scan)) for scan in range(6)]
+    expected = stats.ttest_1samp(np.log(values), 0).confidence_interval(0.9)
+    computed = statistics.jackknife_interval(stats.gmean(values), left_out, 0.9)
+    np.testing.assert_allclose(np.log(computed), expected, rtol=1e-12)
 
 
 def test_published_lognormal_shapes():
@@ -81,6 +135,28 @@ def test_published_lognormal_shapes():
 def test_lognormal_shape_of_a_lognormal():
     known = stats.lognorm(0.7, scale=3.0)
     assert statistics.lognormal_shape(known.mean(), known.median()) == pytest.approx(0.7)
+
+
+def test_forces_that_are_alike_have_a_shape_of_zero_and_no_interval_of_it():
+    assert statistics.lognormal_fit(np.full(9, 5e-8), 3e-8)[0] == pytest.approx(0, abs=1e-12)
+    assert np.isnan(statistics.jackknife_interval(0.0, np.zeros(5), 0.95)).all()
+
+
+@pytest.mark.parametrize("floor", [1e-9, 3e-8, 2e-7])
+def test_censored_fit_has_the_greatest_likelihood(floor):
+    forces = stats.lognorm(0.9, scale=6e-8).rvs(size=300, random_state=np.random.default_rng(1))
+    below = forces < floor
+    shape, median, share = statistics.lognormal_fit(forces, floor)
+    data = stats.CensoredData(uncensored=forces[~below], left=np.full(below.sum(), floor))
+    expected, _, scale = stats.lognorm.fit(data, floc=0)
+    assert share == below.mean()
+    assert (shape, median) == pytest.approx((expected, scale), rel=1e-3)
+
+    def surprise(shape, median):
+        known = stats.lognorm(shape, scale=median)
+        return -known.logpdf(forces[~below]).sum() - below.sum() * known.logcdf(floor)
+
+    assert surprise(shape, median) <= surprise(expected, scale) + 1e-7
 
 
 def test_censored_fit_recovers_the_distribution_that_was_cut():

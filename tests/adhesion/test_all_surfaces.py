@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from refusals import assert_says, refusal
 
 from hardcontact.adhesion import all_surfaces
 
@@ -56,6 +57,34 @@ def test_filtered_forces_and_their_ratio():
     np.testing.assert_array_equal(scales.unfiltered_pull_off_force, 4.0)
     ends = scales.unfiltered_wavelength.sel(surface="a")
     assert float(ends.sel(side="small")) == 1.2 and float(ends.sel(side="large")) == 5000.0
+
+
+def test_ratios_of_masters_at_one_load():
+    masters = {
+        ("a", realization, side): xr.Dataset(
+            {
+                "pull_off_force": (("cutoff_wavelength", "load"), [[2.0, 9.0], [force, 9.0]]),
+                "unfiltered_pull_off_force": ("load", [4.0, 1.0]),
+                "unfiltered_wavelength": ((), end),
+            },
+            {"cutoff_wavelength": cutoffs, "load": ["light", "heavy"]},
+        )
+        for side, cutoffs, end in (("small", [20.0, 43.0], 1.2), ("large", [1e3, 500.0], 2e4))
+        for realization, force in ((1, 1.0), (2, 3.0))
+    }
+    curves = all_surfaces.stacked_ratios(masters, "light")
+    assert curves.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
+    of_a = curves.ratio.sel(surface="a").transpose("side", "realization", ...)
+    missing = [np.nan, np.nan]
+    np.testing.assert_array_equal(
+        of_a.sel(side="small"), [[0.5, 0.25, *missing], [0.5, 0.75, *missing]]
+    )
+    np.testing.assert_array_equal(
+        of_a.sel(side="large"), [[*missing, 0.25, 0.5], [*missing, 0.75, 0.5]]
+    )
+    assert curves.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]
+    message = refusal(all_surfaces.stacked_ratios, masters, "other")
+    assert_says(message, "at the load other", "light, heavy")
 
 
 def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():

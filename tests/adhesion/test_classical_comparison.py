@@ -9,9 +9,9 @@ from published_contact import AFM, CONTACT, RADIUS, WORK
 
 from hardcontact import published
 from hardcontact.adhesion import smooth_sphere
-from hardcontact.adhesion.bootstrap import Bootstrap
 from hardcontact.adhesion.classical_comparison import apply_classical_models
 from hardcontact.adhesion.classical_models import MODELS
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.statistics import bounds
 
 
@@ -29,7 +29,7 @@ def classical_of(inference, seed=1):
         published.constants(TABLES / "parameters.csv"),
         published.table1(TABLES / "table1.csv"),
         published.printed_pull_off(TABLES / "pull_off.csv"),
-        Bootstrap(seed, 20, 0.9, ("classical",)),
+        Sampling(seed, 20, 0.9, ("classical",)),
     )
 
 

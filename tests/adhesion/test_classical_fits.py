@@ -5,7 +5,6 @@ import pytest
 from paper_numbers import MEAN_FORCE
 from published_contact import AFM, CONTACT, UNCERTAINTY, WORK
 
-from hardcontact.adhesion.bootstrap import Bootstrap
 from hardcontact.adhesion.classical_fits import (
     RoughnessSamples,
     compare_models,
@@ -15,6 +14,7 @@ from hardcontact.adhesion.classical_fits import (
     sample_roughness,
 )
 from hardcontact.adhesion.classical_models import MODELS, Roughness
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.statistics import bounds
 
 
@@ -48,7 +48,7 @@ def test_drawn_roughness_is_positive_and_spreads_as_printed():
 
 def test_comparison_holds_all_models_with_intervals():
     drawn = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 40)
-    samples = RoughnessSamples(AFM, drawn, Bootstrap(0, 40, 0.9))
+    samples = RoughnessSamples(AFM, drawn, Sampling(0, 40, 0.9))
     targets = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
     models = compare_models(samples, CONTACT, WORK, targets)
     assert list(models.model.values) == list(MODELS)
@@ -76,7 +76,7 @@ def test_power_laws_find_a_power_and_see_through_a_fit_of_one_point():
 def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
     drawn = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
     works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
-    laws = power_laws(RoughnessSamples(AFM, drawn, Bootstrap(0, 2, 0.95)), works)
+    laws = power_laws(RoughnessSamples(AFM, drawn, Sampling(0, 2, 0.95)), works)
     assert list(laws.rms_parameter.values) == list(Roughness._fields)
     assert list(laws.against.values) == list(works)
     low, high = bounds(laws, "power_law_exponent")  # a factor common to all changes no exponent

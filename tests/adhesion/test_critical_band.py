@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 
 from hardcontact.adhesion import critical_band as band
-from hardcontact.adhesion.bootstrap import Bootstrap
-from hardcontact.statistics import bounds
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.statistics import bounds, student_log_interval
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 SMALL = [1.0, 1.2, np.nan, np.nan]
@@ -31,15 +31,14 @@ def scales(ratios):
 
 
 def test_critical_wavelength_interpolates_in_log_wavelength():
-    cutoffs, ratios = np.array([1.0, 10.0, 100.0]), np.array([1.0, 1.05, 1.15])
-    assert band.critical_wavelength(cutoffs, ratios, 0.1) == pytest.approx(10**1.5)
-    falling = np.array([1.0, 1.0, 0.8])
-    assert band.critical_wavelength(cutoffs, falling, 0.1) == pytest.approx(10**1.5)
-    assert np.isnan(band.critical_wavelength(cutoffs, np.array([1.0, 0.95, 1.05]), 0.1))
+    cutoffs, changes = np.array([1.0, 10.0, 100.0]), np.array([0.0, 0.05, 0.15])
+    assert band.critical_wavelength(cutoffs, changes, 0.1) == pytest.approx(10**1.5)
+    assert band.critical_wavelength(cutoffs, 2 * changes, 0.1) == pytest.approx(10.0)
+    assert np.isnan(band.critical_wavelength(cutoffs, np.array([0.0, 0.05, 0.1]), 0.1))
 
 
 def test_each_side_is_read_from_its_unfiltered_end():
-    computed = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Bootstrap(0, 20, 0.95))
+    computed = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
     for side, expected in LEAVES.items():
         for group in ("a", "pooled"):
             chosen = computed.sel(side=side, group=group)
@@ -47,38 +46,54 @@ def test_each_side_is_read_from_its_unfiltered_end():
             np.testing.assert_allclose(chosen.critical_wavelength_interval, expected)
 
 
-def test_pooled_curve_is_the_mean_over_surfaces():
-    flat = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
-    computed = band.critical_band(scales([[[SMALL, LARGE]], [flat]]), 0.1, Bootstrap(0, 5, 0.95))
+def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
+    up = [[1.0, 1.2, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.0]]
+    down = [[1.0, 0.8, np.nan, np.nan], [np.nan, np.nan, 0.6, 1.0]]
+    computed = band.critical_band(scales([[up], [down]]), 0.1, Sampling(0, 0, 0.95))
     np.testing.assert_allclose(
-        computed.scale_ratio.sel(group="pooled"),
-        [[1.0, 1.1, np.nan, np.nan], [np.nan, np.nan, 2.0, 1.0]],
+        computed.scale_change.sel(group="pooled"),
+        [[0.0, 0.2, np.nan, np.nan], [np.nan, np.nan, 1.2, 0.0]],
     )
-    assert computed.critical_wavelength.sel(group="b").isnull().all()
+    assert computed.scale_ratio.dims == ("side", "surface", "cutoff_wavelength")
+    np.testing.assert_allclose(computed.scale_ratio.sel(surface="b"), down)
+    np.testing.assert_allclose(computed.critical_wavelength.sel(side="small"), 10**1.5)
+    assert computed.critical_wavelength_interval.isnull().all()
 
 
-def test_curves_that_never_leave_bound_the_interval_by_their_last_cutoff():
-    flat = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
-    computed = band.critical_band(scales([[flat] * 2]), 0.1, Bootstrap(0, 5, 0.95))
+FLAT = [[1.0, 1.0, np.nan, np.nan], [np.nan, np.nan, 1.0, 1.0]]
+
+
+def test_curves_that_never_leave_bound_the_interval_by_the_last_cutoff_of_their_side():
+    computed = band.critical_band(scales([[FLAT] * 2]), 0.1, Sampling(0, 5, 0.95))
     assert computed.critical_wavelength.isnull().all()
-    np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="small"), 10000.0)
-    np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="large"), 10.0)
+    np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="small"), 100.0)
+    np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="large"), 1000.0)
 
 
-def test_interval_resamples_realizations():
-    weak, strong = [1.0, 1.15, np.nan, np.nan], [1.0, 1.45, np.nan, np.nan]
-    computed = band.critical_band(
-        scales([[[weak, LARGE], [strong, LARGE]]]), 0.1, Bootstrap(0, 400, 0.9)
-    )
+def test_one_realization_has_no_interval():
+    computed = band.critical_band(scales([[[SMALL, LARGE]]]), 0.1, Sampling(0, 5, 0.95))
+    assert computed.critical_wavelength.notnull().all()
+    for name in ("scale_ratio", "scale_change", "critical_wavelength"):
+        assert computed[f"{name}_interval"].isnull().all(), name
+
+
+def test_intervals_are_over_realizations():
+    rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
+    computed = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))
+    small = computed.sel(side="small", cutoff_wavelength=100.0)
+    expected = student_log_interval(xr.DataArray([1.2, 1.3, 1.45], dims="n"), 0.9, "n")
+    np.testing.assert_allclose(small.scale_ratio_interval[0], expected, rtol=0.03)
+    np.testing.assert_allclose(small.scale_change_interval.sel(group="a"), expected - 1, rtol=0.2)
     low, high = bounds(computed.sel(side="small", group="a"), "critical_wavelength")
-    assert float(low) == pytest.approx(10 ** (1 + 0.1 / 0.45))  # the strong one twice
-    assert float(high) == pytest.approx(10 ** (1 + 0.1 / 0.15))
+    # Ends of the change are those of the wavelength, the other way round.
+    near = 10 ** (1 + 0.1 / (expected.values - 1))
+    np.testing.assert_allclose([high, low], near, rtol=0.3)
     assert computed.critical_wavelength_interval.attrs["confidence"] == 0.9
 
 
 def test_band_of_a_study_names_its_surfaces():
     computed = band.find_critical_band(
-        scales([[[SMALL, LARGE]], [[SMALL, LARGE]]]), 0.1, Bootstrap(0, 5, 0.9)
+        scales([[[SMALL, LARGE]], [[SMALL, LARGE]]]), 0.1, Sampling(0, 5, 0.9)
     )
     assert computed.group.values.tolist() == ["a", "b", "pooled"]
     assert computed.label.sel(surface="b") == "surface b"

@@ -1,5 +1,7 @@
 """The force sum: against the direct sum over every pixel pair, and against closed forms."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from direct_sum import direct_total
@@ -7,7 +9,7 @@ from periodic_maps import RADIUS, over, periodic_noise
 from scipy.special import ive
 
 from hardcontact.adhesion import force_sum
-from hardcontact.adhesion.sphere_sums import rough_sphere_sums, smooth_sphere_sums
+from hardcontact.adhesion.sphere_sums import outside_sums, smooth_sphere_sums
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
 from hardcontact.contact.gap_map import gap_map
 
@@ -28,36 +30,39 @@ def bodies_of(case, seed, rough=True):
 
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("contact_pixels", [1, 17])
-def test_rough_sphere_force_is_the_direct_sum(case, contact_pixels):
-    bodies, rhos = bodies_of(case, 3), [0.5, 2.0, 10.0]
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
+    bodies, rhos = bodies_of(case, 3, rough), [0.5, 2.0, 10.0]
     contacts = all_lowest_gaps(bodies, contact_pixels)
-    outside = rough_sphere_sums(bodies, contacts, rhos)
+    outside = outside_sums(bodies, contacts, rhos)
     for place, (gaps, _) in contacts.items():
         gap = gap_map(bodies, place)
         for sums, rho in zip(outside, rhos, strict=True):
             for count in {1, contact_pixels}:
-                assert force_sum.rough_sphere_total(sums[place], gaps, count, rho) == pytest.approx(
+                assert force_sum.opened_total(sums[place], gaps, count, rho) == pytest.approx(
                     direct_total(gap, count, rho), rel=1e-9
                 )
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_rough_sphere_force_keeps_its_digits_where_little_is_outside(case):
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_keeps_its_digits_where_little_is_outside(case, rough):
     # At a small range what the contact pixels leave is many orders below them.
-    bodies, rho = bodies_of(case, 3), 0.1
+    bodies, rho = bodies_of(case, 3, rough), 0.1
     contacts = all_lowest_gaps(bodies, 17)
-    (outside,) = rough_sphere_sums(bodies, contacts, [rho])
+    (outside,) = outside_sums(bodies, contacts, [rho])
     for place in contacts:
         ordered = np.sort(gap_map(bodies, place), axis=None)
         expected = np.exp((ordered[16] - ordered[17:]) / rho).sum()
         assert outside[place] == pytest.approx(expected, rel=1e-9)
 
 
-def test_force_of_a_contact_does_not_depend_on_what_touches_elsewhere():
-    bodies = bodies_of(CASES[0], 3)
+@pytest.mark.parametrize("rough", [False, True])
+def test_force_of_a_contact_does_not_depend_on_what_touches_elsewhere(rough):
+    bodies = bodies_of(CASES[0], 3, rough)
     contacts = all_lowest_gaps(bodies, 17)
     fewer = contacts | {(0, 0): all_lowest_gaps(bodies, 1)[0, 0]}
-    all_of_them, other = (rough_sphere_sums(bodies, one, [5.6])[0] for one in (contacts, fewer))
+    all_of_them, other = (outside_sums(bodies, one, [5.6])[0] for one in (contacts, fewer))
     np.testing.assert_allclose(other.ravel()[1:], all_of_them.ravel()[1:], rtol=1e-13)
 
 
@@ -69,6 +74,16 @@ def test_smooth_sphere_force_is_the_direct_sum(case, contact_pixels):
     for place, total in np.ndenumerate(totals):
         expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
         assert total == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("rough", [False, True])
+def test_forces_do_not_depend_on_the_order_of_heights_in_memory(rough):
+    bodies = bodies_of(CASES[0], 3, rough)
+    turned = np.asfortranarray(bodies.substrate.heights)
+    other = replace(bodies, substrate=replace(bodies.substrate, heights=turned))
+    for rho in (0.5, 5.6):
+        totals, of_turned = (force_sum.plastic_totals(one, [17], rho) for one in (bodies, other))
+        np.testing.assert_allclose(of_turned, totals, rtol=1e-12)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -86,11 +101,11 @@ def test_several_loads_at_once_are_each_load_alone(case, rough):
 def test_totals_of_many_contacts_are_those_of_each():
     bodies = bodies_of(CASES[0], 3)
     contacts = all_lowest_gaps(bodies, 9)
-    (outside,) = rough_sphere_sums(bodies, contacts, [2.0])
+    (outside,) = outside_sums(bodies, contacts, [2.0])
     gaps = stacked_gaps(contacts, bodies.geometry)
-    together = force_sum.rough_sphere_total(outside, gaps, 4, 2.0)
+    together = force_sum.opened_total(outside, gaps, 4, 2.0)
     for place, (of_contact, _) in contacts.items():
-        alone = force_sum.rough_sphere_total(outside[place], of_contact, 4, 2.0)
+        alone = force_sum.opened_total(outside[place], of_contact, 4, 2.0)
         assert together[place] == pytest.approx(float(alone), rel=1e-14)
 
 
@@ -163,12 +178,6 @@ def test_results_do_not_depend_on_threads():
     bodies = over(substrate, None, 10.0, 800, 5)
     one, two = (smooth_sphere_sums(bodies, 5.6, threads)[0] for threads in (1, 2))
     np.testing.assert_array_equal(one, two)
-
-
-def test_a_smooth_sphere_has_no_sums_of_a_rough_one():
-    bodies = bodies_of(CASES[1], 1, rough=False)
-    with pytest.raises(ValueError, match="expected a rough sphere"):
-        rough_sphere_sums(bodies, all_lowest_gaps(bodies, 1), [5.6])
 
 
 def test_a_sum_out_of_range_is_an_error_not_a_number():

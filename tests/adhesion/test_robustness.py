@@ -6,8 +6,9 @@ import xarray as xr
 from known_forces import RHOS, TABLE, power_curves
 from paper_numbers import SUBSTRATES
 
-from hardcontact.adhesion.bootstrap import Bootstrap
+from hardcontact.adhesion.inference import Pair
 from hardcontact.adhesion.robustness import Choices, robustness
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.statistics import bounds
 
 LOADS = ["H25GPa-F10uN", "H25GPa-F5uN"]
@@ -20,7 +21,8 @@ CHOICES = Choices(
     probe="smooth",
     error_threshold=0.1,
     tolerance=0.1,
-    bootstrap=Bootstrap(0, 20, 0.9, ("bootstrap", "robustness")),
+    published_pair=Pair(4.0, 0.05),
+    sampling=Sampling(0, 20, 0.9, ("sampling", "robustness")),
 )
 VARIANTS = [
     {"name": "baseline", "variant": STUDY, "load": LOADS[0], "probe": "smooth"},
@@ -85,6 +87,23 @@ def test_loads_are_chosen_by_name(varied):
 def test_scans_of_a_variant_are_those_of_the_surfaces_it_names(varied):
     """Forces of one surface twice as large: no range and work meets all four."""
     assert varied.best_error.sel(variant="curved") > 0.05
+
+
+def test_forces_stand_at_the_published_pair(varied):
+    """The curves are made to meet the published forces at 4 nm and 0.05 J/m²."""
+    published = TABLE.mean_force.reindex(SUBSTRATES).to_numpy()
+    np.testing.assert_allclose(varied.mean_force.sel(variant="baseline"), published, rtol=1e-6)
+    twice = np.where(np.array(SUBSTRATES) == "mcd", 2, 1)
+    np.testing.assert_allclose(
+        varied.mean_force.sel(variant="curved"), twice * published, rtol=1e-6
+    )
+    assert varied.mean_force.attrs["units"] == "N"
+
+
+def test_the_least_minimum_is_the_fit(varied):
+    known = varied.drop_sel(variant="rough_sphere").isel(minimum=0)
+    np.testing.assert_allclose(known.minimum_range, known.range_of_adhesion, rtol=0.02)
+    np.testing.assert_allclose(known.minimum_work, known.work_of_adhesion, rtol=0.03)
 
 
 def test_another_probe_changes_the_critical_band_alone(varied):

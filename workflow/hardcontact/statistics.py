@@ -1,4 +1,4 @@
-"""Intervals, resampling of whole scans, and log-normal fits.
+"""Intervals of means over whole scans, samples of them, and log-normal fits.
 
 Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. A variable
 `name` has its interval in a second variable, `name_interval`, of one more dimension `bound`.
@@ -12,16 +12,18 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
-from scipy import stats
+from scipy import optimize, special, stats
 
 __all__ = [
     "bounds",
     "interval_between",
+    "jackknife_interval",
     "lognormal_fit",
     "lognormal_shape",
     "percentile_interval",
-    "resampling_counts",
     "student_interval",
+    "student_log_interval",
+    "student_log_samples",
     "with_interval",
 ]
 
@@ -78,7 +80,7 @@ def bounds(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
-    """Return the central interval of bootstrap samples.
+    """Return the central interval of samples.
 
     Parameters
     ----------
@@ -92,10 +94,12 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
     ndarray (..., 2)
         Low and high end; NaN where all samples are missing.
     """
-    tail = 50 * (1 - confidence)
+    samples, tail = np.asarray(samples), 50 * (1 - confidence)
+    if not len(samples):
+        return np.full((*samples.shape[1:], 2), np.nan)
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
-        ends = np.nanpercentile(np.asarray(samples), [tail, 100 - tail], axis=0)
+        ends = np.nanpercentile(samples, [tail, 100 - tail], axis=0)
     return np.moveaxis(ends, 0, -1)
 
 
@@ -122,36 +126,100 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
     return interval_between(mean - half, mean + half).assign_attrs(confidence=confidence)
 
 
+def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
+    """Return the interval of a mean of positive values, by Student's t on their logarithms.
+
+    It lies about the logarithm of the mean; its half width is that of the mean of the logarithms.
+
+    Parameters
+    ----------
+    values : xarray.DataArray
+        Independent positive values along `dim`, NaN where one is missing.
+    confidence : float
+        Probability that the interval holds the mean.
+    dim : str
+        Dimension the mean is taken along.
+
+    Returns
+    -------
+    xarray.DataArray
+        Low and high end along the last dimension `bound`; NaN of fewer than two values.
+    """
+    logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
+    about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
+    interval: xr.DataArray = values.mean(dim) * xr.apply_ufunc(np.exp, about_zero)
+    return interval.transpose(..., "bound").assign_attrs(confidence=confidence)
+
+
 def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     """Return both ends of an interval in one array, along a new last dimension `bound`."""
     ends = xr.concat([low, high], pd.Index(BOUNDS, name="bound"))
     return ends.transpose(..., "bound")
 
 
-# --- resampling and fits ----------------------------------------------------------------------
+# --- samples and fits -------------------------------------------------------------------------
 
 
-def resampling_counts(rng: np.random.Generator, available: np.ndarray, samples: int) -> np.ndarray:
-    """Return how often each scan is drawn, with replacement.
+def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
+    """Draw means of positive values: multivariate Student's t about the logarithm of their mean.
+
+    A sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with d_i = ln x_i minus
+    its mean, z_i normal and c chi-squared of n - 1 degrees of freedom. At every place its
+    distribution is that of `student_log_interval`; all places share z and c, which keeps their
+    correlation.
 
     Parameters
     ----------
     rng : numpy.random.Generator
         Source of the samples.
-    available : ndarray of bool (scans,)
-        Whether a scan may be drawn.
+    values : ndarray (n, ...)
+        Positive values of n independent scans, at places that belong together.
     samples : int
-        Number of bootstrap samples.
+        How many are drawn.
 
     Returns
     -------
-    ndarray (samples, scans)
-        Each row adds up to the number of available scans.
+    ndarray (samples, ...)
+        In the unit of the values; NaN of fewer than two values.
     """
-    counts = np.zeros((samples, len(available)))
-    chance = np.full(available.sum(), 1 / available.sum())
-    counts[:, available] = rng.multinomial(available.sum(), chance, samples)
-    return counts
+    count = len(values)
+    if count < 2:
+        return np.full((samples, *values.shape[1:]), np.nan)
+    logarithms = np.log(values)
+    deviations = (logarithms - logarithms.mean(axis=0)) / np.sqrt(count * (count - 1))
+    normal = rng.standard_normal((samples, count))
+    share = np.sqrt(rng.chisquare(count - 1, samples) / (count - 1))
+    drawn = np.tensordot(normal / share[:, None], deviations, axes=1)
+    return np.asarray(values.mean(axis=0) * np.exp(drawn))
+
+
+def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float) -> np.ndarray:
+    """Return the interval of a positive statistic of n scans from those that leave one out.
+
+    Student's t on the logarithm, whose standard error is that of the delete-one jackknife.
+
+    Parameters
+    ----------
+    value : array_like (...)
+        Of all scans.
+    left_out : array_like (n, ...)
+        Of all scans but one.
+    confidence : float
+        Probability that the interval holds the statistic of infinitely many scans.
+
+    Returns
+    -------
+    ndarray (..., 2)
+        Low and high end; NaN of fewer than two scans, or where a statistic is zero.
+    """
+    without = np.asarray(left_out, float)
+    logarithms = np.log(np.where(without > 0, without, np.nan))
+    count = len(logarithms)
+    if count < 2:
+        return np.full((*np.shape(value), 2), np.nan)
+    error = np.sqrt((count - 1) * logarithms.var(axis=0))
+    half = stats.t.ppf((1 + confidence) / 2, count - 1) * error
+    return np.stack([value * np.exp(-half), value * np.exp(half)], axis=-1)
 
 
 def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
@@ -181,6 +249,34 @@ def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float
     below = forces < floor
     if below.all():
         return np.nan, np.nan, 1.0
-    data = stats.CensoredData(uncensored=forces[~below], left=np.full(below.sum(), floor))
-    shape, _, median = stats.lognorm.fit(data, floc=0)
-    return float(shape), float(median), float(below.mean())
+    logarithms = np.log(forces[~below])
+    centre, shape = logarithms.mean(), logarithms.std()
+    if below.any() and shape > 0:
+        limit = (np.log(floor) - centre) / shape
+        shift, stretch = _censored_normal_fit(limit, below.mean())
+        centre, shape = centre + shift * shape, stretch * shape
+    return float(shape), float(np.exp(centre)), float(below.mean())
+
+
+def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
+    """Return mean and deviation of the normal distribution of greatest likelihood.
+
+    Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
+    Only these numbers enter the likelihood.
+    """
+
+    def surprise(parameters: np.ndarray) -> tuple[float, np.ndarray]:
+        """Return minus the mean log-likelihood at mean and log deviation, and its gradient."""
+        mean, log_deviation = parameters
+        deviation = np.exp(log_deviation)
+        place = (limit - mean) / deviation
+        log_below = special.log_ndtr(place)
+        hazard = np.exp(-(place**2) / 2 - log_below) / np.sqrt(2 * np.pi)
+        square, known = (1 + mean**2) / deviation**2, 1 - censored
+        value = known * (log_deviation + square / 2) - censored * log_below
+        by_mean = known * mean / deviation**2 + censored * hazard / deviation
+        by_log_deviation = known * (1 - square) + censored * hazard * place
+        return value, np.array([by_mean, by_log_deviation])
+
+    found = optimize.minimize(surprise, np.zeros(2), jac=True, options={"gtol": 1e-9})
+    return float(found.x[0]), float(np.exp(found.x[1]))

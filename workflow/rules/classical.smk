@@ -19,7 +19,7 @@ rule apply_classical_models:
         canonical=canonical(
             {
                 "seed": STUDY["seed"],
-                **{key: STUDY["inference"][key] for key in ("bootstrap_samples", "confidence")},
+                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
             }
         ),
     script:

@@ -6,6 +6,7 @@ rule infer:
     input:
         adhesion=rules.aggregate_adhesion.output[0],
         published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
         code=code_inputs("infer.py"),
     output:
         PATTERNS.dataset("inference"),

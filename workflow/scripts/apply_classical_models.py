@@ -1,8 +1,8 @@
 """Effective work of adhesion and classical models of rough adhesion, beside the pull-off forces."""
 
 from hardcontact import published
-from hardcontact.adhesion.bootstrap import Bootstrap
 from hardcontact.adhesion.classical_comparison import apply_classical_models
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import read
 from hardcontact.study.job import job
 
@@ -14,9 +14,7 @@ with job(snakemake) as this:
             published.constants(this.input.published_constants),
             published.table1(this.input.published_table1),
             published.printed_pull_off(this.input.published_pull_off),
-            Bootstrap(
-                given["seed"], given["bootstrap_samples"], given["confidence"], ("classical",)
-            ),
+            Sampling(given["seed"], given["samples"], given["confidence"], ("classical",)),
         ),
         title="effective work of adhesion, and classical models of rough adhesion",
     )

@@ -1,21 +1,25 @@
 """Range and work of adhesion and force statistics of every contact model."""
 
 from hardcontact import published
-from hardcontact.adhesion.bootstrap import Bootstrap
-from hardcontact.adhesion.inference import infer
+from hardcontact.adhesion.inference import Pair, Published, infer
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 
 with job(snakemake) as this:
     given = this.parameters
+    constants = published.constants(this.input.published_constants)["value"]
     this.write(
         infer(
             dataset.read(this.input.adhesion),
-            published.pull_off(this.input.published_pull_off),
+            Published(
+                published.pull_off(this.input.published_pull_off),
+                Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
+            ),
             given["reference_surface"],
             given["error_threshold"],
             given["force_floor"],
-            Bootstrap(given["seed"], given["bootstrap_samples"], given["confidence"]),
+            Sampling(given["seed"], given["samples"], given["confidence"]),
         ),
         title="range and work of adhesion and force statistics",
     )

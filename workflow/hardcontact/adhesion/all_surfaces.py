@@ -1,7 +1,7 @@
 """Datasets of all surfaces, stacked from those of single pairs, scans or masters."""
 
 from collections.abc import Mapping
-from typing import Any, TypedDict
+from typing import Any, TypedDict, TypeVar
 
 import xarray as xr
 
@@ -9,12 +9,15 @@ from hardcontact.records.dataset import stack
 
 __all__ = [
     "Described",
+    "at_load",
     "stacked_asperities",
     "stacked_elastic_contacts",
     "stacked_filtered_forces",
     "stacked_pull_off_forces",
+    "stacked_ratios",
 ]
 
+Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
 Key = tuple[Any, ...]
 CONTACT_AXES = ["contact_y", "contact_x"]
 
@@ -127,6 +130,40 @@ def stacked_filtered_forces(masters: Mapping[Key, xr.Dataset], described: Descri
 def _end_of_spectrum(part: xr.Dataset, side: str) -> float:
     """Return the shortest or longest wavelength (nm) of an unfiltered master."""
     return float(part.attrs[{"small": "shortest", "large": "longest"}[side] + "_wavelength"])
+
+
+def at_load(forces: Forces, load: str) -> Forces:
+    """Return the forces at one load, by its name; one that is not there is a ValueError."""
+    known = forces["load"].values.tolist()
+    if load not in known:
+        raise ValueError(f"expected forces at the load {load}, found those at {', '.join(known)}")
+    return forces.sel(load=load, drop=True)
+
+
+def stacked_ratios(masters: Mapping[Key, xr.Dataset], load: str) -> xr.Dataset:
+    """Return the forces of filtered masters at one load over those of the unfiltered ones.
+
+    Parameters
+    ----------
+    masters : mapping of tuple to xarray.Dataset
+        (surface, realization, side) -> `mean_filtered_pull_off`.
+    load : str
+        Name of the load.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``ratio`` (surface, realization, side, cutoff_wavelength), NaN at cutoffs of the other
+        side, and ``unfiltered_wavelength`` (surface, side).
+    """
+    parts = {}
+    for key, master in masters.items():
+        chosen = at_load(master, load)
+        ratio = chosen["pull_off_force"] / chosen["unfiltered_pull_off_force"]
+        parts[key] = chosen[["unfiltered_wavelength"]].assign(ratio=ratio)
+    curves = stack(parts, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
+    ends = curves["unfiltered_wavelength"].isel(realization=0, drop=True)
+    return curves.assign(unfiltered_wavelength=ends)
 
 
 def stacked_elastic_contacts(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:

@@ -12,7 +12,6 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.adhesion import smooth_sphere
-from hardcontact.adhesion.bootstrap import Bootstrap
 from hardcontact.adhesion.classical_fits import (
     RoughnessSamples,
     compare_models,
@@ -21,6 +20,7 @@ from hardcontact.adhesion.classical_fits import (
 )
 from hardcontact.adhesion.classical_models import MODELS, Contact, Roughness
 from hardcontact.adhesion.effective_work import PerSurface, effective_works, pull_off_coefficients
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.contact import hertz
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import with_interval
@@ -50,18 +50,19 @@ def apply_classical_models(
     constants: pd.DataFrame,
     table1: pd.DataFrame,
     printed: pd.DataFrame,
-    bootstrap: Bootstrap,
+    sampling: Sampling,
 ) -> xr.Dataset:
     """Return effective works of adhesion and the forces and fits of classical models.
 
     Parameters
     ----------
     inference : xarray.Dataset
-        That of the study: `force_mean` in N with its interval, label and basis of each surface;
-        attributes sphere_radius in nm and error_threshold.
+        That of the study: `force_mean` in N with its interval, of which that of plastic contact at
+        the published pair is taken; label and basis of each surface; attributes sphere_radius in nm
+        and error_threshold.
     constants, table1, printed : pandas.DataFrame
         As from `published.constants`, `published.table1` and `published.printed_pull_off`.
-    bootstrap : Bootstrap
+    sampling : Sampling
         Roughness is drawn within the uncertainty of Table 1.
 
     Returns
@@ -71,13 +72,13 @@ def apply_classical_models(
         for surfaces of which the paper prints no force or no roughness. The interval of a printed
         number holds whatever is rounded to it.
     """
-    value, confidence = constants["value"].to_dict(), bootstrap.confidence
+    value, confidence = constants["value"].to_dict(), sampling.confidence
     contact = _contact(inference.attrs["sphere_radius"], value)
     published = _published(inference["surface"].values.tolist(), table1, printed)
     computed = _computed_forces(inference, published.surfaces)
     forces = {"published": published.force, "computed": computed}
     return (
-        _works_and_models(forces, published.roughness, contact, value, bootstrap)
+        _works_and_models(forces, published.roughness, contact, value, sampling)
         .assign(_forces_and_works(published, computed, contact.radius, confidence))
         .assign_coords(surface=published.surfaces)
         .reindex(surface=inference["surface"].values)
@@ -138,8 +139,8 @@ def _half_unit(printed: str) -> float:
 
 
 def _computed_forces(inference: xr.Dataset, surfaces: list[str]) -> PerSurface:
-    """Return the mean forces of plastic contacts at the fitted range and work of adhesion."""
-    plastic = inference.sel(contact_model="plastic", surface=surfaces)
+    """Return the mean forces of plastic contacts at the published range and work of adhesion."""
+    plastic = inference.sel(contact_model="plastic", pair="published", surface=surfaces)
     interval = plastic["force_mean_interval"].transpose("surface", "bound")
     return PerSurface(plastic["force_mean"].values, interval.values)
 
@@ -149,12 +150,12 @@ def _works_and_models(
     roughness: Mapping[str, tuple[Roughness, Roughness]],
     contact: Contact,
     value: Mapping[Any, float],
-    bootstrap: Bootstrap,
+    sampling: Sampling,
 ) -> xr.Dataset:
     """Return effective works, models and power laws against published and computed forces."""
     effective = stack(
         {
-            (against,): effective_works(force, contact, value, bootstrap.confidence)
+            (against,): effective_works(force, contact, value, sampling.confidence)
             for against, force in forces.items()
         },
         ["against"],
@@ -164,9 +165,9 @@ def _works_and_models(
     targets = {against: force.value for against, force in forces.items()}
     parts = {}
     for metrics, (mean, uncertainty) in roughness.items():
-        rng = bootstrap.generator(metrics)
-        drawn = sample_roughness(rng, mean, uncertainty, bootstrap.samples)
-        samples = RoughnessSamples(mean, drawn, bootstrap)
+        rng = sampling.generator(metrics)
+        drawn = sample_roughness(rng, mean, uncertainty, sampling.samples)
+        samples = RoughnessSamples(mean, drawn, sampling)
         models = compare_models(samples, contact, value["work_of_adhesion"], targets)
         parts[(metrics,)] = models.merge(power_laws(samples, works))
     return stack(parts, ["metrics"]).merge(effective)

@@ -10,10 +10,10 @@ import numpy as np
 import xarray as xr
 from scipy.stats import rankdata, truncnorm
 
-from hardcontact.adhesion import inference
-from hardcontact.adhesion.bootstrap import Bootstrap
+from hardcontact.adhesion import error_map
 from hardcontact.adhesion.classical_models import MODELS, Contact, Model, Roughness
 from hardcontact.adhesion.rough_sphere import adhesion_index
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import stack
 
 __all__ = [
@@ -45,13 +45,13 @@ class RoughnessSamples(NamedTuple):
         Of arrays (surface,).
     drawn : Roughness
         Of arrays (draws, surface).
-    bootstrap : Bootstrap
+    sampling : Sampling
         How the samples were drawn, and of what confidence intervals over them are.
     """
 
     mean: Roughness
     drawn: Roughness
-    bootstrap: Bootstrap
+    sampling: Sampling
 
 
 class PowerLaw(NamedTuple):
@@ -141,7 +141,7 @@ def fit_work(
     """
     if model.proportional:
         forces = model.force(1.0, roughness, contact)
-        _, work, error = inference.fit(forces[..., None], target)
+        _, work, error = error_map.fit(forces[..., None], target)
         return work, error
     work = np.broadcast_to(WORKS, (*roughness.height.shape[:-1], WORKS.size))
     step = np.log(WORKS[1] / WORKS[0])
@@ -159,7 +159,7 @@ def _best_work(
     """Return the best of the works (..., k), and its error."""
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
     forces = model.force(work[..., None, :], columns, contact)
-    errors = inference.mean_relative_error(forces, target, np.ones(1))[..., 0]
+    errors = error_map.mean_relative_error(forces, target, np.ones(1))[..., 0]
     best = errors.argmin(axis=-1)[..., None]
     return np.take_along_axis(work, best, -1)[..., 0], np.take_along_axis(errors, best, -1)[..., 0]
 
@@ -222,35 +222,35 @@ def compare_models(
     xarray.Dataset
         Over model, against and surface.
     """
-    both, bootstrap = (samples.mean, samples.drawn), samples.bootstrap
+    both, sampling = (samples.mean, samples.drawn), samples.sampling
     index, indices = (
         adhesion_index(work, roughness.height, 1 / roughness.curvature, contact.modulus)
         for roughness in both
     )
-    common = bootstrap.with_interval("adhesion_index", "surface", index, indices, ONE)
+    common = sampling.with_interval("adhesion_index", "surface", index, indices, ONE)
     forces, fits = {}, {}
     for name, model in MODELS.items():
         force, drawn = (model.force(work, roughness, contact) for roughness in both)
-        variables = bootstrap.with_interval("pull_off_force", "surface", force, drawn, NEWTON)
+        variables = sampling.with_interval("pull_off_force", "surface", force, drawn, NEWTON)
         forces[(name,)] = xr.Dataset(variables)
         for against, target in targets.items():
             fitted = [fit_work(model, roughness, contact, target) for roughness in both]
             errors = [np.abs(values / target - 1).mean(axis=-1) for values in (force, drawn)]
-            fits[name, against] = _fit(fitted, errors, bootstrap)
+            fits[name, against] = _fit(fitted, errors, sampling)
     return stack(forces, ["model"]).merge(stack(fits, ["model", "against"])).assign(common)
 
 
 def _fit(
-    fitted: list[tuple[np.ndarray, np.ndarray]], errors: list[np.ndarray], bootstrap: Bootstrap
+    fitted: list[tuple[np.ndarray, np.ndarray]], errors: list[np.ndarray], sampling: Sampling
 ) -> xr.Dataset:
     """Return work of adhesion and error of the best fit, and the error at the published work."""
     (work, least), (works, leasts) = fitted
     error, drawn_errors = errors
     works = np.where(np.isnan(work), np.nan, works)  # where the mean does not adhere, no interval
     return xr.Dataset(
-        bootstrap.with_interval("fitted_work_of_adhesion", (), work, works, {"units": "J m-2"})
-        | bootstrap.with_interval("mean_relative_error", (), least, leasts, ONE)
-        | bootstrap.with_interval("error_at_published_work", (), error, drawn_errors, ONE)
+        sampling.with_interval("fitted_work_of_adhesion", (), work, works, {"units": "J m-2"})
+        | sampling.with_interval("mean_relative_error", (), least, leasts, ONE)
+        | sampling.with_interval("error_at_published_work", (), error, drawn_errors, ONE)
     )
 
 
@@ -275,6 +275,6 @@ def power_laws(samples: RoughnessSamples, works: Mapping[str, np.ndarray]) -> xr
             laws = [fit_power_law(values, work) for values in both]
             variables: dict[str, Any] = {}
             for name, value, drawn in zip(PowerLaw._fields, *laws, strict=True):
-                variables |= samples.bootstrap.with_interval(name, (), value, drawn, ONE)
+                variables |= samples.sampling.with_interval(name, (), value, drawn, ONE)
             parts[parameter, against] = xr.Dataset(variables)
     return stack(parts, ["rms_parameter", "against"])

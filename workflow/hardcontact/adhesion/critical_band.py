@@ -3,13 +3,18 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.bootstrap import Bootstrap
-from hardcontact.statistics import resampling_counts
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.statistics import student_log_samples
 
-__all__ = ["critical_band", "critical_wavelength", "find_critical_band"]
+__all__ = ["POOLED", "critical_band", "critical_wavelength", "find_critical_band"]
+
+#: The group of all surfaces.
+POOLED = "pooled"
+
+AXES = ("side", "surface", "cutoff_wavelength")
 
 
-def find_critical_band(scales: xr.Dataset, tolerance: float, bootstrap: Bootstrap) -> xr.Dataset:
+def find_critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Find the critical band of all surfaces, with label and basis of each.
 
     Parameters
@@ -18,7 +23,7 @@ def find_critical_band(scales: xr.Dataset, tolerance: float, bootstrap: Bootstra
         Forces of the filtered masters, as in scales.nc.
     tolerance : float
         Relative change of the force that counts.
-    bootstrap : Bootstrap
+    sampling : Sampling
         Of the intervals.
 
     Returns
@@ -26,83 +31,113 @@ def find_critical_band(scales: xr.Dataset, tolerance: float, bootstrap: Bootstra
     xarray.Dataset
         Variables of `critical_band`, label and basis.
     """
-    band = critical_band(scales, tolerance, bootstrap)
+    band = critical_band(scales, tolerance, sampling)
     return band.assign(label=scales.label, basis=scales.basis).assign_attrs(
         scale_tolerance=tolerance,
-        confidence=bootstrap.confidence,
+        confidence=sampling.confidence,
         sphere_radius=scales.attrs["sphere_radius"],
     )
 
 
-def critical_band(scales: xr.Dataset, tolerance: float, bootstrap: Bootstrap) -> xr.Dataset:
-    """Return ratio curves and critical wavelengths of each surface and of all pooled, by side.
+def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
+    """Return ratio curves, changes of the force and critical wavelengths, by side.
 
     Parameters
     ----------
     scales : xarray.Dataset
-        ratio (surface, realization, side, cutoff_wavelength) and unfiltered_wavelength
-        (surface, side) in nm.
+        ratio (surface, realization, side, cutoff_wavelength), NaN at cutoffs of the other side, and
+        unfiltered_wavelength (surface, side) in nm.
     tolerance : float
         Relative change of the force that counts.
-    bootstrap : Bootstrap
-        Realizations are resampled.
+    sampling : Sampling
+        Mean ratios over realizations are sampled, each surface by itself.
 
     Returns
     -------
     xarray.Dataset
-        scale_ratio (1) and critical_wavelength (nm) with their intervals, over side, group (the
-        surfaces, and "pooled", whose curve is the mean over them) and cutoff_wavelength.
+        scale_ratio (1) over side, surface and cutoff_wavelength; scale_change (1) and
+        critical_wavelength (nm) over side and group, and scale_change over cutoff_wavelength; all
+        with intervals. The change is |ratio - 1|; that of the group POOLED is the mean over
+        surfaces. A sampled change that stays within the tolerance counts as the last cutoff of its
+        side, a bound on where it leaves.
     """
-    surfaces, realizations = scales.surface.values.tolist(), scales.sizes["realization"]
-    available = np.ones(realizations, bool)
-    drawn = resampling_counts(bootstrap.generator("scales"), available, bootstrap.samples)
-    ratio = scales.ratio.transpose("side", "surface", "realization", "cutoff_wavelength").values
-    ratio = np.concatenate([ratio, ratio.mean(axis=1, keepdims=True)], axis=1)
-    curves = np.einsum("nr,sgrc->nsgc", drawn / realizations, ratio)
+    realizations = scales.ratio.transpose("realization", *AXES)
+    ratio = realizations.mean("realization").values
+    sampled = _sampled_ratios(realizations, sampling)
+    change, changes = _changes(ratio), _changes(sampled)
+    cutoffs = scales.cutoff_wavelength.values
     ends = scales.unfiltered_wavelength.transpose("side", "surface").values
     ends = np.concatenate([ends, ends.mean(axis=1, keepdims=True)], axis=1)
-    cutoffs = scales.cutoff_wavelength.values
-    critical = _along_curves(ends, cutoffs, ratio.mean(axis=2)[None], tolerance)[0]
-    sampled = _along_curves(ends, cutoffs, curves, tolerance)
-    # A resampled curve that stays within the tolerance gets the last cutoff, a bound on where it
-    # leaves.
-    last = np.where(ends < cutoffs[0], cutoffs[-1], cutoffs[0])
-    sampled = np.where(np.isnan(sampled), last, sampled)
+    critical = _along_curves(ends, cutoffs, change[None], tolerance)[0]
+    known = np.isfinite(change)
+    last = [np.where(known, cutoffs, limit) for limit in (-np.inf, np.inf)]
+    last = np.where(ends < cutoffs[0], last[0].max(axis=-1), last[1].min(axis=-1))
+    critical_samples = _along_curves(ends, cutoffs, changes, tolerance)
+    stays = np.isnan(critical_samples) & np.isfinite(changes).any(axis=-1)
+    critical_samples = np.where(stays, last, critical_samples)
+    one, long_name = {"units": "1"}, "long_name"
     return xr.Dataset(
-        bootstrap.with_interval(
+        sampling.with_interval(
             "scale_ratio",
-            ("side", "group", "cutoff_wavelength"),
-            ratio.mean(axis=2),
-            curves,
-            {"units": "1", "long_name": "pull-off force over that unfiltered"},
+            AXES,
+            ratio,
+            sampled,
+            one | {long_name: "pull-off force over that unfiltered"},
         )
-        | bootstrap.with_interval(
+        | sampling.with_interval(
+            "scale_change",
+            ("side", "group", "cutoff_wavelength"),
+            change,
+            changes,
+            one | {long_name: "relative change of the pull-off force, up or down"},
+        )
+        | sampling.with_interval(
             "critical_wavelength",
             ("side", "group"),
             critical,
-            sampled,
-            {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"},
+            critical_samples,
+            {"units": "nm", long_name: "cutoff where the force leaves its tolerance"},
         ),
         {
             "side": scales.side.values,
-            "group": [*surfaces, "pooled"],
+            "surface": scales.surface.values,
+            "group": [*scales.surface.values.tolist(), POOLED],
             "cutoff_wavelength": scales.cutoff_wavelength,
         },
     )
 
 
-def critical_wavelength(cutoffs: np.ndarray, ratios: np.ndarray, tolerance: float) -> float:
-    """Return the cutoff where a ratio curve leaves 1 ± tolerance, coming from no filter.
+def _sampled_ratios(realizations: xr.DataArray, sampling: Sampling) -> np.ndarray:
+    """Return samples of the mean of ratios (realization, *AXES): (sample, *AXES)."""
+    samples = [
+        student_log_samples(
+            sampling.generator("scales", str(surface)),
+            realizations.sel(surface=surface).dropna("realization", how="all").values,
+            sampling.samples,
+        )
+        for surface in realizations.surface.values
+    ]
+    return np.stack(samples, axis=2)
 
-    Linear in the ratio and in log wavelength.
+
+def _changes(ratios: np.ndarray) -> np.ndarray:
+    """Return |ratio - 1| (..., group, cutoff) of ratios (..., surface, cutoff), the mean last."""
+    changes = np.abs(ratios - 1)
+    return np.concatenate([changes, changes.mean(axis=-2, keepdims=True)], axis=-2)
+
+
+def critical_wavelength(cutoffs: np.ndarray, changes: np.ndarray, tolerance: float) -> float:
+    """Return the cutoff where a change leaves the tolerance, coming from no filter.
+
+    Linear in the change and in log wavelength.
 
     Parameters
     ----------
     cutoffs : ndarray (k,)
         In nm, in the order of growing effect; the first is the end of the spectrum, where no
         filter acts.
-    ratios : ndarray (k,)
-        The first is 1.
+    changes : ndarray (k,)
+        Relative changes of the force; the first is 0.
     tolerance : float
         Relative change of the force that counts.
 
@@ -111,27 +146,26 @@ def critical_wavelength(cutoffs: np.ndarray, ratios: np.ndarray, tolerance: floa
     float
         In nm; NaN if the curve never leaves.
     """
-    outside = np.flatnonzero(np.abs(ratios - 1) > tolerance)
+    outside = np.flatnonzero(changes > tolerance)
     if not len(outside):
         return np.nan
     last, first = outside[0] - 1, outside[0]
-    edge = 1 + np.copysign(tolerance, ratios[first] - 1)
-    share = (edge - ratios[last]) / (ratios[first] - ratios[last])
+    share = (tolerance - changes[last]) / (changes[first] - changes[last])
     return float(np.exp(np.log(cutoffs[last]) + share * np.log(cutoffs[first] / cutoffs[last])))
 
 
 def _along_curves(
     ends: np.ndarray, cutoffs: np.ndarray, curves: np.ndarray, tolerance: float
 ) -> np.ndarray:
-    """Return critical wavelengths (n, side, group) of curves (n, side, group, cutoff).
+    """Return critical wavelengths (n, side, group) of changes (n, side, group, cutoff).
 
     ends: (side, group) nm, the unfiltered end: below all cutoffs, or above.
     """
-    wavelengths = np.empty(curves.shape[:3])
+    wavelengths = np.full(curves.shape[:3], np.nan)
     for n, s, g in np.ndindex(wavelengths.shape):
         known = np.flatnonzero(np.isfinite(curves[n, s, g]))
-        order = known if ends[s, g] < cutoffs[known[0]] else known[::-1]
+        order = known if ends[s, g] < cutoffs[0] else known[::-1]
         wavelengths[n, s, g] = critical_wavelength(
-            np.append(ends[s, g], cutoffs[order]), np.append(1.0, curves[n, s, g, order]), tolerance
+            np.append(ends[s, g], cutoffs[order]), np.append(0.0, curves[n, s, g, order]), tolerance
         )
     return wavelengths

@@ -1,4 +1,4 @@
-"""Mean pull-off forces against the range of adhesion, of all scans and of resampled ones."""
+"""Mean pull-off forces against the range of adhesion: over all scans, sampled, interpolated."""
 
 from typing import Any
 
@@ -6,68 +6,58 @@ import numpy as np
 import xarray as xr
 from scipy.interpolate import make_interp_spline
 
-from hardcontact.adhesion.bootstrap import Bootstrap
-from hardcontact.statistics import resampling_counts
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.statistics import student_log_interval, student_log_samples, with_interval
 
-__all__ = ["at_range", "force_curves", "mean_forces", "on_fine_grid", "resampled_means"]
+__all__ = ["at_range", "force_curves", "mean_forces", "of_scans", "on_fine_grid"]
+
+#: Dimensions of single contacts, and of the sphere scans they are made with.
+CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
 
 
-def mean_forces(forces: xr.DataArray, bootstrap: Bootstrap) -> tuple[np.ndarray, np.ndarray]:
-    """Average forces over all scans, and over resampled ones.
+def of_scans(forces: xr.DataArray) -> xr.DataArray:
+    """Return the mean force of each scan, over its contacts and the scans of the sphere.
 
     Parameters
     ----------
     forces : xarray.DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x)
         In N, NaN where a scan is missing.
-    bootstrap : Bootstrap
-        How scans are resampled.
+
+    Returns
+    -------
+    xarray.DataArray (surface, scan, rho)
+        In N.
+    """
+    return forces.mean(CONTACTS).transpose("surface", "scan", "rho")
+
+
+def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
+    """Average forces over all scans of each surface, and sample this mean.
+
+    Parameters
+    ----------
+    forces : xarray.DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x)
+        In N, NaN where a scan is missing.
+    sampling : Sampling
+        The random numbers of a surface depend on its name alone: contact models share them.
 
     Returns
     -------
     means : ndarray (surface, rho)
         In N.
     sampled : ndarray (sample, surface, rho)
-        In N.
+        In N, as from `student_log_samples`; NaN of a surface of one scan.
     """
-    pairs = forces.mean(["contact_y", "contact_x"]).values
-    scans = np.isfinite(pairs).any(axis=(2, 3))
-    spheres = np.isfinite(pairs).any(axis=(0, 1, 3))
-    rng, samples = bootstrap.generator("adhesion"), bootstrap.samples
-    drawn = np.stack([resampling_counts(rng, known, samples) for known in scans], axis=1)
-    drawn_spheres = resampling_counts(rng, spheres, samples)
-    once = scans[None].astype(float), spheres[None].astype(float)
-    return resampled_means(pairs, *once)[0], resampled_means(pairs, drawn, drawn_spheres)
-
-
-def resampled_means(
-    pair_means: np.ndarray, substrate_counts: np.ndarray, sphere_counts: np.ndarray
-) -> np.ndarray:
-    """Average forces over resampled scans.
-
-    Parameters
-    ----------
-    pair_means : ndarray (surface, scan, sphere_scan, rho)
-        Each a mean over the contacts of one pair, NaN where a surface has no such scan.
-    substrate_counts : ndarray (sample, surface, scan)
-        How often each scan is drawn.
-    sphere_counts : ndarray (sample, sphere_scan)
-        Likewise.
-
-    Returns
-    -------
-    ndarray (sample, surface, rho)
-        In the unit of `pair_means`.
-    """
-    total = np.einsum(
-        "nsi,nj,sijr->nsr",
-        substrate_counts,
-        sphere_counts,
-        np.nan_to_num(pair_means),
-        optimize=True,
-    )
-    weight = substrate_counts.sum(axis=2) * sphere_counts.sum(axis=1)[:, None]
-    means: np.ndarray = total / weight[:, :, None]
-    return means
+    scans = of_scans(forces)
+    sampled = [
+        student_log_samples(
+            sampling.generator("adhesion", str(surface)),
+            scans.sel(surface=surface).dropna("scan").values,
+            sampling.samples,
+        )
+        for surface in scans.surface.values
+    ]
+    return scans.mean("scan").values, np.stack(sampled, axis=1)
 
 
 def force_curves(
@@ -75,7 +65,7 @@ def force_curves(
     means: np.ndarray,
     sampled: np.ndarray,
     reference: int,
-    bootstrap: Bootstrap,
+    sampling: Sampling,
 ) -> dict[str, Any]:
     """Return mean forces, their ratios to a reference surface, and the spread over contacts.
 
@@ -89,7 +79,7 @@ def force_curves(
         Likewise.
     reference : int
         Index of the surface.
-    bootstrap : Bootstrap
+    sampling : Sampling
         Its confidence is that of the intervals.
 
     Returns
@@ -99,24 +89,40 @@ def force_curves(
     """
     dimensions, newton, one = ("surface", "rho"), {"units": "N"}, {"units": "1"}
     ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
-    spread = forces.std(["scan", "sphere_scan", "contact_y", "contact_x"]).values
+    spread = forces.std(["scan", *CONTACTS]).values
+    interval = student_log_interval(of_scans(forces), sampling.confidence, "scan")
     return {
         "contact_spread": (dimensions, spread, newton),
         "ratio_contact_spread": (dimensions, spread / means[reference], one),
-        **bootstrap.with_interval("mean_force", dimensions, means, sampled, newton),
-        **bootstrap.with_interval("ratio", dimensions, ratio, ratios, one),
+        **with_interval(
+            "mean_force", dimensions, means, interval.values, newton, sampling.confidence
+        ),
+        **sampling.with_interval("ratio", dimensions, ratio, ratios, one),
     }
 
 
 def on_fine_grid(forces: np.ndarray, rhos: np.ndarray, fine: np.ndarray) -> np.ndarray:
-    """Return forces (..., rho) on a fine grid of rho, by a cubic spline in log F and log rho."""
-    degree = min(3, len(rhos) - 1)
-    spline = make_interp_spline(np.log(rhos), np.log(forces), k=degree, axis=-1)
-    return np.exp(spline(np.log(fine)))
+    """Return forces (..., rho) on a fine grid of rho, by a cubic spline in log F and log rho.
+
+    NaN beyond the ranges computed.
+    """
+    interpolated: np.ndarray = np.exp(np.log(forces) @ _weights(rhos, fine))
+    return interpolated
 
 
 def at_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
-    """Return forces (..., rho, ...) at one rho in nm: linear in log F and log rho."""
-    logarithms = xr.apply_ufunc(np.log, forces).assign_coords(rho=np.log(forces.rho.values))
-    interpolated: xr.DataArray = xr.apply_ufunc(np.exp, logarithms.interp(rho=np.log(rho)))
+    """Return forces (..., rho, ...) at one rho in nm, interpolated as `on_fine_grid` does."""
+    weights = xr.DataArray(_weights(forces.rho.values, np.array([rho]))[:, 0], dims="rho")
+    logarithms = xr.apply_ufunc(np.log, forces).drop_vars("rho")
+    interpolated: xr.DataArray = xr.apply_ufunc(
+        np.exp, (logarithms * weights).sum("rho", skipna=False)
+    )
     return interpolated
+
+
+def _weights(rhos: np.ndarray, at: np.ndarray) -> np.ndarray:
+    """Return the weights (rho, at) of logarithms at `rhos` in their spline; NaN beyond the ends."""
+    degree = min(3, len(rhos) - 1)
+    spline = make_interp_spline(np.log(rhos), np.eye(len(rhos)), k=degree)
+    weights: np.ndarray = spline(np.log(at), extrapolate=False).T
+    return weights

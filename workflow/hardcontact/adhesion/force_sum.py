@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.sphere_sums import rough_sphere_sums, smooth_sphere_sums
+from hardcontact.adhesion.sphere_sums import outside_sums, smooth_sphere_sums
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
 from hardcontact.contact.geometry import Bodies
 
@@ -19,7 +19,7 @@ __all__ = [
     "smooth_sphere_total",
     "plastic_totals",
     "pull_off_force",
-    "rough_sphere_total",
+    "opened_total",
 ]
 
 Floats = NDArray[np.float64]
@@ -64,8 +64,8 @@ def pull_off_force(
     return np.asarray(of_a_pixel * np.asarray(total))
 
 
-def rough_sphere_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
-    """Return the sum of exp(-gap/rho) at the approach where some pixels touch a rough sphere.
+def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
+    """Return the sum of exp(-gap/rho) at the approach where some pixels touch.
 
     At this approach every gap is larger than at that of `outside` by the same length; pixels that
     are no longer in contact add to the sum with the gap that has opened there.
@@ -73,7 +73,7 @@ def rough_sphere_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rh
     Parameters
     ----------
     outside : array_like
-        (...) from `rough_sphere_sums`, at the approach where the pixels of all `gaps` touch.
+        (...) from `outside_sums`, at the approach where the pixels of all `gaps` touch.
     gaps : numpy.ndarray
         (..., k) nm, ascending.
     contact_pixels : int
@@ -143,8 +143,8 @@ def plastic_totals(
     contacts = all_lowest_gaps(bodies, max(contact_pixels))
     gaps = stacked_gaps(contacts, bodies.geometry)
     if bodies.roughness is not None:
-        outside = rough_sphere_sums(bodies, contacts, [rho])[0]
-        return np.array([rough_sphere_total(outside, gaps, count, rho) for count in contact_pixels])
+        outside = outside_sums(bodies, contacts, [rho])[0]
+        return np.array([opened_total(outside, gaps, count, rho) for count in contact_pixels])
     everywhere, h_max = smooth_sphere_sums(bodies, rho, threads)
     return np.array(
         [smooth_sphere_total(everywhere, h_max, gaps[..., :count], rho) for count in contact_pixels]

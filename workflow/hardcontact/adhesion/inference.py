@@ -1,100 +1,167 @@
 """Range and work of adhesion, inferred from the published mean pull-off forces.
 
-All forces are computed for a work of adhesion of 1 J/m², to which they are proportional.
+All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. What
+depends on both stands at two pairs of them, the published one and the fitted one.
 """
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.bootstrap import Bootstrap
+from hardcontact.adhesion.error_map import (
+    WORK,
+    error_region,
+    fit,
+    fit_ratios,
+    fit_work,
+    least_errors,
+    mean_relative_error,
+)
 from hardcontact.adhesion.force_curves import at_range, force_curves, mean_forces, on_fine_grid
 from hardcontact.adhesion.force_distributions import force_statistics
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.adhesion.undecided import undecided
 from hardcontact.records import log
-from hardcontact.statistics import percentile_interval
 
-__all__ = [
-    "WORK",
-    "error_region",
-    "fit",
-    "fit_ratios",
-    "infer",
-    "infer_model",
-    "mean_relative_error",
-    "undecided",
-]
+__all__ = ["PAIRS", "Pair", "Published", "infer", "infer_model"]
 
-#: Works of adhesion (J/m²) of the error map.
-WORK = np.geomspace(0.005, 1.0, 301)
+#: Of range and work of adhesion.
+PAIRS = ["published", "fitted"]
 
 #: Ranges of adhesion of the error map, from the least to the greatest one computed.
-FINE_RANGES = 401
+FINE_RANGES = 801
+
+#: Local minima of the error that are kept.
+MINIMA = 3
+
+NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
+
+#: What is fitted to mean forces, with its units.
+UNITS = {
+    "range_of_adhesion": NM,
+    "work_of_adhesion": ENERGY,
+    "best_error": ONE,
+    "range_from_ratios": NM,
+}
+
+#: Of these the samples are kept, by a short name.
+SAMPLED = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
+
+
+class Pair(NamedTuple):
+    """A range of adhesion in nm and a work of adhesion in J/m²."""
+
+    range_of_adhesion: float
+    work_of_adhesion: float
+
+
+class Published(NamedTuple):
+    """What the paper measured, and what it inferred from that.
+
+    Attributes
+    ----------
+    forces : pandas.DataFrame
+        As from `published.pull_off`.
+    pair : Pair
+        Its range and work of adhesion.
+    """
+
+    forces: pd.DataFrame
+    pair: Pair
 
 
 def infer(
     adhesion: xr.Dataset,
-    published: pd.DataFrame,
+    published: Published,
     reference_surface: str,
     error_threshold: float,
     force_floor: float,
-    bootstrap: Bootstrap,
+    sampling: Sampling,
 ) -> xr.Dataset:
-    """Infer range and work of adhesion of every contact model, and fit the forces it gives.
+    """Infer range and work of adhesion of every contact model, and describe the forces they give.
 
     Parameters
     ----------
     adhesion : xarray.Dataset
         All pull-off forces, as in adhesion.nc.
-    published : pandas.DataFrame
-        Measured forces, as from `published.pull_off`.
+    published : Published
+        Measured forces, and the pair of the paper.
     reference_surface : str
         The surface that ratios are taken to.
     error_threshold : float
         The region of small error is where the mean relative error is below it.
     force_floor : float
         In N, of `force_statistics`.
-    bootstrap : Bootstrap
+    sampling : Sampling
         Of all intervals.
 
     Returns
     -------
     xarray.Dataset
-        That of `infer_model` and `force_statistics` of each surface, over contact_model.
+        Over contact_model, that of `infer_model`, and `force_statistics` and `ratio_at_pair` over
+        pair and surface, all at the pair as it stands; `model_error_ratio`, the least error of
+        rigid over that of plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
-    target = published.mean_force.reindex(surfaces).to_numpy()
+    target = published.forces.mean_force.reindex(surfaces).to_numpy()
+    reference = surfaces.index(reference_surface)
     parts = []
     for model in adhesion.contact_model.values.tolist():
         forces = adhesion.pull_off_force.sel(contact_model=model)
-        inferred = infer_model(
-            forces, target, surfaces.index(reference_surface), error_threshold, bootstrap
-        )
-        fitted = at_range(forces, float(inferred.range_of_adhesion))
-        fitted = fitted * float(inferred.work_of_adhesion)
-        parts.append(inferred.merge(_statistics(fitted, force_floor, bootstrap, model)))
+        inferred = infer_model(forces, target, reference, error_threshold, sampling)
+        fitted = Pair(float(inferred.range_of_adhesion), float(inferred.work_of_adhesion))
+        pairs = [
+            _at_pair(forces, pair, reference, force_floor, sampling)
+            for pair in log.progress([published.pair, fitted], 2, f"force statistics, {model}")
+        ]
+        parts.append(inferred.merge(xr.concat(pairs, pd.Index(PAIRS, name="pair"))))
+    models = xr.concat(parts, pd.Index(adhesion.contact_model.values, name="contact_model"))
     return (
-        xr.concat(parts, pd.Index(adhesion.contact_model.values, name="contact_model"))
+        models.assign(_model_error_ratio(models, sampling))
         .assign(label=adhesion.label, basis=adhesion.basis)
         .assign_attrs(
             error_threshold=error_threshold,
             force_floor=force_floor,
-            confidence=bootstrap.confidence,
+            confidence=sampling.confidence,
             sphere_radius=adhesion.attrs["sphere_radius"],
         )
     )
 
 
-def _statistics(forces: xr.DataArray, floor: float, bootstrap: Bootstrap, model: str) -> xr.Dataset:
-    """Return `force_statistics` of each surface of one contact model, over surface."""
-    contacts = forces.stack(contact=["contact_y", "contact_x"])
-    surfaces = forces.surface.values.tolist()
-    parts = [
-        force_statistics(contacts.sel(surface=surface).values, floor, bootstrap, model, surface)
-        for surface in log.progress(surfaces, len(surfaces), f"force statistics, {model}")
+def _model_error_ratio(models: xr.Dataset, sampling: Sampling) -> dict[str, Any]:
+    """Return the least error of rigid over that of plastic contact, of the same samples."""
+    value, samples = (
+        models[name].sel(contact_model="rigid") / models[name].sel(contact_model="plastic")
+        for name in ("best_error", "sampled_error")
+    )
+    return sampling.with_interval("model_error_ratio", (), value.item(), samples.values, ONE)
+
+
+def _at_pair(
+    forces: xr.DataArray, pair: Pair, reference: int, floor: float, sampling: Sampling
+) -> xr.Dataset:
+    """Return force statistics and ratios of mean forces of one contact model, over surface."""
+    rho, work = pair
+    at_pair = at_range(forces, rho) * work
+    means, sampled = (
+        values[..., 0] for values in mean_forces(at_pair.expand_dims("rho"), sampling)
+    )
+    ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
+    contacts = at_pair.stack(contact=["contact_y", "contact_x"])
+    statistics = [
+        force_statistics(contacts.sel(surface=surface).values, floor, sampling)
+        for surface in forces.surface.values
     ]
-    return xr.concat(parts, pd.Index(surfaces, name="surface"))
+    return (
+        xr.concat(statistics, pd.Index(forces.surface.values, name="surface"))
+        .assign(sampling.with_interval("ratio_at_pair", "surface", ratio, ratios, ONE))
+        .assign(
+            pair_range=((), pair.range_of_adhesion, NM),
+            pair_work=((), pair.work_of_adhesion, ENERGY),
+        )
+    )
 
 
 def infer_model(
@@ -102,7 +169,7 @@ def infer_model(
     published: np.ndarray,
     reference: int,
     threshold: float,
-    bootstrap: Bootstrap,
+    sampling: Sampling,
 ) -> xr.Dataset:
     """Infer range and work of adhesion of one contact model, with error map and force curves.
 
@@ -116,181 +183,79 @@ def infer_model(
         Index of the surface that ratios are taken to.
     threshold : float
         Of the mean relative error.
-    bootstrap : Bootstrap
-        Substrate and sphere scans are resampled.
+    sampling : Sampling
+        Of the mean forces.
 
     Returns
     -------
     xarray.Dataset
-        Over surface, rho, rho_fine, work and sample.
+        Over surface, rho, rho_fine, work, minimum and sample. `minimum` counts the local minima
+        along the range of the error at its best work, the least first; NaN where there is none.
     """
     rhos = forces.rho.values
     fine = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
-    means, sampled = mean_forces(forces, bootstrap)
+    means, sampled = mean_forces(forces, sampling)
     known = np.isfinite(published)
     target, base = published[known], int(known[:reference].sum())
     curve = on_fine_grid(means[known], rhos, fine)
     sampled_curves = on_fine_grid(sampled[:, known], rhos, fine)
-    best, work, error = fit(curve, target)
-    sampled_best, sampled_work, _ = fit(sampled_curves, target)
-    best_ratio, ratio_error = fit_ratios(curve, target, base)
-    sampled_ratio, _ = fit_ratios(sampled_curves, target, base)
-    interval = percentile_interval(fine[sampled_best], bootstrap.confidence)
-    nm, energy, one = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
+    fits, samples = (_fits(curves, target, base, fine) for curves in (curve, sampled_curves))
     variables: dict[str, Any] = {
-        "ratio_error": ("rho_fine", ratio_error, one),
-        "best_error": ((), error, one),
-        "bootstrap_range": ("sample", fine[sampled_best], nm),
-        "bootstrap_work": ("sample", sampled_work, energy),
-        "undecided": ((), undecided(float(error), threshold, interval, rhos)),
+        f"sampled_{name}": ("sample", samples[variable], UNITS[variable])
+        for name, variable in SAMPLED.items()
     }
-    for name, value, samples, attributes in (
-        ("range_of_adhesion", fine[best], fine[sampled_best], nm),
-        ("work_of_adhesion", work, sampled_work, energy),
-        ("range_from_ratios", fine[best_ratio], fine[sampled_ratio], nm),
-    ):
-        variables |= bootstrap.with_interval(name, (), value, samples, attributes)
-    variables |= _error_map(curve, target, fine, threshold)
-    variables |= force_curves(forces, means, sampled, reference, bootstrap)
-    coordinates = {"rho_fine": ("rho_fine", fine, nm), "work": ("work", WORK, energy)}
-    return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
+    for name, attributes in UNITS.items():
+        variables |= sampling.with_interval(name, (), fits[name], samples[name], attributes)
+    variables |= _errors(curve, target, fine, threshold)
+    variables["ratio_error"] = ("rho_fine", fit_ratios(curve, target, base)[1], ONE)
+    variables |= force_curves(forces, means, sampled, reference, sampling)
+    coordinates = {
+        "rho_fine": ("rho_fine", fine, NM),
+        "work": ("work", WORK, ENERGY),
+        "minimum": np.arange(1, MINIMA + 1),
+    }
+    inferred = xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
+    return inferred.assign(undecided=undecided(inferred, threshold))
 
 
-def _error_map(
+def _fits(
+    curves: np.ndarray, published: np.ndarray, reference: int, fine: np.ndarray
+) -> dict[str, np.ndarray]:
+    """Return what is fitted to curves (..., surface, rho): arrays (...), NaN where a curve is."""
+    best, work, error = fit(curves, published)
+    from_ratios, _ = fit_ratios(curves, published, reference)
+    known = np.isfinite(error)
+    return {
+        "range_of_adhesion": np.where(known, fine[best], np.nan),
+        "work_of_adhesion": work,
+        "best_error": error,
+        "range_from_ratios": np.where(known, fine[from_ratios], np.nan),
+    }
+
+
+def _errors(
     curve: np.ndarray, published: np.ndarray, fine: np.ndarray, threshold: float
 ) -> dict[str, Any]:
-    """Return the error over range and work of adhesion, and the region where it is small."""
+    """Return the error over range and work of adhesion, its minima, and where it is small."""
     errors = mean_relative_error(curve, published, WORK)
     ranges, works = error_region(errors, fine, WORK, threshold)
+    work, least = fit_work(curve, published)
+    at_minima = least_errors(least, MINIMA)
+    missing = (0, MINIMA - len(at_minima))
     return {
-        "mean_relative_error": (("rho_fine", "work"), errors, {"units": "1"}),
-        "region_range": ("bound", ranges, {"units": "nm"}),
-        "region_work": ("bound", works, {"units": "J m-2"}),
+        "mean_relative_error": (("rho_fine", "work"), errors, ONE),
+        "error_of_range": ("rho_fine", least, ONE),
+        "region_range": ("bound", ranges, NM),
+        "region_work": ("bound", works, ENERGY),
+    } | {
+        f"minimum_{name}": (
+            "minimum",
+            np.pad(values[at_minima], missing, constant_values=np.nan),
+            attributes,
+        )
+        for name, values, attributes in (
+            ("range", fine, NM),
+            ("work", work, ENERGY),
+            ("error", least, ONE),
+        )
     }
-
-
-def mean_relative_error(
-    mean_forces: np.ndarray, published: np.ndarray, work: np.ndarray
-) -> np.ndarray:
-    """Return the mean over surfaces of |W f/F - 1|.
-
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at 1 J/m².
-    published : ndarray (surface,)
-        In N.
-    work : ndarray (k,)
-        In J/m².
-
-    Returns
-    -------
-    ndarray (..., rho, k)
-        The error.
-    """
-    relative = mean_forces / published[:, None]
-    error: np.ndarray = np.abs(relative[..., None] * work - 1).mean(axis=-3)
-    return error
-
-
-def fit(
-    mean_forces: np.ndarray, published: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Find the range and work of adhesion of the least mean relative error.
-
-    The error is piecewise linear in W, so that its minimum lies at one of the W that match a
-    surface exactly; all are tried.
-
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at 1 J/m².
-    published : ndarray (surface,)
-        In N.
-
-    Returns
-    -------
-    rho, work, error : ndarray (...)
-        Index into rho, work of adhesion in J/m², and the error.
-    """
-    relative = mean_forces / published[:, None]
-    candidates = 1 / relative  # (..., candidate, rho)
-    errors = np.abs(candidates[..., :, None, :] * relative[..., None, :, :] - 1).mean(axis=-2)
-    flat = errors.reshape(*errors.shape[:-2], -1)
-    best = flat.argmin(axis=-1)
-    rho = best % mean_forces.shape[-1]
-    work = np.take_along_axis(candidates.reshape(flat.shape), best[..., None], -1)[..., 0]
-    return rho, work, np.take_along_axis(flat, best[..., None], -1)[..., 0]
-
-
-def fit_ratios(
-    mean_forces: np.ndarray, published: np.ndarray, reference: int
-) -> tuple[np.ndarray, np.ndarray]:
-    """Find the range of the least mean relative error of the ratios to a reference surface.
-
-    The work of adhesion cancels.
-
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at any work of adhesion.
-    published : ndarray (surface,)
-        In N.
-    reference : int
-        Index of the surface.
-
-    Returns
-    -------
-    rho : ndarray (...)
-        Index into rho.
-    errors : ndarray (..., rho)
-        At every range.
-    """
-    ratios = mean_forces / mean_forces[..., [reference], :]
-    expected = (published / published[reference])[:, None]
-    others = np.arange(len(published)) != reference
-    errors = np.abs(ratios / expected - 1)[..., others, :].mean(axis=-2)
-    return errors.argmin(axis=-1), errors
-
-
-def error_region(
-    errors: np.ndarray, rhos: np.ndarray, work: np.ndarray, threshold: float
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return least and greatest rho, and W, where the error map (rho, work) is below `threshold`.
-
-    Two arrays (2,), NaN where there is no such place.
-    """
-    small = errors < threshold
-    if not small.any():
-        return np.full(2, np.nan), np.full(2, np.nan)
-    rows, columns = np.nonzero(small)
-    return rhos[[rows.min(), rows.max()]], work[[columns.min(), columns.max()]]
-
-
-def undecided(best_error: float, threshold: float, interval: np.ndarray, rhos: np.ndarray) -> str:
-    """Return the limits of what the scans say about the range of adhesion, in one sentence.
-
-    `interval` (2,) is that of the range; `rhos` are the ranges computed; all in nm.
-    """
-    low, high = interval
-    limits = []
-    if best_error >= threshold:
-        limits.append(
-            f"no range and work of adhesion bring the mean relative error below "
-            f"{threshold:g} (least {best_error:.2f})"
-        )
-    if high >= 0.99 * rhos[-1]:
-        limits.append(
-            f"the interval reaches the largest range computed, {rhos[-1]:g} nm: "
-            "there is no upper bound"
-        )
-    if low <= 1.02 * rhos[0]:
-        limits.append(
-            f"the interval reaches the smallest range computed, {rhos[0]:g} nm: "
-            "there is no lower bound"
-        )
-    limits.append(
-        f"ranges of adhesion between {low:.1f} and {high:.1f} nm cannot be told apart "
-        "by these scans"
-    )
-    return "; ".join(limits)

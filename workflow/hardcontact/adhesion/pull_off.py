@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.adhesion.force_sum import pull_off_force, rough_sphere_total
-from hardcontact.adhesion.sphere_sums import rough_sphere_sums
+from hardcontact.adhesion.force_sum import opened_total, pull_off_force
+from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import (
     Load,
     NamedLoad,
@@ -58,7 +58,7 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arr
     Parameters
     ----------
     bodies : Bodies
-        With a rough sphere.
+        With a smooth or a rough sphere.
     load : Load
         Preload and hardness.
     ranges : sequence of float
@@ -75,10 +75,8 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arr
     contact_pixels = contact_pixel_count(load, pixel_size)
     contacts = all_lowest_gaps(bodies, contact_pixels)
     gaps = stacked_gaps(contacts, bodies.geometry)
-    outside = rough_sphere_sums(bodies, contacts, rhos)
-    rigid = [
-        rough_sphere_total(sums, gaps, 1, rho) for sums, rho in zip(outside, rhos, strict=True)
-    ]
+    outside = outside_sums(bodies, contacts, rhos)
+    rigid = [opened_total(sums, gaps, 1, rho) for sums, rho in zip(outside, rhos, strict=True)]
     totals = np.stack([rigid, outside + contact_pixels])
     forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
@@ -117,7 +115,7 @@ def mean_pull_off_of_pair(
     Parameters
     ----------
     bodies : Bodies
-        With a rough sphere.
+        With a smooth or a rough sphere.
     loads : sequence of NamedLoad
         Preloads and hardnesses.
     ranges : sequence of float
@@ -132,11 +130,11 @@ def mean_pull_off_of_pair(
     contact_pixels = [contact_pixel_count(load, pixel_size) for load in loads]
     contacts = all_lowest_gaps(bodies, max(contact_pixels))
     gaps = stacked_gaps(contacts, bodies.geometry)
-    outside = rough_sphere_sums(bodies, contacts, rhos)
+    outside = outside_sums(bodies, contacts, rhos)
     of_ranges = list(zip(outside, rhos, strict=True))
     totals = np.array(
         [
-            [rough_sphere_total(sums, gaps, count, rho).mean() for sums, rho in of_ranges]
+            [opened_total(sums, gaps, count, rho).mean() for sums, rho in of_ranges]
             for count in contact_pixels
         ]
     )
@@ -180,7 +178,7 @@ def _window_change(bodies: Bodies, load: Load, rho: float) -> float:
     contacts = all_lowest_gaps(bodies, contact_pixels)
     wider = replace(geometry, window=geometry.window + 2 * bodies.substrate.pixels)
     narrow, wide = (
-        rough_sphere_sums(replace(bodies, geometry=windowed), contacts, [rho]) + contact_pixels
+        outside_sums(replace(bodies, geometry=windowed), contacts, [rho]) + contact_pixels
         for windowed in (geometry, wider)
     )
     return float(np.abs(wide / narrow - 1).max())

@@ -8,29 +8,32 @@ numbers, so that only what they vary makes them differ.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.bootstrap import Bootstrap
+from hardcontact.adhesion.all_surfaces import at_load, stacked_ratios
 from hardcontact.adhesion.critical_band import critical_band
-from hardcontact.adhesion.inference import infer_model
+from hardcontact.adhesion.force_curves import at_range
+from hardcontact.adhesion.inference import Pair, infer_model
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records import log
 from hardcontact.records.dataset import stack
 
 __all__ = ["Choices", "robustness"]
 
-Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
-
-#: What is computed for every variant of the forces.
+#: What is inferred of every variant of the forces.
 INFERRED = [
     "range_of_adhesion",
     "range_of_adhesion_interval",
     "work_of_adhesion",
     "work_of_adhesion_interval",
     "best_error",
+    "minimum_range",
+    "minimum_work",
+    "minimum_error",
 ]
 
 #: What is computed for every variant of the filtered masters.
@@ -55,7 +58,9 @@ class Choices:
         Of the mean relative error.
     tolerance : float
         Relative change of the force that ends the critical band.
-    bootstrap : Bootstrap
+    published_pair : Pair
+        Range and work of adhesion that mean forces are given at.
+    sampling : Sampling
         Of all intervals.
     """
 
@@ -65,7 +70,8 @@ class Choices:
     probe: str
     error_threshold: float
     tolerance: float
-    bootstrap: Bootstrap
+    published_pair: Pair
+    sampling: Sampling
 
 
 def robustness(
@@ -94,7 +100,9 @@ def robustness(
     Returns
     -------
     xarray.Dataset
-        Over variant and side; critical wavelengths are those of all substrates pooled.
+        Over variant, surface, minimum and side: what is inferred, with all local minima of the
+        error; `mean_force` (variant, surface) in N at the published pair; critical wavelengths
+        of all substrates pooled.
     """
     target = published.mean_force.reindex(choices.substrates).to_numpy()
     forces = _stacked_forces(pairs)
@@ -102,13 +110,14 @@ def robustness(
         xr.merge([_range_and_work(forces, target, one, choices), _band(masters, one, choices)])
         for one in log.progress(variants, len(variants), "variants")
     ]
-    varied = xr.concat(parts, pd.Index([one["name"] for one in variants], name="variant"))
+    names = pd.Index([one["name"] for one in variants], name="variant")
+    varied = xr.concat(parts, names, coords="minimal", join="outer")
     return varied.assign_coords(
         variant_label=("variant", [one["label"] for one in variants]),
         group=("variant", [one["group"] for one in variants]),
     ).assign_attrs(
         tolerance=choices.tolerance,
-        confidence=choices.bootstrap.confidence,
+        confidence=choices.sampling.confidence,
         basis=", ".join(f"{name}: {choices.basis[name]}" for name in choices.substrates),
         realizations=len({realization for _, _, realization, _, _ in masters}),
     )
@@ -126,54 +135,44 @@ def _stacked_forces(
     }
 
 
-def _at_load(forces: Forces, load: str) -> Forces:
-    """Return the forces at one load, by its name."""
-    known = forces["load"].values.tolist()
-    if load not in known:
-        raise ValueError(f"expected forces at the load {load}, found those at {', '.join(known)}")
-    return forces.sel(load=load, drop=True)
-
-
 def _range_and_work(
     forces: Mapping[tuple[str, str], xr.DataArray],
     target: np.ndarray,
     variant: dict[str, Any],
     choices: Choices,
 ) -> xr.Dataset:
-    """Return INFERRED of one variant; none for another probe, which does not affect them."""
+    """Return what forces on scans say of one variant; nothing of another probe."""
     if variant["probe"] != choices.probe:
         return xr.Dataset()
     stacked = xr.concat(
         [
-            _at_load(forces[name, variant["variant"][name]], variant["load"])
+            at_load(forces[name, variant["variant"][name]], variant["load"])
             for name in choices.substrates
         ],
         pd.Index(choices.substrates, name="surface"),
         join="outer",
     )
-    return infer_model(
+    inferred = infer_model(
         stacked.expand_dims(["contact_y", "contact_x"], [-2, -1]),
         target,
         choices.substrates.index(choices.reference_surface),
         choices.error_threshold,
-        choices.bootstrap,
-    )[INFERRED]
+        choices.sampling,
+    )
+    rho, work = choices.published_pair
+    force = work * at_range(inferred.mean_force, rho)
+    return inferred[INFERRED].assign(mean_force=force.assign_attrs(units="N"))
 
 
 def _band(
     masters: Mapping[tuple[Any, ...], xr.Dataset], variant: dict[str, Any], choices: Choices
 ) -> xr.Dataset:
     """Return CRITICAL (side) of all substrates of one variant pooled."""
-    parts = {}
-    for name in choices.substrates:
-        of_substrate = name, variant["variant"][name]
-        for (*surface, realization, side, probe), master in masters.items():
-            if (*surface, probe) == (*of_substrate, variant["probe"]):
-                chosen = _at_load(master, variant["load"])
-                ratio = chosen.pull_off_force / chosen.unfiltered_pull_off_force
-                chosen = chosen.assign(ratio=ratio)[["ratio", "unfiltered_wavelength"]]
-                parts[name, realization, side] = chosen
-    curves = stack(parts, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
-    curves["unfiltered_wavelength"] = curves.unfiltered_wavelength.isel(realization=0, drop=True)
-    band = critical_band(curves, choices.tolerance, choices.bootstrap)
+    chosen = {
+        (name, realization, side): master
+        for (name, made, realization, side, probe), master in masters.items()
+        if (made, probe) == (variant["variant"].get(name), variant["probe"])
+    }
+    curves = stacked_ratios(chosen, variant["load"]).sel(surface=choices.substrates)
+    band = critical_band(curves, choices.tolerance, choices.sampling)
     return band[CRITICAL].sel(group="pooled", drop=True)

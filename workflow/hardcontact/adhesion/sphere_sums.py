@@ -4,7 +4,7 @@ The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums
 a product over both axes, of a rough one a correlation with a kernel that is computed once.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from itertools import product
 
@@ -12,13 +12,16 @@ import numpy as np
 from numpy.typing import NDArray
 from threadpoolctl import threadpool_limits
 
-from hardcontact.contact.bearing_area import LowestGaps
+from hardcontact.adhesion.contact_pixels import ContactPixels, Contacts
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
-__all__ = ["rough_sphere_sums", "smooth_sphere_sums"]
+__all__ = ["outside_sums", "smooth_sphere_sums"]
 
 Floats = NDArray[np.float64]
-Contacts = dict[tuple[int, int], LowestGaps]
+
+#: Sums (contact, contact) over all pixels but those of contacts, and the factor of the sphere at
+#: some pixels (their rows, their columns) of the substrate, seen from a contact (i, j).
+OfSphere = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 ROWS = 64  # in a block: small enough for the cache, and the same for any number of threads
 
@@ -48,14 +51,25 @@ def smooth_sphere_sums(bodies: Bodies, rho: float, threads: int = 1) -> tuple[Fl
     heights = bodies.substrate.heights
     h_max = float(heights.max())
     fold = _folded(bodies.substrate.pixels, bodies.geometry, rho)
+    with threadpool_limits(1, "blas"), ThreadPoolExecutor(threads) as pool:
+        return _product(heights, h_max, fold, rho, pool.map), h_max
+
+
+def _product(
+    heights: NDArray[np.floating],
+    highest: float,
+    fold: Floats,
+    rho: float,
+    over_blocks: Callable[..., Iterable[Floats]] = map,
+) -> Floats:
+    """Return G exp((h - highest)/rho) G^T, (contact, contact); fold: G, (contact, n)."""
     columns = np.ascontiguousarray(fold.T)
 
     def block(start: int) -> Floats:
         rows = slice(start, start + ROWS)
-        return np.asarray(fold[:, rows] @ (_attraction(heights[rows], h_max, rho) @ columns))
+        return np.asarray(fold[:, rows] @ (_attraction(heights[rows], highest, rho) @ columns))
 
-    with threadpool_limits(1, "blas"), ThreadPoolExecutor(threads) as pool:
-        return np.asarray(sum(pool.map(block, range(0, len(heights), ROWS)))), h_max
+    return np.asarray(sum(over_blocks(block, range(0, len(heights), ROWS))))
 
 
 def _folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
@@ -78,18 +92,18 @@ def _attraction(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
     return attraction
 
 
-def rough_sphere_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
+def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
     """Return the sum of exp(-(g + d)/rho) over pixels outside plastic contact.
 
-    d is the separation of closest approach. exp(h/rho) and the kernel exp((t - s)/rho), folded
-    over the periodic images in the window, are computed once for each rho; the sums of all
-    contacts are then products of matrices. All terms are positive: contact pixels are left out
-    beforehand, because their subtraction would cost digits where rho is small.
+    d is the separation of closest approach. exp(h/rho) and what the sphere adds, folded over the
+    periodic images in the window, are computed once for each rho; the sums of all contacts are
+    then products of matrices. All terms are positive: contact pixels are left out beforehand,
+    because their subtraction would cost digits where rho is small.
 
     Parameters
     ----------
     bodies : Bodies
-        The substrate and a rough sphere.
+        The substrate and a smooth or a rough sphere.
     contacts : dict
         Place (i, j) -> `LowestGaps` of each contact of the array.
     rhos : array_like
@@ -101,63 +115,57 @@ def rough_sphere_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] 
         (rho, contact, contact)
     """
     substrate, roughness = bodies.substrate, bodies.roughness
-    if roughness is None:
-        raise ValueError("expected a rough sphere, found a smooth one")
-    h_max, t_max = float(substrate.heights.max()), float(roughness.heights.max())
-    image_gaps = {
-        place: _image_gaps(bodies, place, offsets) for place, (_, offsets) in contacts.items()
-    }
-    contact_pixels = _ContactPixels(bodies, contacts)
-    shape = (len(bodies.geometry.positions),) * 2
-    outside = np.empty((len(rhos), *shape))
-    for k, rho in enumerate(rhos):
-        of_sphere = _attraction(roughness.heights, t_max, rho)
-        kernel = _kernel(substrate.pixels, of_sphere, bodies.geometry, rho)
-        attraction = _attraction(substrate.heights, h_max, rho)
-        removed = contact_pixels.remove_from(attraction)
-        total = _correlation(attraction, kernel, bodies.geometry.positions)
-        for place, (gaps, _) in contacts.items():
-            of_others = contact_pixels.sum_over_others(removed, kernel, place)
-            outside[k][place] = (
-                np.exp((gaps[-1] + h_max + t_max) / rho) * (total[place] + of_others)
-                + np.exp((gaps[-1] - image_gaps[place]) / rho).sum()
-            )
+    contact_pixels = ContactPixels(bodies, contacts)
+    rest = contact_pixels.left_out(substrate.heights)
+    touching = substrate.heights[contact_pixels.row, contact_pixels.column]
+    h_max = float(substrate.heights.max())
+    t_max = 0.0 if roughness is None else float(roughness.heights.max())
+    outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
+    of_sphere = _of_smooth_sphere if roughness is None else _of_rough_sphere
+    with threadpool_limits(1, "blas"):
+        for k, rho in enumerate(rhos):
+            total, factor = of_sphere(bodies, contact_pixels, rest, h_max, rho)
+            attraction = _attraction(touching, h_max, rho)
+            for place in contacts:
+                outside[k][place] = contact_pixels.outside(
+                    place, total[place], attraction * factor(place), h_max + t_max, rho
+                )
     return outside
 
 
-class _ContactPixels:
-    """The substrate's pixels that are contact pixels of any contact of an array, each once.
+def _of_smooth_sphere(
+    bodies: Bodies,
+    contact_pixels: ContactPixels,
+    rest: NDArray[np.floating],
+    h_max: float,
+    rho: float,
+) -> OfSphere:
+    """Return the sums over `rest`, heights without contact pixels, and the factor at these."""
+    fold = _folded(bodies.substrate.pixels, bodies.geometry, rho)
+    rows, columns = fold[:, contact_pixels.row], fold[:, contact_pixels.column]
+    return _product(rest, h_max, fold, rho), lambda place: rows[place[0]] * columns[place[1]]
 
-    They are left out of the sum of every contact; those of the other contacts are then added again.
-    """
 
-    def __init__(self, bodies: Bodies, contacts: Contacts) -> None:
-        pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
-        own = {
-            place: np.ravel_multi_index(
-                tuple(((positions[list(place)] + offsets) % pixels).T), (pixels, pixels)
-            )
-            for place, (_, offsets) in contacts.items()
-        }
-        self.pixels = np.unique(np.concatenate(list(own.values())))
-        self.own = {place: np.searchsorted(self.pixels, pixel) for place, pixel in own.items()}
-        row, column = np.divmod(self.pixels, pixels)
-        #: Rows, in units of whole rows, and columns of the pixels as seen from each position.
-        self.rows = (row - positions[:, None]) % pixels * pixels
-        self.columns = (column - positions[:, None]) % pixels
-
-    def remove_from(self, attraction: Floats) -> Floats:
-        """Set the pixels of a map (n, n) to zero and return what they were: (pixels,)."""
-        flat = attraction.reshape(-1)
-        values: Floats = flat[self.pixels]
-        flat[self.pixels] = 0.0
-        return values
-
-    def sum_over_others(self, values: Floats, kernel: Floats, place: tuple[int, int]) -> float:
-        """Return the sum of values times kernel, without the contact pixels of one contact."""
-        terms = values * kernel.take(self.rows[place[0]] + self.columns[place[1]])
-        terms[self.own[place]] = 0.0
-        return float(terms.sum())
+def _of_rough_sphere(
+    bodies: Bodies,
+    contact_pixels: ContactPixels,
+    rest: NDArray[np.floating],
+    h_max: float,
+    rho: float,
+) -> OfSphere:
+    """Return the same of a rough sphere, relative to the highest point t_max of its roughness."""
+    assert bodies.roughness is not None
+    pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
+    roughness = bodies.roughness.heights
+    attraction = _attraction(roughness, float(roughness.max()), rho)
+    kernel = _kernel(pixels, attraction, bodies.geometry, rho)
+    #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
+    rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
+    columns = (contact_pixels.column - positions[:, None]) % pixels
+    return (
+        _correlation(_attraction(rest, h_max, rho), kernel, positions),
+        lambda place: kernel.take(rows[place[0]] + columns[place[1]]),
+    )
 
 
 def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: float) -> Floats:
@@ -202,36 +210,11 @@ def _correlation(attraction: Floats, kernel: Floats, positions: NDArray[np.int_]
     """
     pixels, step = len(kernel), 4
     total = np.zeros((len(positions),) * 2)
-    with threadpool_limits(1, "blas"):
-        for start in range(0, pixels, step):
-            rows = kernel[start : start + step]
-            twice = np.concatenate([rows, rows], axis=1)
-            shifted = np.lib.stride_tricks.sliding_window_view(twice, pixels, axis=1)
-            place = np.arange(start, start + len(rows))[:, None] + positions
-            seen = shifted[:, pixels - positions]
-            total += (attraction[place % pixels] @ seen.transpose(0, 2, 1)).sum(axis=0)
+    for start in range(0, pixels, step):
+        rows = kernel[start : start + step]
+        twice = np.concatenate([rows, rows], axis=1)
+        shifted = np.lib.stride_tricks.sliding_window_view(twice, pixels, axis=1)
+        place = np.arange(start, start + len(rows))[:, None] + positions
+        seen = shifted[:, pixels - positions]
+        total += (attraction[place % pixels] @ seen.transpose(0, 2, 1)).sum(axis=0)
     return total
-
-
-def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (k,) in nm of the periodic images, inside the window, of contact pixels.
-
-    Images that are contact pixels themselves are left out. offsets: (contact_pixels, 2) from the
-    apex.
-    """
-    pixels, geometry = bodies.substrate.pixels, bodies.geometry
-    assert bodies.roughness is not None
-    reach = -(-geometry.window // pixels)
-    steps = np.stack(np.meshgrid(*[np.arange(-reach, reach + 1) * pixels] * 2), -1).reshape(-1, 2)
-    places = (offsets[:, None] + steps).reshape(-1, 2)
-    places = places[geometry.inside(places).all(axis=1)]
-    code = (4 * geometry.window, 1)  # one number a pixel, in the order of rows and columns
-    codes, first = np.unique(places @ code, return_index=True)
-    places = places[first[~np.isin(codes, offsets @ code)]]
-    y, x = ((geometry.positions[list(place)] + places) % pixels).T
-    u, v = (places % bodies.roughness.pixels).T
-    return np.asarray(
-        geometry.paraboloid(places).sum(axis=1)
-        - bodies.roughness.heights[u, v]
-        - bodies.substrate.heights[y, x]
-    )

@@ -1,4 +1,4 @@
-"""Bootstrap: how many samples are drawn, from which random numbers, for which confidence."""
+"""Samples of what is uncertain: how many, from which random numbers, for which confidence."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,22 +10,22 @@ from numpy.typing import ArrayLike
 from hardcontact.random import generator
 from hardcontact.statistics import percentile_interval, with_interval
 
-__all__ = ["Bootstrap"]
+__all__ = ["Sampling"]
 
 
 @dataclass(frozen=True)
-class Bootstrap:
+class Sampling:
     """How intervals follow from random samples.
 
-    A sample is drawn from the scans with replacement, or from the distribution of published numbers
-    within their uncertainty.
+    A sample is drawn about the mean over scans or realizations, as `student_log_samples` does, or
+    from the distribution of published numbers within their uncertainty.
 
     Attributes
     ----------
     seed : int
         The seed of the study.
     samples : int
-        How many are drawn.
+        How many are drawn; without any, all intervals are NaN.
     confidence : float
         Of the intervals.
     stream : tuple of str
@@ -35,7 +35,7 @@ class Bootstrap:
     seed: int
     samples: int
     confidence: float
-    stream: tuple[str, ...] = ("bootstrap",)
+    stream: tuple[str, ...] = ("sampling",)
 
     def generator(self, *names: str) -> np.random.Generator:
         """Return the random generator for one of the quantities that are sampled."""

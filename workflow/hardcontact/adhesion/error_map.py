@@ -1,0 +1,161 @@
+"""How far computed mean forces are from measured ones, by range and work of adhesion.
+
+All forces are computed for a work of adhesion of 1 J/m², to which they are proportional.
+"""
+
+import numpy as np
+from scipy.signal import find_peaks
+
+__all__ = [
+    "WORK",
+    "error_region",
+    "fit",
+    "fit_ratios",
+    "fit_work",
+    "least_errors",
+    "mean_relative_error",
+]
+
+#: Works of adhesion (J/m²) of the error map.
+WORK = np.geomspace(1e-3, 10.0, 501)
+
+
+def mean_relative_error(
+    mean_forces: np.ndarray, published: np.ndarray, work: np.ndarray
+) -> np.ndarray:
+    """Return the mean over surfaces of |W f/F - 1|.
+
+    Parameters
+    ----------
+    mean_forces : ndarray (..., surface, rho)
+        In N at 1 J/m².
+    published : ndarray (surface,)
+        In N.
+    work : ndarray (k,)
+        In J/m².
+
+    Returns
+    -------
+    ndarray (..., rho, k)
+        The error.
+    """
+    relative = mean_forces / published[:, None]
+    error: np.ndarray = np.abs(relative[..., None] * work - 1).mean(axis=-3)
+    return error
+
+
+def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Find the work of adhesion of the least mean relative error at every range.
+
+    The error is piecewise linear in W, so that its minimum lies at one of the W that match a
+    surface exactly; all are tried.
+
+    Parameters
+    ----------
+    mean_forces : ndarray (..., surface, rho)
+        In N at 1 J/m².
+    published : ndarray (surface,)
+        In N.
+
+    Returns
+    -------
+    work, error : ndarray (..., rho)
+        Work of adhesion in J/m², and the error.
+    """
+    relative = mean_forces / published[:, None]
+    candidates = 1 / relative
+    errors = np.stack(
+        [
+            np.abs(candidates[..., [surface], :] * relative - 1).mean(axis=-2)
+            for surface in range(len(published))
+        ],
+        axis=-2,
+    )  # (..., candidate, rho)
+    best = errors.argmin(axis=-2)[..., None, :]
+    return (
+        np.take_along_axis(candidates, best, -2)[..., 0, :],
+        np.take_along_axis(errors, best, -2)[..., 0, :],
+    )
+
+
+def fit(
+    mean_forces: np.ndarray, published: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Find the range and work of adhesion of the least mean relative error.
+
+    Parameters
+    ----------
+    mean_forces : ndarray (..., surface, rho)
+        In N at 1 J/m².
+    published : ndarray (surface,)
+        In N.
+
+    Returns
+    -------
+    rho, work, error : ndarray (...)
+        Index into rho, work of adhesion in J/m², and the error.
+    """
+    work, error = fit_work(mean_forces, published)
+    best = error.argmin(axis=-1)
+    at_best = best[..., None]
+    return (
+        best,
+        np.take_along_axis(work, at_best, -1)[..., 0],
+        np.take_along_axis(error, at_best, -1)[..., 0],
+    )
+
+
+def least_errors(errors: np.ndarray, count: int) -> np.ndarray:
+    """Return where errors (rho,) have their local minima, the least first: (count,) at most.
+
+    An end of the ranges counts where the error grows from it inwards.
+    """
+    walled = np.concatenate([[np.inf], errors, [np.inf]])
+    minima = find_peaks(-walled)[0] - 1
+    order = np.argsort(errors[minima], kind="stable")
+    least: np.ndarray = minima[order[:count]]
+    return least
+
+
+def fit_ratios(
+    mean_forces: np.ndarray, published: np.ndarray, reference: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Find the range of the least mean relative error of the ratios to a reference surface.
+
+    The work of adhesion cancels.
+
+    Parameters
+    ----------
+    mean_forces : ndarray (..., surface, rho)
+        In N at any work of adhesion.
+    published : ndarray (surface,)
+        In N.
+    reference : int
+        Index of the surface.
+
+    Returns
+    -------
+    rho : ndarray (...)
+        Index into rho.
+    errors : ndarray (..., rho)
+        At every range.
+    """
+    ratios = mean_forces / mean_forces[..., [reference], :]
+    expected = (published / published[reference])[:, None]
+    others = np.arange(len(published)) != reference
+    errors = np.abs(ratios / expected - 1)[..., others, :].mean(axis=-2)
+    return errors.argmin(axis=-1), errors
+
+
+def error_region(
+    errors: np.ndarray, rhos: np.ndarray, work: np.ndarray, threshold: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return least and greatest rho, and W, where the error map (rho, work) is below `threshold`.
+
+    Two arrays (2,), NaN where there is no such place.
+    """
+    small = errors < threshold
+    if not small.any():
+        return np.full(2, np.nan), np.full(2, np.nan)
+    rows, columns = np.nonzero(small)
+    return rhos[[rows.min(), rows.max()]], work[[columns.min(), columns.max()]]
