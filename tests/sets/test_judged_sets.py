@@ -1,0 +1,107 @@
+"""Numbers of many sets: reproducible, those of each set alone, what claims ask for."""
+
+import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
+from paper_claims import CONSTANTS, STATEMENTS
+from paper_numbers import MEAN_FORCE, SUBSTRATES
+from set_sources import CONFIDENCE, make_adhesion, make_masters, make_pool, make_sources
+
+from hardcontact.adhesion.inference import Pair, Published
+from hardcontact.sets.judged_sets import Judges, SetSettings, gathered_sources, judge_sets
+from hardcontact.sets.set_datasets import Draw, drawn_scans, set_adhesion
+
+SETTINGS = SetSettings(
+    seed=1,
+    replicates=3,
+    realizations=5,
+    reference_surface="uncd",
+    error_threshold=0.1,
+    force_floor=30e-9,
+    tolerance=0.1,
+    confidence=CONFIDENCE,
+)
+FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
+JUDGES = Judges(STATEMENTS, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3)))
+
+
+@pytest.fixture(scope="module")
+def sets():
+    return judge_sets(make_sources(), JUDGES, SETTINGS)
+
+
+def test_every_replicated_claim_has_a_number_of_every_set(sets):
+    replicated = STATEMENTS["id"][STATEMENTS["replicated"] == "yes"]
+    assert sets["value"].dims == ("set", "claim")
+    assert sets["claim"].values.tolist() == replicated.tolist()
+    missing = sets["claim"].values[np.isnan(sets["value"]).any("set")]
+    assert set(missing) <= {"half_width_of_range", "half_width_of_work"}  # nothing fits so well
+    height = sets["value"].sel(claim="afm_rms_height_uncd")
+    np.testing.assert_allclose(height, 17.4, rtol=1e-12)
+
+
+def test_numbers_are_those_of_each_set(sets):
+    sources = make_sources()
+    for number in (1, 3):
+        draw, of_set = Draw(1, number), sets.sel(set=number)
+        drawn = drawn_scans(sources, draw)
+        forces = set_adhesion(sources, drawn, draw)["pull_off_force"]
+        means = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
+        means = means.transpose("contact_model", "surface", "rho")
+        np.testing.assert_allclose(of_set["mean_force"], means, rtol=1e-12)
+        ratio = of_set["ratio"].transpose(*means.dims)
+        np.testing.assert_allclose(ratio, means / means.sel(surface="uncd"), rtol=1e-12)
+        gradient = drawn["ncd"]["rms_gradient"]
+        assert of_set["rms_gradient"].sel(surface="ncd") == pytest.approx(gradient.mean().item())
+        spread = of_set["rms_gradient_std"].sel(surface="ncd")
+        assert spread == pytest.approx(gradient.std(ddof=1).item())
+        claim = of_set["value"].sel(claim="range_of_adhesion")
+        assert claim == of_set["range_of_adhesion"].sel(contact_model="plastic")
+
+
+def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
+    fewer = judge_sets(make_sources(), JUDGES, SETTINGS._replace(replicates=1))
+    xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
+    other = judge_sets(make_sources(), JUDGES, SETTINGS._replace(replicates=1, seed=2))
+    assert not np.allclose(other["mean_force"].isel(set=0), sets["mean_force"].isel(set=0))
+    assert len(np.unique(sets["range_of_adhesion"])) > 2
+
+
+def test_band_and_errors_are_kept(sets):
+    assert sets["scale_ratio"].sizes == {"set": 3, "side": 2, "surface": 4, "cutoff_wavelength": 6}
+    assert sets["critical_wavelength"].sel(group="pooled").dims == ("set", "side")
+    errors = make_pool("mcd")["interpolation_error"].values
+    np.testing.assert_allclose(
+        sets["interpolation_error"].sel(surface="mcd"), np.sqrt((errors**2).mean(axis=0))
+    )
+
+
+def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
+    adhesion = make_adhesion()
+    means = adhesion["pull_off_force"].mean(["sphere_scan", "contact_y", "contact_x"])
+    smooth = {
+        name: xr.Dataset({"pull_off_force": 2 * means.sel(surface=name, drop=True)})
+        for name in SUBSTRATES
+    }
+    pools = {name: make_pool(name) for name in SUBSTRATES}
+    chunks = {
+        (name, first, first + 5): pool.sel(scan=slice(first, first + 5))
+        for name, pool in pools.items()
+        for first in (1, 7)
+    }
+    study = {"topography": make_sources().topography, "adhesion": adhesion}
+    sources = gathered_sources(study, chunks, smooth, make_masters())
+    np.testing.assert_allclose(sources.sphere_factor, 0.5, rtol=1e-12)
+    assert set(sources.sphere_factor.dims) == {"contact_model", "surface", "rho"}
+    for name, pool in pools.items():
+        xr.testing.assert_identical(sources.pools[name], pool)
+
+
+def test_surfaces_that_are_all_measured_make_sets_too():
+    sources = make_sources(measured=SUBSTRATES)
+    judged = judge_sets(sources, JUDGES, SETTINGS._replace(replicates=2))
+    gradient = sources.topography["rms_gradient_mean"].sel(surface=SUBSTRATES)
+    np.testing.assert_array_equal(judged["rms_gradient"].isel(set=0), gradient)
+    assert not np.allclose(*judged["mean_force"].values)
+    assert np.isnan(judged["interpolation_error"]).all()

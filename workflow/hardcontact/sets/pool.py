@@ -1,0 +1,199 @@
+"""The pool that sets of substitute scans are drawn from: forces of each scan at several heights.
+
+A set multiplies the heights of each of its scans by a factor. Forces are computed at a few rms
+heights that span what a set may ask for, and interpolated between them.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any, TypedDict
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from numpy.typing import NDArray
+from scipy.interpolate import make_interp_spline
+
+from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.bearing_area import ContactSettings
+from hardcontact.contact.geometry import bodies
+from hardcontact.random import generator
+from hardcontact.records.log import progress
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.scan_targets import Targets
+from hardcontact.surfaces.spectrum import Density
+from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.topography import METRICS, level, metrics, mirror_stitch
+
+__all__ = ["PoolSettings", "compute_pool", "height_weights", "pool_heights"]
+
+Floats = NDArray[np.float64]
+
+#: Least height of a pool, over the mean height: no set of a few scans has a smoother one.
+LEAST = 0.05
+
+
+class PoolSettings(TypedDict):
+    """What the scans of a pool and their contacts are made with.
+
+    Attributes
+    ----------
+    seed : int
+        The seed of the study.
+    surface : str
+        Name of the substrate.
+    scan : ScanGrid
+        Of every scan.
+    contact : ContactSettings
+        Array of contacts and load.
+    radius : float
+        Of the smooth sphere, in nm.
+    ranges : list of float
+        Ranges of adhesion in nm.
+    """
+
+    seed: int
+    surface: str
+    scan: ScanGrid
+    contact: ContactSettings
+    radius: float
+    ranges: list[float]
+
+
+def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
+    """Return the rms heights at which the forces of a pool are computed.
+
+    No value of a sample of n lies farther from its mean than (n - 1)/sqrt(n) of its standard
+    deviations. The heights are evenly spaced in their root: forces change faster where heights are
+    small.
+
+    Parameters
+    ----------
+    targets : Targets
+        Mean and deviation of the rms heights of a set.
+    scans : int
+        Of a set; one has no deviation, so that a single height is enough.
+    amplitudes : int
+        Number of heights.
+
+    Returns
+    -------
+    numpy.ndarray
+        (amplitudes,) nm, ascending.
+    """
+    mean = targets.means["rms_height"]
+    if scans == 1:
+        return np.array([mean])
+    reach = targets.deviation * (scans - 1) / np.sqrt(scans)
+    least = max(mean - reach, LEAST * mean)
+    return np.asarray(np.linspace(least**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
+
+
+def height_weights(heights: Floats, at: Floats) -> Floats:
+    """Return the weights (at, amplitude) of logarithms of forces at `heights`, all in nm.
+
+    Those of a cubic spline in the root of the height.
+    """
+    if len(heights) == 1:
+        return np.ones((len(at), 1))
+    degree = min(3, len(heights) - 1)
+    spline = make_interp_spline(np.sqrt(heights), np.eye(len(heights)), k=degree)
+    return np.asarray(spline(np.sqrt(at)))
+
+
+def compute_pool(
+    numbers: Sequence[int],
+    density: Density,
+    targets: Targets,
+    heights: Floats,
+    settings: PoolSettings,
+) -> xr.Dataset:
+    """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
+
+    Parameters
+    ----------
+    numbers : sequence of int
+        Of the scans.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+    targets : Targets
+        What a set of them is to have: mean and deviation of rms heights are kept as attributes.
+    heights : numpy.ndarray
+        (amplitude,) rms heights in nm, of `pool_heights`.
+    settings : PoolSettings
+        Scans and contacts.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over scan: `log_force` (scan, rms_height_of_force, contact_model, rho, contact_y,
+        contact_x), the logarithm of forces in N; METRICS of the scan as it was drawn; and
+        `interpolation_error` (scan, contact_model, rho) of the logarithm of the mean force, at one
+        height drawn at random.
+    """
+    parts = [
+        _pool_scan(number, density, heights, settings)
+        for number in progress(numbers, len(numbers), "scans of the pool")
+    ]
+    return xr.concat(parts, pd.Index(list(numbers), name="scan")).assign_attrs(
+        mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.deviation
+    )
+
+
+def _pool_scan(
+    number: int, density: Density, heights: Floats, settings: PoolSettings
+) -> xr.Dataset:
+    """Return the forces and the roughness of one scan."""
+    rng = generator(settings["seed"], settings["surface"], number, "pool")
+    scan = _raw_scan(rng, density, settings["scan"])
+    roughness = metrics(scan)
+    between = rng.uniform(*np.sqrt(heights[[0, -1]])) ** 2
+    *computed, direct = (
+        _log_forces(scan, height / roughness["rms_height"], settings)
+        for height in (*heights, between)
+    )
+    log_forces = np.array(computed)
+    interpolated = np.tensordot(height_weights(heights, np.array([between]))[0], log_forces, 1)
+    error = np.log(np.exp(interpolated).mean(axis=(-2, -1)) / np.exp(direct).mean(axis=(-2, -1)))
+    axes = ("contact_model", "rho")
+    variables: dict[str, Any] = {
+        "log_force": (
+            ("rms_height_of_force", *axes, "contact_y", "contact_x"),
+            log_forces.astype("float32"),
+            {"units": "1", "long_name": "logarithm of the pull-off force in N at W = 1 J/m2"},
+        ),
+        "interpolation_error": (
+            axes,
+            error,
+            {"units": "1", "long_name": "relative error of the interpolated mean force"},
+        ),
+    } | {
+        name: ((), roughness[name], {"units": unit, "long_name": long_name})
+        for name, (unit, long_name) in METRICS.items()
+    }
+    coordinates: dict[str, Any] = {
+        "rms_height_of_force": ("rms_height_of_force", heights, {"units": "nm"}),
+        "contact_model": ["rigid", "plastic"],
+        **{axis: range(log_forces.shape[-1]) for axis in ("contact_y", "contact_x")},
+        "rho": ("rho", np.asarray(settings["ranges"], float), {"units": "nm"}),
+    }
+    return xr.Dataset(variables, coordinates)
+
+
+def _raw_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> HeightMap:
+    """Return a levelled scan, cut out of a larger random surface."""
+    surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
+    return level(substitute_scan(surface, grid.pixels))
+
+
+def _log_forces(scan: HeightMap, factor: float, settings: PoolSettings) -> Floats:
+    """Return the logarithms of the forces (contact_model, rho, contact_y, contact_x) in N.
+
+    Those of a scan whose heights are multiplied by a factor, on a smooth sphere.
+    """
+    stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
+    contact = settings["contact"]
+    pair = bodies(stitched, None, settings["radius"], contact)
+    forces = pull_off_of_pair(pair, contact, settings["ranges"]).variables["pull_off_force"][1]
+    return np.asarray(np.log(forces))

@@ -1,0 +1,115 @@
+# Sets: many equally good sets of substitute scans, drawn from pools, and the numbers of each.
+
+
+rule compute_pool:
+    """Compute the forces of some scans of a pool at several heights of each."""
+    input:
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        published_table1=PUBLISHED["published_table1"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compute_pool.py"),
+    output:
+        PATTERNS.pool,
+    log:
+        PATTERNS.log("compute_pool", PATTERNS.pool),
+    benchmark:
+        PATTERNS.benchmark("compute_pool", PATTERNS.pool)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "first": int(w.first),
+                "last": int(w.last),
+                "scans": len(SELECTION.scans(w.surface)),
+                "scan": SCAN_GRID,
+                "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
+                "amplitudes": STUDY["sets"]["amplitudes"],
+                "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+                "ranges": STUDY["adhesion"]["ranges"],
+                "radius": STUDY["sphere"]["radius"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/compute_pool.py"
+
+
+rule compare_sphere:
+    """Compute the forces of the study's scans of a substrate on a smooth sphere."""
+    input:
+        scans=lambda w: [
+            FILES.stitched(w.surface, scan, w.variant) for scan in SELECTION.scans(w.surface)
+        ],
+        code=code_inputs("compare_sphere.py"),
+    output:
+        PATTERNS.smooth_sphere,
+    log:
+        PATTERNS.log("compare_sphere", PATTERNS.smooth_sphere),
+    benchmark:
+        PATTERNS.benchmark("compare_sphere", PATTERNS.smooth_sphere)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scans": SELECTION.scans(w.surface),
+                "contact": STUDY["contact"],
+                "ranges": STUDY["adhesion"]["ranges"],
+                "radius": STUDY["sphere"]["radius"],
+            }
+        ),
+    script:
+        "../scripts/compare_sphere.py"
+
+
+rule judge_sets:
+    """Draw all sets, and compute of each what the statements of the paper are about: sets.nc."""
+    input:
+        topography=rules.aggregate_topography.output[0],
+        adhesion=rules.aggregate_adhesion.output[0],
+        pools=FILES.pools,
+        smooth_spheres=FILES.smooth_spheres,
+        masters=FILES.set_scales,
+        statements="resources/paper/claims.csv",
+        published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("judge_sets.py"),
+    output:
+        PATTERNS.dataset("sets"),
+    log:
+        PATTERNS.log("judge_sets"),
+    benchmark:
+        PATTERNS.benchmark("judge_sets")
+    resources:
+        mem_mb=2000,
+    params:
+        canonical=canonical(
+            {
+                "chunks": FILES.chunks,
+                "pooled": SELECTION.pooled,
+                "masters": [[one.surface, one.realization, one.side] for one in FILES.set_masters],
+                "load": FILES.variants[0].load["name"],
+                "settings": {
+                    "seed": STUDY["seed"],
+                    "replicates": STUDY["sets"]["replicates"],
+                    "realizations": STUDY["scales"]["realizations"],
+                    "reference_surface": STUDY["reference_surface"],
+                    "tolerance": STUDY["scales"]["tolerance"],
+                    **{
+                        key: STUDY["inference"][key]
+                        for key in ("error_threshold", "force_floor", "confidence")
+                    },
+                },
+            }
+        ),
+    script:
+        "../scripts/judge_sets.py"
+
+
+rule sets:
+    """Make the numbers of many equally good sets of substitute scans."""
+    input:
+        rules.judge_sets.output,

@@ -1,0 +1,18 @@
+"""Mean pull-off forces of the study's scans of one substrate on a smooth sphere."""
+
+from hardcontact.sets.smooth_sphere import on_smooth_sphere
+from hardcontact.study.job import job
+from hardcontact.surfaces.height_map import read_height_map
+
+with job(snakemake) as this:
+    given = this.parameters
+    scans = zip(given["scans"], this.input.scans, strict=True)
+    this.write_arrays(
+        on_smooth_sphere(
+            {number: read_height_map(path) for number, path in scans},
+            given["contact"],
+            given["radius"],
+            given["ranges"],
+        ),
+        title=f"mean pull-off forces of scans of {given['surface']} on a smooth sphere",
+    )

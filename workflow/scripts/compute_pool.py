@@ -1,0 +1,39 @@
+"""Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
+
+from hardcontact import published
+from hardcontact.records import dataset
+from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
+from hardcontact.study.job import job
+from hardcontact.surfaces.calibration import rows_of_surface
+from hardcontact.surfaces.scan_targets import scan_targets
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.substitute_scans import ScanGrid
+
+with job(snakemake) as this:
+    given, surface = this.parameters, this.parameters["surface"]
+    spectrum, grid = dataset.read(this.input.spectrum), ScanGrid(**given["scan"])
+    targets = scan_targets(
+        spectrum,
+        rows_of_surface(published.table1(this.input.published_table1), surface, **given["table1"]),
+        published.constants(this.input.published_constants),
+        given["table1"],
+        grid,
+    )
+    first, last = given["first"], given["last"]
+    this.write(
+        compute_pool(
+            range(first, last + 1),
+            Spectrum(spectrum["wavevector"].values, spectrum["spectrum"].values),
+            targets,
+            pool_heights(targets, given["scans"], given["amplitudes"]),
+            PoolSettings(
+                seed=given["seed"],
+                surface=surface,
+                scan=grid,
+                contact=given["contact"],
+                radius=given["radius"],
+                ranges=given["ranges"],
+            ),
+        ),
+        title=f"pull-off forces of scans {first} to {last} of the pool of {surface}",
+    )

@@ -1,0 +1,31 @@
+"""The numbers of many equally good sets of substitute scans, all sets in one dataset."""
+
+from hardcontact import published
+from hardcontact.adhesion.all_surfaces import stacked_ratios
+from hardcontact.adhesion.inference import Pair, Published
+from hardcontact.claims.evaluation import read_statements
+from hardcontact.records.dataset import read, read_all
+from hardcontact.sets.judged_sets import Judges, SetSettings, gathered_sources, judge_sets
+from hardcontact.study.job import job
+
+with job(snakemake) as this:
+    given = this.parameters
+    constants = published.constants(this.input.published_constants)
+    pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
+    sources = gathered_sources(
+        {name: read(this.input[name]) for name in ("topography", "adhesion")},
+        read_all(given["chunks"], this.input.pools),
+        dict(zip(given["pooled"], map(read, this.input.smooth_spheres), strict=True)),
+        stacked_ratios(read_all(given["masters"], this.input.masters), given["load"]),
+    )
+    judges = Judges(
+        read_statements(this.input.statements),
+        constants,
+        Published(published.pull_off(this.input.published_pull_off), pair),
+    )
+    this.write(
+        judge_sets(sources, judges, SetSettings(**given["settings"])).assign_attrs(
+            confidence=given["settings"]["confidence"]
+        ),
+        title="numbers of many sets of substitute scans",
+    )
