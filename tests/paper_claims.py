@@ -7,7 +7,7 @@ import xarray as xr
 from paper_datasets import CONFIDENCE
 
 from hardcontact import published
-from hardcontact.claims.evaluation import evaluate, read_statements
+from hardcontact.claims.evaluation import evaluate, read_statements, values
 
 TABLES = Path(__file__).parents[1] / "resources" / "paper"
 STATEMENTS = read_statements(TABLES / "claims.csv")
@@ -17,14 +17,25 @@ PARAMETERS = CONSTANTS["value"]
 NUMBERS = xr.Dataset(PARAMETERS.to_dict())
 
 
-def judge(statements, datasets, confidence=CONFIDENCE):
-    """Return the claims with their verdicts."""
-    return evaluate(statements, datasets, CONSTANTS, confidence)
+def make_sets(datasets, multiples=(0.999, 1.0, 1.001)):
+    """Sets like sets.nc: the numbers of the replicated claims, times each multiple."""
+    replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+    numbers = values(replicated, datasets, CONSTANTS)
+    return xr.Dataset(
+        {"value": (("set", "claim"), np.outer(multiples, numbers))}, {"claim": list(numbers.index)}
+    )
 
 
-def judge_one(name, datasets, **changes):
+def judge(statements, datasets, confidence=CONFIDENCE, sets=None):
+    """Return the claims with their verdicts; the sets are alike unless others are given."""
+    sets = make_sets(datasets) if sets is None else sets
+    return evaluate(statements, datasets, CONSTANTS, confidence, sets)
+
+
+def judge_one(name, datasets, sets=None, **changes):
     """Return the row of one claim, of which some columns may be changed."""
-    return judge(STATEMENTS[STATEMENTS["id"] == name].assign(**changes), datasets).iloc[0]
+    claim = STATEMENTS[STATEMENTS["id"] == name].assign(**changes)
+    return judge(claim, datasets, sets=sets).iloc[0]
 
 
 def near(number, expected, **tolerance):

@@ -13,7 +13,7 @@ GROUPS = [*SUBSTRATES, "pooled"]
 MODELS = ["rigid", "plastic"]
 RHO = [0.05, 2.0, 4.0, 5.6, 8.0]
 RADIUS = 0.25e6  # nm
-CALIBRATED = "afm_rms_height, afm_rms_slope, afm_rms_curvature, all_rms_height, all_rms_slope"
+CALIBRATED = "afm_rms_height,afm_rms_slope,afm_rms_curvature,all_rms_slope,all_rms_curvature"
 SCATTER = np.array([0.98, 0.99, 1.0, 1.01, 1.02])
 CONFIDENCE = 0.95
 
@@ -87,41 +87,48 @@ def make_adhesion(surfaces=SUBSTRATES):
 
 
 def make_inference(surfaces=SUBSTRATES):
+    """Fits at which plastic contact is the paper's, and rigid contact ten times worse."""
     by_model, by_force = ("contact_model",), ("contact_model", "surface")
-    ratio = np.broadcast_to(MEAN_FORCE / MEAN_FORCE[1], (len(RHO), 4)).T
+    by_pair = ("contact_model", "pair", "surface")
+    ratio = MEAN_FORCE / MEAN_FORCE[1]
     shape = np.sqrt(2 * np.log(MEAN_FORCE / MEDIAN_FORCE))
     force = np.outer(MEAN_FORCE, np.array(RHO) / 5.6) / 0.0463
-    error = np.tile([[0.9, 0.8], [0.3, 0.05]], (2, 1, 1))
+    of_model = np.array([0.1, 1.0])[:, None, None]
     data = {
-        "best_error": (by_model, [0.5, 0.05]),
         "ratio_error": ((*by_model, "rho_fine"), [[0.9, 0.4], [0.9, 0.05]]),
-        "mean_relative_error": ((*by_model, "rho_fine", "work"), error),
+        "error_of_range": ((*by_model, "rho_fine"), [[0.8, 0.5], [0.8, 0.05]]),
+        "minimum_error": ((*by_model, "minimum"), [[0.5, np.nan], [0.05, 0.3]]),
     }
     for name, ends in {"range": (5.1, 6.1), "work": (0.0428, 0.0498)}.items():
         data[f"region_{name}"] = ((*by_model, "bound"), [(np.nan, np.nan), ends])
+    data |= with_interval("best_error", by_model, [0.5, 0.05])
+    data |= with_interval("model_error_ratio", (), 10.0)
     data |= with_interval("range_of_adhesion", by_model, [1.0, 5.6])
     data |= with_interval("range_from_ratios", by_model, [1.0, 5.0])
     data |= with_interval("work_of_adhesion", by_model, [0.5, 0.0463])
-    data |= with_interval("force_mean", by_force, [MEAN_FORCE, MEAN_FORCE])
-    data |= with_interval("force_median", by_force, [MEDIAN_FORCE, MEDIAN_FORCE])
-    data |= with_interval("lognormal_shape", by_force, [shape, shape])
+    for name, values in (("force_mean", MEAN_FORCE), ("force_median", MEDIAN_FORCE)):
+        data |= with_interval(name, by_pair, of_model * np.broadcast_to(values, (2, 2, 4)))
+    for name, values in (("lognormal_shape", shape), ("ratio_at_pair", ratio)):
+        data |= with_interval(name, by_pair, np.broadcast_to(values, (2, 2, 4)))
     data |= with_interval("mean_force", (*by_force, "rho"), [0.5 * force, force])
-    data |= with_interval("ratio", (*by_force, "rho"), [ratio, ratio])
-    coords = {"contact_model": MODELS, "surface": SUBSTRATES, "rho": RHO}
-    coords |= {"rho_fine": [0.5, 5.6], "work": [0.01, 0.0463]}
+    coords = {"contact_model": MODELS, "surface": SUBSTRATES, "rho": RHO, "minimum": [1, 2]}
+    coords |= {"rho_fine": [0.5, 5.6], "pair": ["published", "fitted"]}
     attributes = {"sphere_radius": RADIUS, "confidence": CONFIDENCE}
     return xr.Dataset(data, coords, attributes).sel(surface=surfaces)
 
 
 def make_band(surfaces=SUBSTRATES):
-    """The published band, of every surface and of all pooled."""
-    scale_ratio = [
+    """A band within the published one, of every surface and of all pooled."""
+    ratio = [
         [1.0, 1.05, 2.0, 4.0, np.nan, np.nan],
         [np.nan, np.nan, 0.4, 0.7, 0.95, 1.0],
     ]
-    by_cutoff = ("side", "group", "cutoff_wavelength")
-    data = with_interval("scale_ratio", by_cutoff, np.stack([scale_ratio] * 5, axis=1))
-    critical = np.repeat([[43.0], [1800.0]], 5, axis=1)
+    by_group = ("side", "group", "cutoff_wavelength")
+    by_surface = ("side", "surface", "cutoff_wavelength")
+    data = with_interval("scale_ratio", by_surface, np.stack([ratio] * 4, axis=1))
+    change = np.abs(np.stack([ratio] * 5, axis=1) - 1)
+    data |= with_interval("scale_change", by_group, change, width=0.1)
+    critical = np.repeat([[46.0], [1750.0]], 5, axis=1)
     data |= with_interval("critical_wavelength", ("side", "group"), critical)
     coords = {"side": ["small", "large"], "group": GROUPS, "surface": SUBSTRATES}
     coords["cutoff_wavelength"] = [10.0, 43.0, 200.0, 1000.0, 1800.0, 5000.0]

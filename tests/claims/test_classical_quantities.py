@@ -16,3 +16,5 @@ def test_classical():
     near(spread, [np.log10(7.15 / 0.08)] * 3)
     ratio = classical_over_numerical(classical, make_inference())
     near(ratio.sel(contact_model="plastic", model="maugis", against="published"), [12, 12])
+    best = ratio.sel(contact_model="plastic", model="maugis", against="published", metrics="afm")
+    np.testing.assert_allclose(best["value_interval"], [0.54 / 0.0505, 0.66 / 0.0495])

@@ -7,14 +7,15 @@ from paper_datasets import RADIUS, make_inference
 from scipy.integrate import quad
 
 from hardcontact.claims.inference_quantities import (
-    force_at_published_pair,
     half_width_of_range,
     half_width_of_work,
     interaction_radius,
+    interaction_radius_at_fit,
     interaction_share,
     least_ratio_error,
-    ratio_at_fit,
-    short_range_error,
+    only_longer_range_fits,
+    only_one_minimum_fits,
+    only_plastic_fits,
     short_range_force,
     sinusoid_share,
 )
@@ -30,8 +31,8 @@ def test_sinusoid_share(rho):
 
 
 def test_interaction_radius():
-    radius = interaction_radius(make_inference()).sel(contact_model="plastic")
-    assert float(radius["value"]) == pytest.approx(1673, abs=1)
+    near(interaction_radius(NUMBERS), 1673, atol=1)
+    near(interaction_radius_at_fit(make_inference()).sel(contact_model="plastic"), 1673, atol=1)
 
 
 def test_interaction_share():
@@ -40,33 +41,49 @@ def test_interaction_share():
     def ring(r):
         return r * np.exp(-(r**2) / (2 * RADIUS * rho))
 
-    expected = quad(ring, 0, radius)[0] / quad(ring, 0, 20 * radius)[0]
-    share = interaction_share(make_inference()).sel(contact_model="plastic")
-    near(share, expected)
-    assert float(share["value"]) == pytest.approx(1 - np.exp(-1))
+    near(interaction_share(NUMBERS), quad(ring, 0, radius)[0] / quad(ring, 0, 20 * radius)[0])
+    near(interaction_share(NUMBERS), 1 - np.exp(-1))
 
 
-def test_ratio_at_fit_interpolates_each_contact_model_at_its_own_range():
-    inference = make_inference()
-    inference["ratio"][:] = inference["rho"]
-    inference["range_of_adhesion"][:] = [3.0, 5.0]
-    ratio = ratio_at_fit(inference)["value"].sel(surface="mcd")
-    np.testing.assert_allclose(ratio, [3.0, 5.0])
-
-
-def test_forces_at_the_published_pair_and_at_short_range():
+def test_force_at_short_range():
     inference = make_inference().sel(contact_model="plastic")
-    near(force_at_published_pair(inference, NUMBERS), [8.8e-6, 0.4e-6, 0.16e-6, 0.11e-6])
     short = short_range_force(inference, NUMBERS).sel(surface="polished_uncd")
     near(short, 8.8e-6 * 0.6 / 5.6)
     without = inference.isel(rho=slice(1, None))
     assert np.isnan(short_range_force(without, NUMBERS)["value"]).all()
 
 
-def test_errors_of_parts_of_the_map():
+#: Errors of what must not fit and of what must, and whether only the second fits: threshold 0.1.
+FITS = [(0.5, 0.05, True), (0.5, 0.3, False), (0.05, 0.03, False), (0.05, 0.5, False)]
+
+
+@pytest.mark.parametrize(("misfit", "fit", "expected"), FITS)
+def test_what_fits_nothing_shows_nothing(misfit, fit, expected):
     inference = make_inference()
-    near(short_range_error(inference, NUMBERS), [0.8, 0.8])
-    near(least_ratio_error(inference), [0.4, 0.05])
-    plastic = inference.sel(contact_model="plastic")
+    for end in ("", "_interval"):
+        inference[f"best_error{end}"].loc[{"contact_model": "rigid"}] = misfit
+        inference[f"best_error{end}"].loc[{"contact_model": "plastic"}] = fit
+    inference["error_of_range"].loc[{"rho_fine": 0.5}] = misfit
+    inference["minimum_error"].loc[{"minimum": 2}] = misfit
+    plastic = inference.sel(contact_model=["plastic"])
+    for computed in (
+        only_plastic_fits(inference, NUMBERS),
+        only_longer_range_fits(plastic, NUMBERS),
+        only_one_minimum_fits(plastic, NUMBERS),
+    ):
+        near(computed, min(misfit / 0.1, 0.1 / fit))
+        assert bool((computed["value"] > 1).all()) is expected
+
+
+def test_a_single_minimum_is_the_only_one_that_fits():
+    inference = make_inference().sel(contact_model="plastic")
+    near(only_one_minimum_fits(inference, NUMBERS), 2.0)
+    inference["minimum_error"].loc[{"minimum": 2}] = np.nan
+    near(only_one_minimum_fits(inference, NUMBERS), 2.0)
+
+
+def test_error_of_ratios_and_half_widths():
+    near(least_ratio_error(make_inference()), [0.4, 0.05])
+    plastic = make_inference().sel(contact_model="plastic")
     near(half_width_of_range(plastic), 0.5)
     near(half_width_of_work(plastic), 0.0035)

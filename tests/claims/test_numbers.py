@@ -27,10 +27,32 @@ def test_fewer_than_two_values_have_no_interval():
     assert float(one.value) == 2.0 and one.value_interval.isnull().all()
 
 
-def test_student_interval_holds_the_mean_as_often_as_it_says():
-    values = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
-    low, high = bounds(numbers.mean_over_scans(values, 0.8), "value")
+def test_a_number_that_is_zero_in_every_scan_is_zero():
+    values = xr.DataArray([[0.0, 0.0, np.nan], [0.0, 0.1, 0.2]], dims=("surface", "scan"))
+    low, high = bounds(numbers.mean_over_scans(values, 0.95), "value")
+    np.testing.assert_array_equal([low, high], [[0.0, np.nan], [0.0, np.nan]])
+
+
+def test_intervals_hold_the_mean_as_often_as_they_say():
+    normal = xr.DataArray(np.random.default_rng(0).normal(size=(4000, 4)), dims=("run", "scan"))
+    low, high = bounds(numbers.signed_mean_over_scans(normal, 0.8), "value")
     assert float(((low < 0) & (high > 0)).mean()) == pytest.approx(0.8, abs=0.02)
+    low, high = bounds(numbers.mean_over_scans(np.exp(0.3 * normal), 0.8), "value")
+    mean = np.exp(0.3**2 / 2)
+    assert float(((low < mean) & (high > mean)).mean()) == pytest.approx(0.8, abs=0.04)
+
+
+def test_a_value_of_zero_leaves_no_interval_on_logarithms():
+    values = xr.DataArray([[1.0, 0.0, 2.0], [1.0, np.nan, 2.0]], dims=("surface", "scan"))
+    computed = numbers.mean_over_scans(values, 0.95)
+    np.testing.assert_array_equal(computed.value, [1.0, 1.5])
+    assert computed.value_interval.isnull().all("bound").values.tolist() == [True, False]
+
+
+def test_least_of_two_numbers_and_of_their_ends():
+    computed = numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0, 2.0, 9.0))
+    assert (float(computed.value), *ends(computed)) == (3.0, 1.0, 8.0)
+    assert numbers.least(scalar(4.0, 1.0, 8.0), scalar(3.0)).value_interval.isnull().all()
 
 
 def test_a_variable_as_a_number():
@@ -45,8 +67,11 @@ def test_a_variable_as_a_number():
     force = numbers.variable_as_number(dataset, "force")
     means = contacts.mean(("sphere_scan", "contact")).values
     assert float(force.value) == pytest.approx(means.mean())
-    expected = stats.ttest_1samp(means, 0).confidence_interval(0.7)
-    np.testing.assert_allclose(force.value_interval, expected)
+    middle = np.log(means).mean()
+    expected = stats.ttest_1samp(np.log(means), 0).confidence_interval(0.7)
+    np.testing.assert_allclose(
+        force.value_interval, means.mean() * np.exp(np.array(expected) - middle)
+    )
     assert ends(numbers.variable_as_number(dataset, "work")) == [0.5, 2.0]
     without = numbers.variable_as_number(dataset, "rms_height")
     assert without.value.dims == ("scan",) and without.value_interval.isnull().all()

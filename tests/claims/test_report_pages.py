@@ -1,6 +1,7 @@
 """Pages of the report: nothing left out, nothing that a browser would read as markup."""
 
 import re
+from html import escape
 from html.parser import HTMLParser
 from importlib.metadata import version
 
@@ -13,6 +14,7 @@ from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
 from hardcontact.claims.report_pages import claims_page, pages, parameters_page, text_page
+from hardcontact.claims.verdicts import VERDICTS
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
@@ -59,9 +61,11 @@ def evaluated(**values):
             "high": [3.75, np.nan, np.nan],
             "unit": ["nm", "1", "1"],
             "rule": ["interval", "above", "below"],
-            "verdict": ["consistent", "not reproduced", "not testable on substitutes"],
+            "frequency": [0.87, np.nan, np.nan],
+            "verdict": ["undecided", "not reproduced", "not testable on substitutes"],
+            "follows_from": ["", "first", ""],
             "basis": ["substitute scans", "no scan", "substitute scans"],
-            "note": ["", np.nan, "Assumed."],
+            "note": ["", "", "Assumed."],
         }
     )
     for column, value in values.items():
@@ -69,27 +73,54 @@ def evaluated(**values):
     return table
 
 
+def rows_of_claims(page):
+    """The rows of the page that are claims: those after the counts of verdicts, without headers."""
+    rows = [row for row in Reader(page).rows if len(row) == 5]
+    return [row for row in rows if row[0].strip() != "statement"]
+
+
 def test_claims_show_every_statement_with_its_numbers_and_verdict():
     table = evaluated()
-    shown = Reader(claims_page(table, 0.95))
-    assert "3 statements" in shown.texts["h1"]
-    counted = "0 reproduced, 1 consistent, 1 not reproduced, 1 not testable on substitutes"
-    assert counted in shown.texts["p"] and "95 % interval" in shown.texts["p"]
-    header, *rows = (" ".join(row) for row in shown.rows)
-    assert "verdict" in header and len(rows) == len(table)
-    for row, claim in zip(rows, table.fillna({"note": ""}).itertuples(), strict=True):
-        assert_says(row, claim.section, claim.statement, claim.verdict, claim.basis, claim.note)
-    assert_says(rows[0], "3.25", "[2.75, 3.75]", "nm")
-    assert "nan" not in " ".join(rows).lower() and "[" not in rows[1]
+    rows = [" ".join(row) for row in rows_of_claims(claims_page(table, 0.95))]
+    for row, claim in zip(rows, table.itertuples(), strict=True):
+        assert_says(row, claim.id, claim.statement, claim.verdict, claim.basis, claim.note)
+    assert_says(rows[0], "3.25", "[2.75, 3.75]", "nm", "87 %")
+    assert_says(rows[1], "Follows from first.")
+    assert "nan" not in " ".join(rows).lower() and "[" not in rows[1] and "%" not in rows[1]
+
+
+def test_claims_begin_with_the_counts_of_independent_findings():
+    page = claims_page(evaluated(), 0.95)
+    shown = Reader(page)
+    assert_says(shown.texts["h1"], "2 findings", "3 statements")
+    assert "95 % interval" in shown.texts["p"]
+    counts = [row for row in shown.rows if len(row) == 4]
+    assert [cell.strip() for cell in counts[0][:3]] == [
+        "verdict", "independent findings", "all statements",
+    ]  # fmt: skip
+    numbers = {row[0].strip(): [int(cell) for cell in row[1:3]] for row in counts[1:]}
+    assert list(numbers) == list(VERDICTS) and all(row[3].strip() for row in counts)
+    assert numbers["undecided"] == [1, 1] and numbers["not reproduced"] == [0, 1]
+    assert page.index("independent findings") < page.index("The rms height")
+
+
+def test_claims_read_on_a_narrow_screen():
+    """Every cell says what it is, for a page too narrow for a header."""
+    page = claims_page(evaluated(), 0.95)
+    assert 'name="viewport"' in page and "@media (max-width" in page
+    assert page.count("<td") == page.count("data-label=")
+
+
+def test_claims_stand_section_by_section():
+    page = claims_page(evaluated(), 0.95)
+    assert re.findall("<h2>(.*?)</h2>", page) == ["Table 1", "Results"]
 
 
 @pytest.mark.parametrize("column", ["section", "statement", "unit", "basis", "note"])
 def test_claims_are_text_not_markup(column):
     page = claims_page(evaluated(**{column: HOSTILE}), 0.95)
-    shown = Reader(page)
-    assert "script" not in shown.tags
-    assert HOSTILE in " ".join(shown.rows[1])
-    assert len(shown.rows) == 4 and "<script" not in page
+    assert "script" not in Reader(page).tags and "<script" not in page
+    assert escape(HOSTILE) in page and len(rows_of_claims(page)) == 3
 
 
 @pytest.mark.parametrize(("confidence", "printed"), [(0.5, "50 %"), (0.683, "68.3 %")])
@@ -100,12 +131,12 @@ def test_claims_name_the_confidence_of_their_intervals(confidence, printed):
 
 def test_all_claims_of_the_paper_have_a_row():
     table = STATEMENTS.assign(
-        computed=1.0, low=np.nan, high=np.nan, unit="1", verdict="consistent", basis="no scan"
+        computed=1.0, low=np.nan, high=np.nan, frequency=0.5, verdict="consistent", basis="no scan"
     )
-    rows = [" ".join(row) for row in Reader(claims_page(table, 0.95)).rows[1:]]
+    page = claims_page(table, 0.95)
+    rows = [" ".join(row) for row in rows_of_claims(page)]
     assert len(rows) == len(STATEMENTS)
-    for row, statement in zip(rows, STATEMENTS.statement, strict=True):
-        assert statement in row
+    assert [text for text in STATEMENTS.statement if escape(text) not in page] == []
 
 
 CHAPTER = """# Where the study departs <from> the paper
@@ -145,7 +176,8 @@ def test_every_departure_of_the_study_has_its_place():
     page = text_page(text)
     shown = Reader(page)
     assert shown.texts["h1"] == "Where the study departs from the paper"
-    assert len(titles) >= 17 and shown.tags.count("li") == len(titles)
+    departures = re.sub("<ul>.*?</ul>", "", page, flags=re.DOTALL)
+    assert len(titles) >= 17 and departures.count("<li>") == len(titles)
     assert [title for title in titles if f"<strong>{title}</strong>" not in page] == []
     assert [link for link in shown.links if not link.startswith("https:")] == []
 

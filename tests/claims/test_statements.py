@@ -26,9 +26,53 @@ def test_rules_are_known_and_have_their_limits():
 
 def test_vocabulary():
     assert set(STATEMENTS["basis"]) <= {"published", "inferred", "assumed"}
-    assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan"}
+    assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction"}
+    assert set(STATEMENTS["replicated"]) == {"", "yes"}
     named = STATEMENTS["dataset"].str.split("+").explode()
     assert set(named) <= {*DATASETS, "paper"}
+
+
+def test_a_claim_follows_from_another_that_follows_from_none():
+    followed = STATEMENTS.set_index("id")["follows_from"]
+    named = followed[followed != ""]
+    assert (followed[named] == "").all() and (named.index != named).all()
+
+
+def test_sets_hold_what_replicated_claims_need():
+    replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+    named = set(replicated["dataset"].str.split("+").explode())
+    assert named == {"topography", "adhesion", "inference", "band", "paper"}
+    assert (replicated["needs"].isin(["", "construction"])).all()
+    assert not replicated["quantity"].str.startswith("all_").any()
+
+
+def test_claims_about_forces_say_at_which_range_they_stand():
+    of_pairs = STATEMENTS["quantity"].isin(
+        ["force_mean", "force_median", "lognormal_shape", "mean_over_median", "ratio_at_pair"]
+    )
+    fitted = STATEMENTS["id"].str.endswith("_at_fit")
+    pair = STATEMENTS["select"].str.extract(r"pair=(\w+)")[0]
+    assert (pair[of_pairs] == np.where(fitted, "fitted", "published")[of_pairs]).all()
+    assert pair[~of_pairs].isna().all()
+
+
+def test_edges_of_the_band_are_bounds():
+    edges = STATEMENTS[STATEMENTS["quantity"] == "band_edge"].set_index("id")
+    for side, rule, column in (("small", "above", "low"), ("large", "below", "high")):
+        rows = edges[edges.index.str.contains(f"_{side}_")]
+        assert len(rows) == 5 and set(rows["rule"]) == {rule}
+        assert (rows[f"published_{column}"] == rows["published"]).all()
+        restated = STATEMENTS.set_index("id").loc[f"no_effect_{side}"]
+        assert restated["follows_from"] == f"critical_wavelength_{side}_pooled"
+
+
+def test_rigid_and_plastic_contact_have_the_same_scale():
+    """What is too weak for the micronewtons does not reproduce them, and the other way round."""
+    rows = STATEMENTS.set_index("id")
+    plastic = rows.loc["plastic_reproduces_scale"]
+    least, _ = accepted_range(*plastic[["rule", "published_low", "published_high"]])
+    for name in ("rigid_too_weak", "short_range_too_weak"):
+        assert rows.loc[name, "published_high"] == pytest.approx(least)
 
 
 def test_every_claim_names_what_exists():

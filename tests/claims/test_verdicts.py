@@ -5,36 +5,58 @@ import pandas as pd
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.claims.verdicts import VERDICTS, read_verdicts, summary, verdict
+from hardcontact.claims.verdicts import VERDICTS, accepts, read_verdicts, summary, verdict
+
+NONE = (np.nan, np.nan)
+#: Interval, the number and its interval, verdict: limits 4 and 6, accepted 4 to 6.
+TWO_SIDED = [
+    (5.0, (4.5, 5.5), "reproduced"),
+    (5.0, (4.0, 6.0), "reproduced"),
+    (5.0, (5.0, 5.0), "reproduced"),
+    (5.0, NONE, "consistent"),
+    (5.0, (1.0, 9.0), "undecided"),
+    (5.0, (4.5, 6.1), "undecided"),
+    (7.0, (5.9, 8.0), "undecided"),
+    (7.0, (1.0, 8.0), "undecided"),
+    (7.0, (6.5, 8.0), "not reproduced"),
+    (3.0, (2.0, 3.5), "not reproduced"),
+    (7.0, (7.0, 7.0), "not reproduced"),
+    (7.0, NONE, "not reproduced"),
+    (np.nan, (4.5, 5.5), "not reproduced"),
+    (np.nan, NONE, "not reproduced"),
+]
 
 
-@pytest.mark.parametrize(
-    ("rule", "computed", "low", "high", "expected"),
-    [
-        ("interval", 5.0, 1.0, 9.0, "reproduced"),
-        ("interval", 7.0, 5.9, 8.0, "consistent"),
-        ("interval", 7.0, 6.5, 8.0, "not reproduced"),
-        ("interval", 3.0, 2.0, 3.5, "not reproduced"),
-        ("interval", 7.0, np.nan, np.nan, "not reproduced"),
-        ("factor 1.5", 8.9, 8.8, 9.2, "reproduced"),
-        ("factor 1.5", 2.7, 2.6, 2.8, "reproduced"),
-        ("factor 1.5", 9.5, 8.0, 11.0, "consistent"),
-        ("factor 1.5", 9.5, 9.1, 11.0, "not reproduced"),
-        ("below", 5.0, 4.5, 5.5, "reproduced"),
-        ("below", 5.0, 4.5, 6.5, "consistent"),
-        ("below", 6.5, 5.5, 7.0, "not reproduced"),
-        ("above", 5.0, 4.5, 6.5, "reproduced"),
-        ("above", 5.0, 3.5, 6.5, "consistent"),
-        ("above", 3.5, 3.0, 6.5, "not reproduced"),
-        ("order", 5.0, 4.5, 6.5, "reproduced"),
-        ("order", 5.0, 3.5, 6.5, "consistent"),
-        ("order", 4.0, 4.0, 4.0, "not reproduced"),
-        ("above", np.nan, np.nan, np.nan, "not reproduced"),
-        ("interval", np.nan, 1.0, 9.0, "not reproduced"),
-    ],
-)
-def test_verdict(rule, computed, low, high, expected):
-    assert verdict(rule, computed, low, high, 4.0, 6.0) == expected
+@pytest.mark.parametrize("rule", ["interval", "factor 1"])
+@pytest.mark.parametrize(("computed", "ends", "expected"), TWO_SIDED)
+def test_two_limits(rule, computed, ends, expected):
+    assert verdict(rule, computed, *ends, 4.0, 6.0) == expected
+
+
+@pytest.mark.parametrize(("computed", "ends", "expected"), TWO_SIDED)
+def test_one_limit_is_judged_as_two_of_which_one_is_far(computed, ends, expected):
+    below, above = (
+        verdict(rule, computed, *ends, *limits)
+        for rule, limits in (("below", (np.nan, 6.0)), ("above", (4.0, np.nan)))
+    )
+    assert below == verdict("interval", computed, *ends, -99.0, np.nextafter(6.0, 0))
+    assert above == verdict("interval", computed, *ends, np.nextafter(4.0, 9), 99.0)
+    assert verdict("order", computed, *ends, 4.0, np.nan) == above
+
+
+def test_a_limit_belongs_to_a_rule_of_two():
+    for rule, accepted in (("interval", True), ("below", False), ("above", False)):
+        assert accepts(rule, [5.0, np.nan], 5.0, 5.0).tolist() == [accepted, False]
+
+
+def test_a_factor_widens_both_limits():
+    assert accepts("factor 2", [1.9, 2.0, 12.0, 12.1], 4.0, 6.0).tolist() == [0, 1, 1, 0]
+
+
+def test_a_number_outside_its_interval_stretches_it():
+    assert verdict("interval", 5.0, 7.0, 8.0, 4.0, 6.0) == "undecided"
+    assert verdict("interval", 7.0, 4.5, 5.5, 4.0, 6.0) == "undecided"
+    assert verdict("interval", 9.0, 7.0, 8.0, 4.0, 6.0) == "not reproduced"
 
 
 @pytest.mark.parametrize("rule", ["close", "factor", "factor x", "interval 2", ""])
@@ -48,16 +70,26 @@ def test_rule_needs_its_limit():
         verdict("below", 1.0, 1.0, 1.0, 1.0, np.nan)
 
 
-def test_summary_lists_every_verdict():
-    evaluated = pd.DataFrame({"verdict": ["consistent", "reproduced", "consistent"]})
-    result = summary(evaluated)
-    assert list(result["verdict"]) == list(VERDICTS)
-    assert list(result["claims"]) == [1, 2, 0, 0]
+def test_summary_lists_every_verdict_and_counts_independent_findings():
+    evaluated = pd.DataFrame(
+        {
+            "verdict": [*["consistent", "reproduced"] * 2, "by construction"],
+            "follows_from": ["", "", "first", "first", ""],
+        }
+    )
+    result = summary(evaluated).set_index("verdict")
+    assert list(result.index) == list(VERDICTS)
+    assert result.loc["reproduced"].to_dict() == {"independent": 1, "claims": 2}
+    assert result.loc["consistent"].to_dict() == {"independent": 1, "claims": 2}
+    assert result.loc["by construction"].to_dict() == {"independent": 0, "claims": 1}
+    assert result.sum().to_dict() == {"independent": 2, "claims": 5}
 
 
 def test_a_table_that_is_cut_short_is_refused(tmp_path):
     path = tmp_path / "claims.csv"
-    path.write_text("id,verdict\nfirst,reproduced\n")
-    assert read_verdicts(path)["verdict"].tolist() == ["reproduced"]
-    path.write_text("id,verdict\nfirst,reprod")
+    path.write_text("id,verdict,follows_from,note\nfirst,reproduced,,\n")
+    read = read_verdicts(path)
+    assert read["verdict"].tolist() == ["reproduced"]
+    assert read[["follows_from", "note"]].values.tolist() == [["", ""]]
+    path.write_text("id,verdict,follows_from,note\nfirst,reprod")
     assert_says(refusal(read_verdicts, path), str(path), "whole table", "cut short")

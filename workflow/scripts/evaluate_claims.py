@@ -11,6 +11,7 @@ with job(snakemake) as this:
         {name: read(this.input[name]) for name in DATASETS},
         published.constants(this.input.published_constants),
         this.parameters["confidence"],
+        read(this.input.sets),
     )
     this.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
     this.record("claims")

@@ -5,7 +5,7 @@ Each function returns a number as `numbers.number` does; in brackets its dimensi
 
 import xarray as xr
 
-from hardcontact.claims.numbers import decades, variable_as_number
+from hardcontact.claims.numbers import decades, quotient, variable_as_number
 
 __all__ = ["classical_over_numerical", "effective_work_decades"]
 
@@ -18,6 +18,9 @@ def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
 def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
     """Return the least error of a classical model over that of the force sum.
 
-    The error of the force sum has no interval (metrics, model, against, contact_model).
+    Over metrics, model, against and contact_model.
     """
-    return variable_as_number(classical, "mean_relative_error") / inference["best_error"]
+    return quotient(
+        variable_as_number(classical, "mean_relative_error"),
+        variable_as_number(inference, "best_error"),
+    )

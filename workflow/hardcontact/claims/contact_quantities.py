@@ -12,6 +12,7 @@ from hardcontact.claims.numbers import (
     mean_over_contacts,
     mean_over_scans,
     number,
+    signed_mean_over_scans,
     variable_as_number,
 )
 
@@ -54,7 +55,7 @@ def contact_pixel_share(adhesion: xr.Dataset) -> xr.Dataset:
     force = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho").isel(rho=0)
     work, rho = adhesion.attrs["work_of_adhesion"], 1e-9 * force["rho"]
     share = work * NM2 * _contact_area(adhesion) / rho / force
-    return mean_over_scans(share.drop_vars("rho"), adhesion.attrs["confidence"]).clip(0)
+    return mean_over_scans(share.drop_vars("rho"), adhesion.attrs["confidence"])
 
 
 def _contact_area(adhesion: xr.Dataset) -> xr.DataArray:
@@ -70,7 +71,7 @@ def elastic_change(elastic: xr.Dataset) -> xr.Dataset:
     soft, rigid = (
         mean_over_contacts(elastic[f"{model}_pull_off_force"]) for model in ("elastic", "rigid")
     )
-    return absolute_value(mean_over_scans(soft / rigid - 1, elastic.attrs["confidence"]))
+    return absolute_value(signed_mean_over_scans(soft / rigid - 1, elastic.attrs["confidence"]))
 
 
 def peak_over_hardness(elastic: xr.Dataset) -> xr.Dataset:

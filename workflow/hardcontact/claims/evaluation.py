@@ -4,36 +4,33 @@ A claim names a number by dataset, quantity and selection, and a rule that turns
 interval and the published limits into a verdict.
 """
 
-from collections.abc import Iterable, Mapping
-from itertools import chain, pairwise
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.claims.numbers import quotient
 from hardcontact.claims.quantities import estimate
-from hardcontact.claims.verdicts import ONE_SIDED, UNTESTABLE, verdict
-from hardcontact.statistics import bounds
+from hardcontact.claims.selection import Selection, selected_number, selection
+from hardcontact.claims.testability import NO_SCAN, basis, fixed_verdict, surfaces_of
+from hardcontact.claims.verdicts import accepts, verdict
+from hardcontact.statistics import bounds, percentile_interval
 
-__all__ = ["COLUMNS", "DATASETS", "evaluate", "read_statements"]
+__all__ = ["COLUMNS", "DATASETS", "evaluate", "read_statements", "values"]
 
 #: Datasets of a study that claims are about. A claim may also name `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "band", "inference", "elastic", "indent", "asperities",
     "classical",
 )  # fmt: skip
-NO_SCAN = "no scan"
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
-    "verdict", "basis", "note",
+    "frequency", "verdict", "follows_from", "basis", "note",
 )  # fmt: skip
 NUMBERS = ("published", "published_low", "published_high")
-
-#: Labels by dimension; `a > b` makes two groups.
-Selection = Mapping[str, list[list[Any]]]
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
@@ -53,11 +50,43 @@ def read_statements(path: str | Path) -> pd.DataFrame:
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBERS})
 
 
+def values(
+    statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
+) -> pd.Series:
+    """Compute the number of every claim, without its interval.
+
+    Parameters
+    ----------
+    statements : pandas.DataFrame
+        As from `read_statements`.
+    datasets : mapping of str to xarray.Dataset
+        Those that the claims name, each as in the final netCDF files.
+    constants : pandas.DataFrame
+        As from `published.constants`: the dataset `paper` of the claims.
+
+    Returns
+    -------
+    pandas.Series
+        float by `id`; NaN where no number exists or the datasets lack a label.
+
+    Raises
+    ------
+    ValueError
+        With the name of the claim and what is missing.
+    """
+    found = {
+        claim.id: np.nan if computed is None else float(computed.number["value"])
+        for claim, computed in _all_computed(statements, datasets, constants, np.nan)
+    }
+    return pd.Series(found, dtype=float).rename_axis("id")
+
+
 def evaluate(
     statements: pd.DataFrame,
     datasets: Mapping[str, xr.Dataset],
     constants: pd.DataFrame,
     confidence: float,
+    sets: xr.Dataset,
 ) -> pd.DataFrame:
     """Compare every claim with the computed number.
 
@@ -72,7 +101,10 @@ def evaluate(
     constants : pandas.DataFrame
         As from `published.constants`: the dataset `paper` of the claims.
     confidence : float
-        Of the intervals over scans that are computed here.
+        Of the intervals.
+    sets : xarray.Dataset
+        As in sets.nc: `value` (set, claim), the numbers of many equally good sets of scans. Those
+        of a replicated claim give its interval, if they vary, and its frequency.
 
     Returns
     -------
@@ -84,13 +116,51 @@ def evaluate(
     ValueError
         With the name of the claim and what is missing.
     """
+    rows = []
+    for claim, computed in _all_computed(statements, datasets, constants, confidence):
+        if computed is not None:
+            with _named(claim):
+                rows.append(_row(claim, computed, datasets["topography"], sets, confidence))
+    return pd.DataFrame(rows, columns=list(COLUMNS))
+
+
+# --- the numbers of claims --------------------------------------------------------------------
+
+
+class _Computed(NamedTuple):
+    """The number of a claim, the datasets it is computed from, and what is selected of them."""
+
+    number: xr.Dataset
+    parts: dict[str, xr.Dataset]
+    chosen: Selection
+
+
+def _all_computed(
+    statements: pd.DataFrame,
+    datasets: Mapping[str, xr.Dataset],
+    constants: pd.DataFrame,
+    confidence: float,
+) -> Iterator[tuple[Any, _Computed | None]]:
+    """Yield each claim and what is computed for it, None where the datasets lack a label."""
     complete = {
         name: _with_surface(data).assign_attrs(confidence=confidence)
         for name, data in datasets.items()
     }
     complete["paper"] = xr.Dataset(constants["value"].to_dict())
-    rows = [_evaluate_claim(claim, complete) for claim in statements.itertuples(index=False)]
-    return pd.DataFrame([row for row in rows if row is not None], columns=list(COLUMNS))
+    estimates: dict[tuple[str, str], xr.Dataset] = {}
+    claims: Iterable[Any] = statements.itertuples(index=False)
+    for claim in claims:
+        with _named(claim):
+            parts = {name: _dataset(complete, name) for name in claim.dataset.split("+")}
+            key = claim.dataset, claim.quantity
+            if key not in estimates:
+                estimates[key] = estimate(claim.quantity, *parts.values())
+            chosen = selection(estimates[key], claim.select)
+            computed = None
+            if chosen is not None:
+                number = selected_number(estimates[key], chosen, claim.rule)
+                computed = _Computed(number, parts, chosen)
+        yield claim, computed
 
 
 def _with_surface(data: xr.Dataset) -> xr.Dataset:
@@ -100,138 +170,75 @@ def _with_surface(data: xr.Dataset) -> xr.Dataset:
     return data.expand_dims(surface=[data.attrs["surface"]])
 
 
-def _evaluate_claim(claim: Any, datasets: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
-    """Return one row of the result, or None if the study lacks what the claim is about."""
-    try:
-        parts = {name: _dataset(datasets, name) for name in claim.dataset.split("+")}
-        topography = _dataset(datasets, "topography")
-        estimated = estimate(claim.quantity, *parts.values())
-        selection = _selection(estimated, _parse_selection(claim.select))
-        if selection is None:
-            return None
-        number = _worst(_pick(estimated, selection), claim.rule)
-        computed, low, high = (float(end) for end in (number["value"], *bounds(number, "value")))
-        limits = claim.published_low, claim.published_high
-        judged = verdict(claim.rule, computed, low, high, *limits)
-        scans = claim.needs != NO_SCAN
-        substitutes = _substitutes(parts, selection, topography) if scans else []
-        reason = _untestable(claim, substitutes, topography)
-    except (KeyError, ValueError) as error:
-        raise ValueError(f"claim {claim.id}: {_reason(error)}") from error
-    no_value = "No value exists." if np.isnan(computed) else ""
-    row = claim._asdict() | {
-        "computed": computed,
-        "low": low,
-        "high": high,
-        "verdict": UNTESTABLE if reason else judged,
-        "basis": ("substitute scans" if substitutes else "measured") if scans else NO_SCAN,
-        "note": " ".join(filter(None, (claim.note, reason, no_value))),
-    }
-    return {name: row[name] for name in COLUMNS}
-
-
-def _reason(error: Exception) -> str:
-    """Return the first sentence of an error; that of a missing attribute is its name alone."""
-    message = str(error.args[0]).partition(". ")[0].splitlines()[0]
-    return message if " " in message else f"expected {message}, found none"
-
-
 def _dataset(datasets: Mapping[str, xr.Dataset], name: str) -> xr.Dataset:
     if name not in datasets:
         raise KeyError(f"no dataset named {name!r}")
     return datasets[name]
 
 
-# --- what a claim is about --------------------------------------------------------------------
+@contextmanager
+def _named(claim: Any) -> Iterator[None]:
+    """Put the name of the claim before the first sentence of an error.
 
-
-def _parse_selection(select: str) -> dict[str, list[list[str]]]:
-    """Return labels by dimension: `a=x;b=y,z>w` is {a: [[x]], b: [[y, z], [w]]}."""
-    pairs = (item.split("=", 1) for item in select.split(";") if item)
-    return {dim: [group.split(",") for group in labels.split(">")] for dim, labels in pairs}
-
-
-def _selection(number: xr.Dataset, selection: Selection) -> Selection | None:
-    """Return the selection with labels as the number has them, or None where it lacks one.
-
-    Raises KeyError for a dimension that does not exist.
+    The message of a missing attribute is its name alone.
     """
-    labels = {
-        dim: [[_label(number[dim].values, label) for label in group] for group in groups]
-        for dim, groups in selection.items()
+    try:
+        yield
+    except (KeyError, ValueError) as error:
+        message = str(error.args[0]).partition(". ")[0].splitlines()[0]
+        reason = message if " " in message else f"expected {message}, found none"
+        raise ValueError(f"claim {claim.id}: {reason}") from error
+
+
+# --- the row of one claim ---------------------------------------------------------------------
+
+
+def _row(
+    claim: Any, computed: _Computed, topography: xr.Dataset, sets: xr.Dataset, confidence: float
+) -> dict[str, Any]:
+    """Return one row of the result, its values by `COLUMNS`."""
+    surfaces = surfaces_of(claim, computed.parts, computed.chosen, topography)
+    value, limits = float(computed.number["value"]), (claim.published_low, claim.published_high)
+    replicas = _replicas(claim, sets)
+    low, high = _interval(claim, computed.number, replicas, confidence)
+    fixed, reason = fixed_verdict(claim, surfaces, topography)
+    no_value = "No value exists." if np.isnan(value) else ""
+    row = claim._asdict() | {
+        "computed": value,
+        "low": low,
+        "high": high,
+        "frequency": accepts(claim.rule, replicas, *limits).mean() if len(replicas) else np.nan,
+        "verdict": fixed or verdict(claim.rule, value, low, high, *limits),
+        "basis": basis(surfaces, topography),
+        "note": " ".join(filter(None, (claim.note, reason, no_value))),
     }
-    missing = any(None in group for groups in labels.values() for group in groups)
-    return None if missing else labels
+    return {name: row[name] for name in COLUMNS}
 
 
-def _label(coordinate: np.ndarray, label: str) -> Any:
-    """Return the value of a coordinate that a label means, or None."""
-    if np.issubdtype(coordinate.dtype, np.number):
-        same = np.isclose(coordinate, float(label), rtol=1e-6, atol=0)
-    else:
-        same = coordinate == label
-    return coordinate[same][0] if same.any() else None
+def _replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
+    """Return the numbers of all sets, none if the claim is not replicated."""
+    if claim.replicated != "yes":
+        return np.empty(0)
+    if claim.id not in sets["claim"]:
+        raise KeyError("expected its numbers in sets.nc, found none")
+    replicas: np.ndarray = sets["value"].sel(claim=claim.id).values
+    return replicas
 
 
-def _pick(number: xr.Dataset, selection: Selection) -> xr.Dataset:
-    """Apply the selection; of an order of groups, `a > b > c`, return the least ratio of two."""
-    for dim, groups in selection.items():
-        members = [number.sel({dim: group}) for group in groups]
-        number = _least_ratio(members, dim) if len(members) > 1 else members[0]
-    return number
+def _interval(
+    claim: Any, number: xr.Dataset, replicas: np.ndarray, confidence: float
+) -> tuple[float, float]:
+    """Return the ends of the interval of a number, NaN where none can be given.
 
-
-def _least_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
-    """Return the least ratio of a number of a group to one of the next; all are positive."""
-    ratios = [
-        quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
-        for upper, lower in pairwise(groups)
-    ]
-    return xr.concat(ratios, dim="pair").min("pair", skipna=False)
-
-
-def _worst(number: xr.Dataset, rule: str) -> xr.Dataset:
-    """Reduce the dimensions that the selection leaves to the worst value under the rule."""
-    open_dimensions = number["value"].dims
-    if number["value"].size == 1:
-        return number.squeeze(open_dimensions, drop=True)
-    if rule == "below":
-        return number.max(open_dimensions)
-    if rule in ONE_SIDED:
-        return number.min(open_dimensions)
-    raise ValueError(
-        f"rule {rule!r} needs one number, open: {', '.join(map(str, open_dimensions))}"
-    )
-
-
-# --- what substitute scans cannot test --------------------------------------------------------
-
-
-def _substitutes(
-    parts: Mapping[str, xr.Dataset], selection: Selection, topography: xr.Dataset
-) -> list[str]:
-    """Return the substitute surfaces that the claim depends on.
-
-    These are the surfaces it selects, or all of its first dataset when it selects none. A claim
-    about more than topography depends on the sphere as well.
+    It is the spread of the sets where they vary; none if fewer of them than the confidence have a
+    number. Otherwise it is the number's own; of zero width if no scan enters it.
     """
-    known = set(topography["surface"].values)
-    selected = [label for groups in selection.values() for label in chain.from_iterable(groups)]
-    surfaces = [label for label in selected if label in known]
-    if not surfaces:
-        surfaces = list(next(iter(parts.values()))["surface"].values)
-    if set(parts) != {"topography"}:
-        surfaces.append(topography.attrs["sphere_surface"])
-    basis = topography["basis"].sel(surface=surfaces)
-    return [str(surface) for surface in basis["surface"].values[basis.values == "substitute"]]
-
-
-def _untestable(claim: Any, substitutes: list[str], topography: xr.Dataset) -> str:
-    """Return why substitute scans cannot test the claim; empty when they can."""
-    if claim.needs == "measured" and substitutes:
-        return "The substitute scans assume this."
-    for surface in substitutes:
-        calibrated = str(topography["calibrated_to_table1"].sel(surface=surface).item())
-        if claim.quantity in [name.strip() for name in calibrated.split(",")]:
-            return "The substitute scans are calibrated to this."
-    return ""
+    known = replicas[np.isfinite(replicas)]
+    if len(known) and np.ptp(known) > 0:
+        enough = len(known) >= confidence * len(replicas)
+        low, high = percentile_interval(known, confidence) if enough else (np.nan, np.nan)
+    else:
+        low, high = (float(end) for end in bounds(number, "value"))
+    if claim.needs == NO_SCAN and np.isnan(low):
+        return float(number["value"]), float(number["value"])
+    return float(low), float(high)

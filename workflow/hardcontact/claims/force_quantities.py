@@ -15,6 +15,7 @@ from hardcontact.claims.numbers import (
     mean_over_scans,
     number,
     quotient,
+    signed_mean_over_scans,
     variable_as_number,
 )
 
@@ -33,7 +34,7 @@ __all__ = [
 
 
 def mean_over_median(inference: xr.Dataset) -> xr.Dataset:
-    """Return mean over median of the fitted pull-off forces (contact_model, surface)."""
+    """Return mean over median of the pull-off forces (contact_model, pair, surface)."""
     return quotient(
         variable_as_number(inference, "force_mean"), variable_as_number(inference, "force_median")
     )
@@ -46,7 +47,7 @@ def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
     """Return plastic over rigid mean force at the reference range, scan by scan (surface)."""
     mean = mean_over_contacts(_at_reference(adhesion["pull_off_force"], adhesion))
     plastic, rigid = (mean.sel(contact_model=model, drop=True) for model in ("plastic", "rigid"))
-    return mean_over_scans(plastic / rigid, adhesion.attrs["confidence"]).clip(0)
+    return mean_over_scans(plastic / rigid, adhesion.attrs["confidence"])
 
 
 def force_slope(adhesion: xr.Dataset) -> xr.Dataset:
@@ -59,7 +60,7 @@ def force_slope(adhesion: xr.Dataset) -> xr.Dataset:
     slope = logarithm.differentiate("rho")
     reference = np.log(adhesion.attrs["reference_rho"])
     at_reference = slope.sel(rho=reference, method="nearest", drop=True)
-    return mean_over_scans(at_reference, adhesion.attrs["confidence"])
+    return signed_mean_over_scans(at_reference, adhesion.attrs["confidence"])
 
 
 def area_slope(adhesion: xr.Dataset) -> xr.Dataset:

@@ -6,15 +6,22 @@ A number is a dataset of `value` and `value_interval`, which is NaN where no int
 import numpy as np
 import xarray as xr
 
-from hardcontact.statistics import bounds, interval_between, student_interval
+from hardcontact.statistics import (
+    bounds,
+    interval_between,
+    student_interval,
+    student_log_interval,
+)
 
 __all__ = [
     "absolute_value",
     "decades",
+    "least",
     "mean_over_contacts",
     "mean_over_scans",
     "number",
     "quotient",
+    "signed_mean_over_scans",
     "variable_as_number",
 ]
 
@@ -66,9 +73,21 @@ def mean_over_contacts(values: xr.DataArray) -> xr.DataArray:
 
 
 def mean_over_scans(values: xr.DataArray, confidence: float, dim: str = "scan") -> xr.Dataset:
-    """Return the mean over scans, or along another dimension, with `student_interval`."""
-    interval = student_interval(values, confidence, dim)
-    return xr.Dataset({"value": values.mean(dim), "value_interval": interval})
+    """Return the mean over scans, or along another dimension, with `student_log_interval`.
+
+    Without an interval where some of the values are not positive; of zero width where all are zero.
+    """
+    positive = ((values > 0) | values.isnull()).all(dim)
+    interval = student_log_interval(values.where(positive), confidence, dim)
+    mean, count = values.mean(dim), values.count(dim)
+    zeros = ((values == 0).sum(dim) == count) & (count > 1)
+    return xr.Dataset({"value": mean, "value_interval": interval.where(~zeros, mean)})
+
+
+def signed_mean_over_scans(values: xr.DataArray, confidence: float) -> xr.Dataset:
+    """Return the mean over scans of values of either sign, with `student_interval`."""
+    interval = student_interval(values, confidence, "scan")
+    return xr.Dataset({"value": values.mean("scan"), "value_interval": interval})
 
 
 def quotient(upper: xr.Dataset, lower: xr.Dataset) -> xr.Dataset:
@@ -91,6 +110,11 @@ def absolute_value(signed: xr.Dataset) -> xr.Dataset:
     """Return the absolute value of a number; an interval that spans zero becomes one from zero."""
     low, high = bounds(signed, "value")
     return number(abs(signed["value"]), low.clip(-high).clip(0), high.clip(-low))
+
+
+def least(first: xr.Dataset, second: xr.Dataset) -> xr.Dataset:
+    """Return the smaller of two numbers of the same dimensions, and of their intervals' ends."""
+    return xr.concat([first, second], dim="of_two").min("of_two", skipna=False)
 
 
 def decades(numbers: xr.Dataset, dim: str) -> xr.Dataset:

@@ -23,8 +23,26 @@ td.number { white-space: nowrap }
 small { display: block; color: #666 }
 pre { background: #f5f5f5; padding: 1em; overflow-x: auto }
 .reproduced { background: #d9efd9 } .consistent { background: #eef5d6 }
-.not-reproduced { background: #f7dcd5 } .not-testable-on-substitutes { background: #eee }
+.undecided { background: #fbf0cc } .not-reproduced { background: #f7dcd5 }
+.by-construction, .not-testable-on-substitutes { background: #eee }
+@media (max-width: 50em) {
+  th { display: none }
+  td { display: block; padding: 0.1em 0.6em }
+  td.number { white-space: normal }
+  td:not(:first-child):not(:empty)::before { content: attr(data-label) ": "; color: #666 }
+  tr { display: block; padding: 0.5em 0 }
+}
 """
+
+#: What each verdict means, in the order of `VERDICTS`.
+MEANINGS = (
+    "the whole interval agrees with the statement",
+    "the number agrees, but no interval can be given",
+    "the interval holds numbers that agree and numbers that do not",
+    "no number of the interval agrees, or there is none",
+    "an identity, or a number that the substitute scans are made to meet",
+    "the substitute scans assume it",
+)
 
 
 def pages(
@@ -59,7 +77,7 @@ def pages(
 
 
 def claims_page(claims: pd.DataFrame, confidence: float) -> str:
-    """Write the page of the evaluated claims, section by section as in the paper.
+    """Write the page of the evaluated claims: counts of verdicts, then section by section.
 
     Parameters
     ----------
@@ -73,13 +91,27 @@ def claims_page(claims: pd.DataFrame, confidence: float) -> str:
     str
         HTML.
     """
-    counts = ", ".join(f"{row.claims} {row.verdict}" for row in summary(claims).itertuples())
-    rows = (_claim(row) for row in claims.fillna({"note": ""}).itertuples())
-    header = ("section", "statement", "paper", "computed", "verdict")
+    counts = summary(claims)
+    independent = counts["independent"].sum()
+    verdicts = [
+        [(verdict, _kind(verdict)), (str(alone), ""), (str(rows), ""), (meaning, "")]
+        for (verdict, alone, rows), meaning in zip(
+            counts.itertuples(index=False), MEANINGS, strict=True
+        )
+    ]
+    header = ("statement", "paper", "computed", "holds in", "verdict")
+    sections = (
+        f"<h2>{escape(str(name))}</h2>\n" + _table(header, map(_claim, rows.itertuples()))
+        for name, rows in claims.groupby("section", sort=False)
+    )
     return _page(
-        f"Verdicts on {len(claims)} statements of the paper",
-        f"<p>{escape(counts)}. Square brackets: {100 * confidence:g} % interval.</p>\n"
-        + _table(header, rows),
+        f"Verdicts on {independent} findings in {len(claims)} statements of the paper",
+        f"<p>Of {len(claims)} statements {independent} are independent findings; the others restate"
+        " one of them, follow from it or hold by construction, and say so. Square brackets: "
+        f"{100 * confidence:g} % interval. <em>Holds in</em>: the share of many equally good sets "
+        "of scans in which the statement holds.</p>\n"
+        + _table(("verdict", "independent findings", "all statements", "meaning"), verdicts)
+        + "\n".join(sections),
     )
 
 
@@ -136,9 +168,10 @@ def parameters_page(configuration: Mapping[str, Any], versions: Mapping[str, str
 
 def _page(title: str, body: str) -> str:
     return (
-        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{escape(title)}'
-        f"</title><style>{STYLE}</style></head>\n<body><h1>{escape(title)}</h1>\n{body}\n"
-        "</body></html>\n"
+        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
+        '<meta name="viewport" content="width=device-width, initial-scale=1">'
+        f"<title>{escape(title)}</title><style>{STYLE}</style></head>\n"
+        f"<body><h1>{escape(title)}</h1>\n{body}\n</body></html>\n"
     )
 
 
@@ -146,7 +179,12 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[tuple[str, str]]]) -> 
     """Return a table of cells that are escaped already, each with its class."""
     head = "".join(f"<th>{escape(cell)}</th>" for cell in header)
     lines = (
-        "<tr>" + "".join(f'<td class="{kind}">{cell}</td>' for cell, kind in row) + "</tr>"
+        "<tr>"
+        + "".join(
+            f'<td class="{kind}" data-label="{escape(label)}">{cell}</td>'
+            for label, (cell, kind) in zip(header, row, strict=True)
+        )
+        + "</tr>"
         for row in rows
     )
     return f"<table><tr>{head}</tr>\n" + "\n".join(lines) + "</table>"
@@ -154,13 +192,19 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[tuple[str, str]]]) -> 
 
 def _claim(row: Any) -> list[tuple[str, str]]:
     """Return the cells of one claim, each with its class."""
+    source = f"Follows from {row.follows_from}." if row.follows_from else ""
     return [
-        (escape(row.section), ""),
-        (escape(row.statement) + _small(row.note), ""),
+        (escape(row.statement) + _small(row.id) + _small(source) + _small(row.note), ""),
         (_number(row.published), "number"),
         (_computed(row), "number"),
-        (escape(row.verdict) + _small(row.basis), row.verdict.replace(" ", "-")),
+        ("" if np.isnan(row.frequency) else f"{100 * row.frequency:.0f} %", "number"),
+        (escape(row.verdict) + _small(row.basis), _kind(row.verdict)),
     ]
+
+
+def _kind(verdict: str) -> str:
+    """Return the class of a verdict."""
+    return verdict.replace(" ", "-")
 
 
 def _small(text: str) -> str:

@@ -7,29 +7,47 @@ dimensions. `paper` holds the numbers of resources/paper/parameters.csv under th
 import numpy as np
 import xarray as xr
 
-from hardcontact.claims.inference_quantities import interaction_radius
 from hardcontact.claims.numbers import (
-    absolute_value,
     mean_over_contacts,
     mean_over_scans,
-    quotient,
+    number,
     variable_as_number,
 )
+from hardcontact.statistics import bounds
 
 __all__ = [
+    "band_edge",
     "change_inside_band",
     "change_outside_band",
     "critical_over_interaction_radius",
     "flat_limit_fraction",
     "small_scale_change",
     "smoothest_ratio",
-    "stylus_ratio",
+    "stylus_change",
 ]
 
 
-def critical_over_interaction_radius(band: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
-    """Return the critical wavelength over the interaction radius (side, group, contact_model)."""
-    return quotient(variable_as_number(band, "critical_wavelength"), interaction_radius(inference))
+def band_edge(band: xr.Dataset) -> xr.Dataset:
+    """Return where the force leaves its tolerance, or a bound on where it does (side, group).
+
+    A curve that never leaves counts as the last cutoff of its side.
+    """
+    known = band["cutoff_wavelength"].where(band["scale_change"].notnull())
+    last = known.max("cutoff_wavelength").where(
+        band["side"] == "small", known.min("cutoff_wavelength")
+    )
+    low, high = bounds(band, "critical_wavelength")
+    return number(band["critical_wavelength"].fillna(last), low, high)
+
+
+def critical_over_interaction_radius(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the critical wavelength over sqrt(D rho) at the published range (side, group).
+
+    D is the diameter of the study's sphere.
+    """
+    radius = (2 * band.attrs["sphere_radius"] * paper["range_of_adhesion"]) ** 0.5
+    ratio: xr.Dataset = variable_as_number(band, "critical_wavelength") / radius
+    return ratio
 
 
 def change_outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
@@ -59,24 +77,26 @@ def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
 
 def _largest_change(band: xr.Dataset, counted: xr.DataArray) -> xr.Dataset:
     """Return the largest change of the force by the cutoffs that count (side, group)."""
-    excess = (variable_as_number(band, "scale_ratio") - 1).where(counted)
-    return absolute_value(excess).max("cutoff_wavelength")
+    return variable_as_number(band, "scale_change").where(counted).max("cutoff_wavelength")
 
 
 def smoothest_ratio(band: xr.Dataset) -> xr.Dataset:
-    """Return the force over the unfiltered one at the largest short-wavelength cutoff (group)."""
-    return _small_ratio(band).isel(cutoff_wavelength=-1, drop=True)
+    """Return the force over the unfiltered one at the largest short cutoff (surface)."""
+    return _of_small_side(band, "scale_ratio").isel(cutoff_wavelength=-1, drop=True)
 
 
-def stylus_ratio(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
-    """Return the force over the unfiltered one at the cutoff nearest a stylus's radius (group)."""
+def stylus_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the change of the force at the short cutoff nearest a stylus's radius (group)."""
     radius = paper["stylus_radius"].item()
-    return _small_ratio(band).sel(cutoff_wavelength=radius, method="nearest", drop=True)
+    change = _of_small_side(band, "scale_change")
+    return change.sel(cutoff_wavelength=radius, method="nearest", drop=True)
 
 
-def _small_ratio(band: xr.Dataset) -> xr.Dataset:
-    ratio = variable_as_number(band, "scale_ratio").sel(side="small", drop=True)
-    return ratio.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
+def _of_small_side(band: xr.Dataset, name: str) -> xr.Dataset:
+    """Return a variable of the small side at the cutoffs it has, in ascending order."""
+    values = variable_as_number(band, name).sel(side="small", drop=True)
+    cutoffs = values["value"].dropna("cutoff_wavelength", how="all")["cutoff_wavelength"]
+    return values.sel(cutoff_wavelength=np.sort(cutoffs))
 
 
 def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
@@ -85,4 +105,4 @@ def flat_limit_fraction(scales: xr.Dataset) -> xr.Dataset:
     force = force.sortby("cutoff_wavelength").dropna("cutoff_wavelength", how="all")
     radius = 1e-9 * scales.attrs["sphere_radius"]  # m; the forces are those at W = 1 J/m2
     fraction = force.isel(cutoff_wavelength=-1, drop=True) / (2 * np.pi * radius)
-    return mean_over_scans(fraction, scales.attrs["confidence"], "realization").clip(0)
+    return mean_over_scans(fraction, scales.attrs["confidence"], "realization")

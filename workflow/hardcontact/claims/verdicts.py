@@ -4,21 +4,27 @@ from pathlib import Path
 
 import numpy as np
 import pandas as pd
+from numpy.typing import ArrayLike
 
 __all__ = [
+    "BY_CONSTRUCTION",
     "ONE_SIDED",
     "UNTESTABLE",
     "VERDICTS",
     "accepted_range",
+    "accepts",
     "read_verdicts",
     "summary",
     "verdict",
 ]
 
+BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable on substitutes"
-VERDICTS = ("reproduced", "consistent", "not reproduced", UNTESTABLE)
+VERDICTS = (
+    "reproduced", "consistent", "undecided", "not reproduced", BY_CONSTRUCTION, UNTESTABLE,
+)  # fmt: skip
 
-#: Rules of a single limit.
+#: Rules of a single limit. The limit itself is rejected, that of the other rules accepted.
 ONE_SIDED = ("below", "above", "order")
 
 
@@ -58,6 +64,37 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> tu
     return limits
 
 
+def accepts(
+    rule: str, values: ArrayLike, published_low: float, published_high: float
+) -> np.ndarray:
+    """Return which numbers agree with the paper.
+
+    Parameters
+    ----------
+    rule : str
+        As in `accepted_range`.
+    values : array_like (...)
+        In the unit of the limits; NaN, no number, does not agree.
+    published_low, published_high : float
+        As in `accepted_range`.
+
+    Returns
+    -------
+    ndarray of bool (...)
+        Whether each is in the accepted range.
+
+    Raises
+    ------
+    ValueError
+        As `accepted_range`.
+    """
+    lower, upper = accepted_range(rule, published_low, published_high)
+    given = np.asarray(values)
+    if rule in ONE_SIDED:
+        return (lower < given) & (given < upper)
+    return (lower <= given) & (given <= upper)
+
+
 def verdict(
     rule: str,
     computed: float,
@@ -66,12 +103,12 @@ def verdict(
     published_low: float,
     published_high: float,
 ) -> str:
-    """Judge one number and its interval.
+    """Judge one number and its interval, by the same logic whatever the rule.
 
-    Rules with two limits (`interval`, `factor`): reproduced when the number lies between them,
-    consistent when only its interval overlaps theirs. Rules with one (`below`, `above`, `order`):
-    reproduced when the whole interval is on the right side, consistent when only the number is.
-    A number that is NaN is not reproduced.
+    The interval is stretched to hold the number itself. Reproduced: all of it is accepted.
+    Undecided: it holds accepted and rejected numbers. Not reproduced: all of it is rejected, or
+    there is no number. A number without an interval is consistent if it is accepted, else not
+    reproduced.
 
     Parameters
     ----------
@@ -79,7 +116,7 @@ def verdict(
         As in `accepted_range`.
     computed, low, high : float
         The number and the ends of its interval, in the unit of the limits; NaN ends mean no
-        interval.
+        interval, equal ends one that is known to be of zero width.
     published_low, published_high : float
         As in `accepted_range`.
 
@@ -93,18 +130,20 @@ def verdict(
     ValueError
         As `accepted_range`.
     """
-    lower, upper = accepted_range(rule, published_low, published_high)
+    limits = published_low, published_high
     if np.isnan(computed):
         return "not reproduced"
-    low = computed if np.isnan(low) else low
-    high = computed if np.isnan(high) else high
+    if np.isnan(low) or np.isnan(high):
+        return "consistent" if accepts(rule, computed, *limits) else "not reproduced"
+    low, high = min(low, computed), max(high, computed)
+    if accepts(rule, [low, high], *limits).all():
+        return "reproduced"
+    lower, upper = accepted_range(rule, *limits)
     if rule in ONE_SIDED:
-        weakly = lower < computed < upper
-        strongly = weakly and lower < low and high < upper
+        overlaps = low < upper and lower < high
     else:
-        strongly = lower <= computed <= upper
-        weakly = strongly or (low <= upper and high >= lower)
-    return "reproduced" if strongly else "consistent" if weakly else "not reproduced"
+        overlaps = low <= upper and lower <= high
+    return "undecided" if overlaps else "not reproduced"
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:
@@ -129,21 +168,28 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
         raise ValueError(
             f"{path}: expected a whole table, found one that is cut short; delete it and run again"
         )
-    return pd.read_csv(path)
+    text = ["follows_from", "note"]
+    return pd.read_csv(path, dtype=dict.fromkeys(text, str)).fillna(dict.fromkeys(text, ""))
 
 
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
-    """Count the claims of each verdict.
+    """Count the claims of each verdict, and the independent findings among them.
 
     Parameters
     ----------
     evaluated : pandas.DataFrame
-        As from `evaluation.evaluate`.
+        As from `evaluation.evaluate`. A claim that follows from another one, or that holds by
+        construction, is no independent finding.
 
     Returns
     -------
     pandas.DataFrame
-        Columns `verdict` and `claims`; every verdict is listed.
+        Columns `verdict`, `independent` and `claims`; every verdict is listed.
     """
-    counts = evaluated["verdict"].value_counts().reindex(VERDICTS, fill_value=0)
-    return counts.rename_axis("verdict").rename("claims").reset_index()
+    verdicts = evaluated["verdict"]
+    independent = (evaluated["follows_from"] == "") & (verdicts != BY_CONSTRUCTION)
+    counts = {
+        name: counted.value_counts().reindex(VERDICTS, fill_value=0)
+        for name, counted in (("independent", verdicts[independent]), ("claims", verdicts))
+    }
+    return pd.DataFrame(counts).rename_axis("verdict").reset_index()

@@ -1,0 +1,107 @@
+"""What a claim selects of a quantity: the one number that is judged."""
+
+from collections.abc import Iterable, Mapping
+from itertools import chain, pairwise
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.claims.numbers import quotient
+from hardcontact.claims.verdicts import ONE_SIDED
+
+__all__ = ["Selection", "selected_labels", "selected_number", "selection"]
+
+#: Labels by dimension; `a > b` makes two groups.
+Selection = Mapping[str, list[list[Any]]]
+
+
+def selection(number: xr.Dataset, select: str) -> Selection | None:
+    """Return labels of a number by dimension.
+
+    Parameters
+    ----------
+    number : xarray.Dataset
+        As from `numbers.number`.
+    select : str
+        ``a=x;b=y,z>w`` is {a: [[x]], b: [[y, z], [w]]}.
+
+    Returns
+    -------
+    mapping of str to list of list, or None
+        The labels as the number has them; None where it lacks one.
+
+    Raises
+    ------
+    KeyError
+        For a dimension that does not exist.
+    """
+    pairs = (item.split("=", 1) for item in select.split(";") if item)
+    labels = {
+        dim: [[_label(number[dim].values, label) for label in group.split(",")] for group in groups]
+        for dim, groups in ((dim, named.split(">")) for dim, named in pairs)
+    }
+    missing = any(None in group for groups in labels.values() for group in groups)
+    return None if missing else labels
+
+
+def _label(coordinate: np.ndarray, label: str) -> Any:
+    """Return the value of a coordinate that a label means, or None."""
+    if np.issubdtype(coordinate.dtype, np.number):
+        same = np.isclose(coordinate, float(label), rtol=1e-6, atol=0)
+    else:
+        same = coordinate == label
+    return coordinate[same][0] if same.any() else None
+
+
+def selected_labels(chosen: Selection) -> list[Any]:
+    """Return the labels of all dimensions and groups."""
+    return [label for groups in chosen.values() for label in chain.from_iterable(groups)]
+
+
+def selected_number(number: xr.Dataset, chosen: Selection, rule: str) -> xr.Dataset:
+    """Return the one number that is judged, with its interval.
+
+    Parameters
+    ----------
+    number : xarray.Dataset
+        As from `numbers.number`.
+    chosen : Selection
+        As from `selection`. Of an order of groups, `a > b > c`, the number is the least ratio of a
+        member of one group to one of the next.
+    rule : str
+        As in `verdicts.accepted_range`: what the selection leaves open is reduced to the worst
+        value under the rule.
+
+    Returns
+    -------
+    xarray.Dataset
+        `value` and `value_interval` without other dimensions.
+
+    Raises
+    ------
+    ValueError
+        If the rule has two limits and the selection leaves more than one number.
+    """
+    for dim, groups in chosen.items():
+        members = [number.sel({dim: group}) for group in groups]
+        number = _least_ratio(members, dim) if len(members) > 1 else members[0]
+    open_dimensions = number["value"].dims
+    if number["value"].size == 1:
+        return number.squeeze(open_dimensions, drop=True)
+    if rule == "below":
+        return number.max(open_dimensions)
+    if rule in ONE_SIDED:
+        return number.min(open_dimensions)
+    raise ValueError(
+        f"rule {rule!r} needs one number, open: {', '.join(map(str, open_dimensions))}"
+    )
+
+
+def _least_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:
+    """Return the least ratio of a number of a group to one of the next; all are positive."""
+    ratios = [
+        quotient(upper.min(dim, skipna=False), lower.max(dim, skipna=False))
+        for upper, lower in pairwise(groups)
+    ]
+    return xr.concat(ratios, dim="pair_of_groups").min("pair_of_groups", skipna=False)
