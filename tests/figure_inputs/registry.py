@@ -6,7 +6,7 @@ from types import ModuleType
 import pandas as pd
 import xarray as xr
 
-from figure_inputs.adhesion import adhesion, band, inference, robustness, scales
+from figure_inputs.adhesion import adhesion, inference, robustness
 from figure_inputs.classical import classical
 from figure_inputs.contact import asperities, contact, elastic, indent
 from figure_inputs.published_tables import (
@@ -14,6 +14,8 @@ from figure_inputs.published_tables import (
     published_pull_off,
     published_table1,
 )
+from figure_inputs.scales import band, scales
+from figure_inputs.sets import sets
 from figure_inputs.surfaces import topography
 from hardcontact.figures.catalogue import FIGURES
 
@@ -27,6 +29,7 @@ INPUTS = {
         inference,
         band,
         scales,
+        sets,
         indent,
         elastic,
         asperities,

@@ -19,7 +19,7 @@ def _rough(rng: np.random.Generator, rms: float, pixels: int = 48) -> np.ndarray
 
 
 def topography() -> xr.Dataset:
-    """Return surfaces whose moments are 1.01 of the published ones, half of them calibrated."""
+    """Return surfaces whose moments are the published ones, those of scans by construction."""
     rng = generator()
     printed = {name: values for name, (values, _) in TABLE1.items()}
     rms = np.array([*printed["afm_rms_height"], 0.7])
@@ -40,8 +40,9 @@ def topography() -> xr.Dataset:
         "rms_laplacian": curvature * 2,
     }
     for name, values in means.items():
-        data[f"{name}_mean"] = "surface", values * 1.01
+        data[f"{name}_mean"] = "surface", values
         data[f"{name}_std"] = "surface", values * 0.1
+    data["rms_height_std"] = "surface", [*TABLE1["afm_rms_height"][1], 0.07]
     data["all_scales_rms_height"] = "surface", [*printed["all_rms_height"], np.nan]
     data["all_scales_rms_gradient"] = "surface", [*printed["all_rms_slope"], np.nan]
     data["all_scales_rms_half_laplacian"] = "surface", [*printed["all_rms_curvature"], np.nan]

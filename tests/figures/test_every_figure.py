@@ -94,7 +94,10 @@ def test_a_surface_has_the_same_colour_in_every_figure():
     expected = style.colours(SUBSTRATES)["ncd"]
     assert same_color(drawn("fig1").axes[2].spines["left"].get_edgecolor(), expected)
     assert same_color(drawn("fig3").axes[2].patches[0].get_facecolor()[:3], expected)
-    for name, panel in (("fig4", "pull-off force (µN)"), ("fig6", "pull-off force / unfiltered")):
+    for name, panel in (
+        ("fig4", "mean pull-off force (µN)"),
+        ("fig6", "pull-off force / unfiltered, at ρ = 5.6 nm"),
+    ):
         axes = next(axes for axes in drawn(name).axes if axes.get_ylabel() == panel)
         assert any(same_color(line.get_color(), expected) for line in axes.lines)
     header = {text.get_text(): text for text in drawn("table1").axes[0].texts}

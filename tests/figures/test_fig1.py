@@ -28,3 +28,9 @@ def test_padding_of_smaller_scans_is_not_drawn():
 def test_scale_bar_has_a_round_length(size, printed):
     figure = fig1.draw(topography().assign(scan_size=("surface", [size] * 5)))
     assert figure.axes[0].texts[0].get_text() == printed
+
+
+def test_titles_mark_what_holds_by_construction():
+    titles = [axes.get_title(loc="left") for axes in fig1.draw(topography()).axes[:6]]
+    assert titles[3].endswith("rms 107 nm (all: 107 ± 12†)")
+    assert "†" not in titles[4] + titles[5]

@@ -2,10 +2,10 @@
 
 import numpy as np
 import pytest
-from figure_inputs.adhesion import band
 from figure_inputs.building import RADIUS
 from figure_inputs.contact import asperities
 from figure_inputs.published_tables import published_constants
+from figure_inputs.scales import band
 from figure_rows import select
 
 from hardcontact.figures import fig_asperities

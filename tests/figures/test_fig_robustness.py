@@ -2,8 +2,9 @@
 
 import numpy as np
 import pytest
-from figure_inputs.adhesion import VARIANTS, WORK, band, inference, robustness
+from figure_inputs.adhesion import VARIANTS, WORK, inference, robustness
 from figure_inputs.published_tables import published_constants
+from figure_inputs.scales import band
 from figure_rows import select
 
 from hardcontact.figures import fig_robustness
@@ -20,7 +21,10 @@ def written(axes):
 def test_table_holds_variants_study_and_published():
     data = robustness()
     rows = fig_robustness.table(data, *others())
-    assert len(rows) == 4 * (len(VARIANTS) + 2)
+    known = len(VARIANTS) - 1  # the sphere of Fig. 6 affects neither range nor work
+    assert len(rows) == 4 * (len(VARIANTS) + 2) + 2 * known
+    assert len(select(rows, quantity="minimum_range")) == known
+    assert len(select(rows, quantity="minimum_work")) == known
     work = select(rows, quantity="work_of_adhesion")
     of_variant = data.sel(variant="preload-5uN")
     drawn = select(work, variant="preload-5uN")[["value", "low", "high"]].values[0]
@@ -40,6 +44,24 @@ def test_short_cutoffs_are_told_from_long_ones():
         assert select(of_side, label="the study itself")["value"].item() == study
         variants = of_side[of_side["variant"].notna()]["value"]
         assert list(variants) == list(data["critical_wavelength"].sel(side=side).values)
+
+
+def test_other_minima_of_the_error_stand_beside_the_fit():
+    data = robustness()
+    range_panel, work_panel, *cutoffs = fig_robustness.draw(data, *others()).axes
+    size = fig_robustness.MINIMUM["ms"]
+    for axes, share in ((range_panel, 0.2), (work_panel, 5.0)):
+        small = [line for line in axes.lines if line.get_markersize() == size]
+        drawn = {line.get_ydata()[0]: line.get_xdata()[0] for line in small}
+        fitted = {
+            line.get_ydata()[0]: line.get_xdata()[0]
+            for line in axes.lines
+            if line.get_marker() == "o" and line not in small
+        }
+        assert len(drawn) == len(VARIANTS) - 1
+        for height, value in drawn.items():
+            assert value == pytest.approx(share * fitted[height])
+    assert not [line for axes in cutoffs for line in axes.lines if line.get_markersize() == size]
 
 
 def test_figure_says_what_a_variant_does_not_affect():

@@ -3,13 +3,15 @@
 import numpy as np
 import pandas as pd
 import xarray as xr
-from figure_inputs.adhesion import inference
+from figure_inputs.adhesion import WORK, inference
 from figure_inputs.published_tables import published_constants
 
 from hardcontact.figures.tables import (
     bounded,
     label_surfaces,
+    over_sets,
     published_value,
+    rows_by_construction,
     value_and_bounds,
 )
 
@@ -27,7 +29,7 @@ def test_one_number_with_its_bounds():
     fit = inference().sel(contact_model="plastic")
     interval = fit["work_of_adhesion_interval"].values
     assert value_and_bounds(fit, "work_of_adhesion") == {
-        "value": 0.0447,
+        "value": WORK,
         "low": interval[0],
         "high": interval[1],
     }
@@ -45,3 +47,16 @@ def test_rows_get_the_label_of_their_surface():
     rows = pd.DataFrame({"group": ["mcd", "pooled"]})
     labelled = label_surfaces(rows, inference(), "group")
     assert list(labelled["label"][:1]) == ["MCD"] and labelled["label"].isna()[1]
+
+
+def test_sets_are_summed_up_by_values_of_their_own():
+    values = xr.DataArray(np.arange(100.0), dims="set")
+    summary = over_sets(values[::-1])
+    numbers = {str(name): number.item() for name, number in summary.items()}
+    assert numbers == {"value": 49.0, "low": 4.0, "high": 94.0}
+
+
+def test_rows_by_construction_are_those_of_substitutes():
+    made = xr.Dataset({"calibrated_to_table1": ("surface", ["afm_rms_height,all_rms_slope", ""])})
+    assert rows_by_construction(made.isel(surface=0)) == ["afm_rms_height", "all_rms_slope"]
+    assert rows_by_construction(made.isel(surface=1)) == [""]

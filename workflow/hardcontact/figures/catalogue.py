@@ -70,14 +70,21 @@ FIGURES = {
         "Fig. 3: distributions of the pull-off force",
         "distributions of pull-off forces",
         ("adhesion", "inference"),
-        ("published_pull_off",),
+        ("published_constants", "published_pull_off"),
     ),
     "fig4": Figure(
         "3. Adhesion",
         "Fig. 4: range and work of adhesion",
         "range and work of adhesion",
-        ("contact", "inference"),
+        ("contact", "inference", "sets"),
         ("published_constants", "published_pull_off"),
+    ),
+    "fig_sets": Figure(
+        "3. Adhesion",
+        "many sets of substitutes",
+        "range and work of adhesion of many sets of substitutes",
+        ("sets", "inference"),
+        ("published_constants",),
     ),
     "fig_classical": Figure(
         "4. Classical models",
@@ -97,7 +104,7 @@ FIGURES = {
         "6. Scales",
         "Fig. 6: scales of roughness",
         "pull-off force without some scales of roughness",
-        ("band", "scales"),
+        ("band", "scales", "sets"),
         ("published_constants",),
     ),
     "fig_robustness": Figure(

@@ -8,14 +8,20 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
+from hardcontact.figures.tables import BY_CONSTRUCTION, rows_by_construction
 
 __all__ = ["draw", "table"]
 
 MAPS_IN_A_ROW = 3
 AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"
+NOTE = (
+    "all: mean ± standard deviation over the scans of the surface; "
+    f"{BY_CONSTRUCTION} by construction those of Table 1"
+)
 
 
 def table(topography: xr.Dataset) -> pd.DataFrame:
@@ -69,7 +75,7 @@ def draw(topography: xr.Dataset) -> Figure:
     """
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
-    figure = style.create(2.15 * rows + style.FOOTER)
+    figure = style.create(2.15 * rows + 2 * style.FOOTER)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
@@ -77,9 +83,14 @@ def draw(topography: xr.Dataset) -> Figure:
         axes.spines[:].set(edgecolor=colours[surface], linewidth=1.5)
         label = str(topography["label"].sel(surface=surface).item())
         name = f"{label}, {state}" if state else label
-        style.label_panel(axes, letter, f"{name}\nrms {_rms(heights):.3g} nm")
+        rms = f"rms {_rms(heights):.3g} nm"
+        if state != AS_SCANNED:
+            rms += f" ({_print_over_scans(topography.sel(surface=surface))})"
+        style.label_panel(axes, letter, f"{name}\n{rms}")
     for axes in grid[len(panels) :]:
         axes.set_axis_off()
+    note = Line2D([], [], ls="none", label=NOTE)
+    figure.legend(handles=[note], loc="outside upper left", handlelength=0, handletextpad=0)
     style.mark_basis(figure, topography)
     return figure
 
@@ -111,6 +122,14 @@ def _over_scans(topography: xr.Dataset, surface: str) -> dict[str, float]:
         "value": of_surface["rms_height_mean"].item(),
         "uncertainty": of_surface["rms_height_std"].item(),
     }
+
+
+def _print_over_scans(of_surface: xr.Dataset) -> str:
+    """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
+    mean, deviation = (of_surface[f"rms_height_{name}"].item() for name in ("mean", "std"))
+    mark = BY_CONSTRUCTION if "afm_rms_height" in rows_by_construction(of_surface) else ""
+    scatter = f" ± {deviation:.3g}" if math.isfinite(deviation) else ""
+    return f"all: {mean:.3g}{scatter}{mark}"
 
 
 def _draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:

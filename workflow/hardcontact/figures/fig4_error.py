@@ -1,53 +1,132 @@
-"""The error map of Fig. 4: mean relative error by range and work of adhesion."""
+"""Panels d and e of Fig. 4: mean relative error against the range, and the work, of adhesion."""
 
 from typing import Any
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 
 from hardcontact.figures import style
+from hardcontact.figures.marks import (
+    MILLIJOULE,
+    draw_fit,
+    draw_published_fit,
+)
 from hardcontact.figures.tables import published_value, value_and_bounds
 
-__all__ = ["draw_error_map", "error_map_rows"]
+__all__ = ["draw_error_map", "draw_least_error", "error_rows"]
 
-PANEL = "d"
 UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
-MILLIJOULE = 1e-3
-BEST = "#D55E00"  # best fit and its region, against the blues and yellows of the error map
+MINIMUM_UNITS = {"range": "nm", "work": "J/m2", "error": "1"}
+FAIR = 0.7  # the map shows the works of adhesion whose error gets below this somewhere
+ON_MAP: dict[str, Any] = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
+MODELS: dict[str, dict[str, Any]] = {
+    "plastic": {"color": "black", "ls": "-"},
+    "rigid": {"color": "0.45", "ls": "--"},
+}
 
 
-def error_map_rows(fit: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
-    """Return the marks in the map: fitted and published values, region, bootstrap samples.
+def error_rows(
+    inference: xr.Dataset, sets: xr.Dataset, model: str, published_constants: pd.DataFrame
+) -> pd.DataFrame:
+    """Return what panels d and e show but for the map itself.
 
     Parameters
     ----------
-    fit, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw_error_map` takes them.
+    inference, sets, published_constants : xarray.Dataset, pandas.DataFrame
+        As Fig. 4 takes them.
+    model : str
+        Contact model of the fit.
 
     Returns
     -------
     pandas.DataFrame
-        One row a value with `low` and `high`, or a bootstrap sample; ranges in nm, works in J/m2.
+        Ranges in nm, works in J/m2. `x` is the range of adhesion (nm) that `value` belongs to.
     """
-    rows = [
-        *_fit_rows(fit),
-        *_published_rows(published_constants),
-        *_region_rows(fit),
-        {"origin": "computed", "quantity": "best_error", "unit": "1"}
-        | {"value": fit["best_error"].item()},
+    fit = inference.sel(contact_model=model)
+    fine = inference["error_of_range"]
+    curves = [
+        pd.DataFrame(
+            {
+                "panel": "d",
+                "quantity": f"least_error_{name}",
+                "x": fine["rho_fine"].values,
+                "value": fine.sel(contact_model=name).values,
+                "unit": "1",
+            }
+        )
+        for name in _models(inference)
     ]
-    samples = pd.DataFrame(
-        {
-            "origin": "computed",
-            "quantity": "bootstrap_work_of_adhesion",
-            "x": fit["bootstrap_range"].values,
-            "value": fit["bootstrap_work"].values,
-            "unit": "J/m2",
-        }
+    of_sets = sets.sel(contact_model=model)
+    clouds = [
+        _cloud("d", "best_error_of_set", of_sets["range_of_adhesion"], of_sets["best_error"], "1"),
+        _cloud("e", "sampled_work", fit["sampled_range"], fit["sampled_work"], "J/m2"),
+    ]
+    marks = [*_minimum_rows(fit), *_fit_rows(fit), *_region_rows(fit)]
+    computed = pd.concat([*curves, *clouds, pd.DataFrame(marks)]).assign(origin="computed")
+    published = pd.DataFrame(
+        {"panel": "e", "origin": "published", "quantity": name, "unit": unit}
+        | published_value(published_constants, name)
+        for name, unit in UNITS.items()
     )
-    return pd.concat([pd.DataFrame(rows), samples], ignore_index=True).assign(panel=PANEL)
+    return pd.concat([computed, published], ignore_index=True)
+
+
+def draw_least_error(
+    axes: Axes,
+    inference: xr.Dataset,
+    sets: xr.Dataset,
+    model: str,
+) -> None:
+    """Draw the error, least over W, against rho (nm), and the best fit of each set.
+
+    Parameters
+    ----------
+    axes : matplotlib.axes.Axes
+        Where to draw.
+    inference : xarray.Dataset
+        With `error_of_range(contact_model, rho_fine)`, its minima, `best_error` and its interval.
+    sets : xarray.Dataset
+        With `range_of_adhesion(set, contact_model)` in nm and `best_error` there.
+    model : str
+        Contact model of the fits that are marked.
+    """
+    fit, of_sets = inference.sel(contact_model=model), sets.sel(contact_model=model)
+    threshold = inference.attrs["error_threshold"]
+    axes.plot(
+        of_sets["range_of_adhesion"],
+        of_sets["best_error"],
+        ".",
+        color="0.6",
+        ms=4,
+        mew=0,
+        alpha=0.8,
+        label="best fit of a set",
+    )
+    for name in _models(inference):
+        curve = inference["error_of_range"].sel(contact_model=name)
+        axes.plot(curve["rho_fine"], curve, lw=1.2, label=f"{name} contact", **MODELS[name])
+    best = value_and_bounds(fit, "best_error")
+    axes.plot([fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0)
+    draw_fit(axes, fit, "error")
+    axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
+    axes.text(
+        0.02,
+        threshold,
+        f"paper: below {threshold:g}",
+        transform=axes.get_yaxis_transform(),
+        fontsize=7,
+        color="0.35",
+        va="bottom",
+    )
+    axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
+    errors = [*of_sets["best_error"].values, best["low"], fit["best_error"].item(), threshold]
+    axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
+    style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
+    axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
+    style.label_panel(axes, "d", f"smallest error {style.print_interval(best, '.2g')}")
 
 
 def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> None:
@@ -75,64 +154,12 @@ def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFram
     )
     threshold = fit.attrs["error_threshold"]
     if (error < threshold).any():
-        axes.contour(rho, work, error.values, levels=[threshold], colors=BEST, linewidths=1.0)
-        axes.plot([], [], color=BEST, lw=1.0, label=f"error < {threshold:g}")
-    _draw_fits(axes, fit)
-    _draw_published(axes, published_constants)
-    axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
-    axes.set(ylabel="work of adhesion $W$ (mJ/m²)")
-    published = published_constants["value"]
-    axes.set_xlim(_view(fit["rho_fine"], fit["bootstrap_range"], published["range_of_adhesion"]))
-    low, high = _view(fit["work"], fit["bootstrap_work"], published["work_of_adhesion"])
-    axes.set_ylim(low / MILLIJOULE, high / MILLIJOULE)
-    style.label_logarithmic(axes.xaxis)
-    style.label_logarithmic(axes.yaxis)
-    bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
-    style.label_logarithmic(bar.ax.yaxis)
-    style.label_panel(axes, PANEL, f"smallest error {fit['best_error'].item():.2g}")
-    axes.legend(loc="lower left", frameon=True, facecolor="0.7", framealpha=0.9)
-
-
-def _fit_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
-    return [
-        {"origin": "computed", "quantity": name, "unit": unit, **value_and_bounds(fit, name)}
-        for name, unit in UNITS.items()
-    ]
-
-
-def _published_rows(published_constants: pd.DataFrame) -> list[dict[str, Any]]:
-    return [
-        {"origin": "published", "quantity": name, "unit": unit}
-        | published_value(published_constants, name)
-        for name, unit in UNITS.items()
-    ]
-
-
-def _region_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
-    """Return the ranges and works of adhesion between which the error is below the threshold."""
-    rows = []
-    for name, unit in (("range", "nm"), ("work", "J/m2")):
-        ends = dict(zip(("low", "high"), fit[f"region_{name}"].values.tolist(), strict=True))
-        named = {"origin": "computed", "quantity": f"error_region_{name}", "unit": unit}
-        rows.append({**named, **ends})
-    return rows
-
-
-def _view(grid: xr.DataArray, samples: xr.DataArray, published: float) -> tuple[float, float]:
-    """Return limits, inside the grid, that show the published value and the bootstrap samples."""
-    shown = [*samples.quantile([0.01, 0.99]).values, published]
-    margin = 1.6
-    return (
-        max(grid.min().item(), min(shown) / margin),
-        min(grid.max().item(), max(shown) * margin),
-    )
-
-
-def _draw_fits(axes: Axes, fit: xr.Dataset) -> None:
-    """Mark bootstrap samples and best fit in the map."""
+        axes.contour(rho, work, error.values, levels=[threshold], colors="white", linewidths=1.0)
+        axes.plot([], [], color="white", lw=1.0, label=f"error < {threshold:g}")
+    axes.plot([], [], "o", color="white", ms=2.5, label="samples of the scans")
     axes.plot(
-        fit["bootstrap_range"],
-        fit["bootstrap_work"] / MILLIJOULE,
+        fit["sampled_range"],
+        fit["sampled_work"] / MILLIJOULE,
         ".",
         color="white",
         ms=2,
@@ -140,34 +167,68 @@ def _draw_fits(axes: Axes, fit: xr.Dataset) -> None:
         mew=0,
         rasterized=True,
     )
-    axes.plot([], [], "o", color="white", ms=2.5, label="bootstrap")
-    axes.plot(
-        fit["range_of_adhesion"],
-        fit["work_of_adhesion"] / MILLIJOULE,
-        "*",
-        color=BEST,
-        mec="white",
-        mew=0.5,
-        ms=9,
-        ls="none",
-        label="best fit",
+    draw_published_fit(axes, published_constants)
+    axes.legend(loc="lower left", **ON_MAP)  # panel d names the marks of the fit
+    draw_fit(axes, fit, "work", MILLIJOULE)
+    axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
+    fair = work[error.min("rho_fine").values < FAIR]
+    shown = [*fair, published_constants["value"]["work_of_adhesion"] / MILLIJOULE]
+    axes.set_ylim(max(work[0], min(shown) / 1.5), min(work[-1], max(shown) * 1.5))
+    style.label_logarithmic(axes.yaxis, at=(1,))
+    bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
+    style.label_logarithmic(bar.ax.yaxis)
+    style.label_panel(axes, "e")
+
+
+def _models(inference: xr.Dataset) -> list[str]:
+    """Return the contact models drawn, those computed of MODELS."""
+    return [name for name in MODELS if name in inference["contact_model"]]
+
+
+def _cloud(
+    panel: str, quantity: str, ranges: xr.DataArray, values: xr.DataArray, unit: str
+) -> pd.DataFrame:
+    """Return one row a sample or a set."""
+    return pd.DataFrame(
+        {
+            "panel": panel,
+            "quantity": quantity,
+            "x": ranges.values,
+            "value": values.values,
+            "unit": unit,
+        }
     )
 
 
-def _draw_published(axes: Axes, published_constants: pd.DataFrame) -> None:
-    """Mark the published range and work of adhesion in the map."""
-    of_range = published_constants.loc["range_of_adhesion"]
-    work = published_constants.loc["work_of_adhesion"]
-    axes.errorbar(
-        of_range["value"],
-        work["value"] / MILLIJOULE,
-        xerr=of_range["uncertainty"],
-        yerr=work["uncertainty"] / MILLIJOULE,
-        fmt="o",
-        color="black",
-        mec="white",
-        mew=0.5,
-        ms=4,
-        lw=1.2,
-        label="published",
-    )
+def _minimum_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
+    """Return range, work and error of each minimum that there is."""
+    known = fit.dropna("minimum", subset=["minimum_range"])
+    return [
+        {
+            "panel": "e" if name == "work" else "d",
+            "quantity": f"minimum_{name}",
+            "x": known["minimum_range"].values[place],
+            "value": known[f"minimum_{name}"].values[place],
+            "unit": unit,
+        }
+        for place in range(known.sizes["minimum"])
+        for name, unit in MINIMUM_UNITS.items()
+    ]
+
+
+def _fit_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
+    rows = [
+        {"panel": "e", "quantity": name, "unit": unit, **value_and_bounds(fit, name)}
+        for name, unit in UNITS.items()
+    ]
+    error = {"panel": "d", "quantity": "best_error", "unit": "1"}
+    return [*rows, {**error, **value_and_bounds(fit, "best_error")}]
+
+
+def _region_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
+    """Return the ranges and works of adhesion between which the error is below the threshold."""
+    rows = []
+    for name, unit in (("range", "nm"), ("work", "J/m2")):
+        ends = dict(zip(("low", "high"), fit[f"region_{name}"].values.tolist(), strict=True))
+        rows.append({"panel": "e", "quantity": f"error_region_{name}", "unit": unit, **ends})
+    return rows

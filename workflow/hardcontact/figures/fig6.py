@@ -1,13 +1,24 @@
 """Fig. 6: which length scales of roughness the pull-off force depends on."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from hardcontact.figures import style
-from hardcontact.figures.tables import VALUE_COLUMNS, bounded, label_surfaces, value_and_bounds
+from hardcontact.figures.marks import BAND_OF_SETS, reach
+from hardcontact.figures.tables import (
+    SHARE_OF_SETS,
+    VALUE_COLUMNS,
+    bounded,
+    label_surfaces,
+    over_sets,
+)
 
 __all__ = ["draw", "table"]
 
@@ -16,34 +27,38 @@ SIDES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
+PUBLISHED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": "--"}
 COLUMNS = [
-    "side", "group", "label", "basis", "origin", "quantity", "realization", "cutoff_wavelength",
-    *VALUE_COLUMNS,
+    "side", "group", "label", "basis", "origin", "over", "quantity", "cutoff_wavelength",
+    *VALUE_COLUMNS, "beyond",
 ]  # fmt: skip
 
 
-def table(band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+def table(
+    band: xr.Dataset, scales: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+) -> pd.DataFrame:
     """Return force ratios and critical wavelengths of Fig. 6, one row a point.
 
     Parameters
     ----------
-    band, scales, published_constants : xarray.Dataset, pandas.DataFrame
+    band, scales, sets, published_constants : xarray.Dataset, pandas.DataFrame
         As `draw` takes them.
 
     Returns
     -------
     pandas.DataFrame
-        `ratio` (1) against `cutoff_wavelength` (nm): the mean over realizations with its interval
-        (`realization` empty) and each realization; `critical_wavelength` (nm), empty where the
-        ratio never leaves 1 +- tolerance, and its published value.
+        `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1), and
+        `critical_wavelength` (nm). `over` says what `value`, `low` and `high` are: mean and
+        interval over the "realizations" of the study, or median and SHARE_OF_SETS over the "sets".
+        `beyond` names those of the three that lie beyond the last cutoff computed and are empty.
     """
     rows = pd.concat(
         frame
         for side in SIDES
         for frame in (
-            _mean_rows(band.sel(side=side)),
-            _realization_rows(scales.sel(side=side)),
-            _critical_rows(band.sel(side=side)),
+            *_curve_rows(band.sel(side=side), sets.sel(side=side)),
+            *_realization_rows(scales.sel(side=side)),
+            _without_open_ends(_critical(band.sel(side=side), sets.sel(side=side)), band, side),
             _published_row(side, _published_cutoff(published_constants, side)),
         )
     )
@@ -51,19 +66,25 @@ def table(band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFram
 
 
 @style.print_style()
-def draw(band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(
+    band: xr.Dataset, scales: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+) -> Figure:
     """Draw Fig. 6: pull-off force of filtered surfaces over that of the unfiltered ones.
 
-    Panel a against the short-, b against the long-wavelength cutoff; the row below each shows where
-    the ratio leaves 1 +- tolerance, and the published cutoff runs through both.
+    Panel a against the short-, b against the long-wavelength cutoff; below, the change of either
+    sign, also of all substrates pooled, and the cutoffs where it exceeds the tolerance. The
+    published cutoff runs through all.
 
     Parameters
     ----------
     band : xarray.Dataset
-        With `scale_ratio(group, side, cutoff_wavelength)`, `critical_wavelength(side, group)` in nm
-        and their intervals, and the attribute `scale_tolerance`.
+        With `scale_ratio(side, surface, cutoff_wavelength)`, `scale_change(side, group,
+        cutoff_wavelength)`, `critical_wavelength(side, group)` in nm, their intervals, and the
+        attribute `scale_tolerance`.
     scales : xarray.Dataset
         With `ratio(surface, realization, side, cutoff_wavelength)`.
+    sets : xarray.Dataset
+        With the variables of `band` without intervals, by `set`.
     published_constants : pandas.DataFrame
         With the critical wavelengths of both sides (nm).
 
@@ -72,38 +93,23 @@ def draw(band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame
     matplotlib.figure.Figure
         The figure.
     """
-    figure = style.create(4.6)
-    grid = figure.subplots(2, 2, sharex="col", height_ratios=(3, 1))
-    grid[1, 1].sharey(grid[1, 0])
-    for letter, side, (above, below) in zip("ab", SIDES, grid.T, strict=True):
-        _draw_ratios(above, band.sel(side=side), scales.sel(side=side))
-        _draw_critical(below, band.sel(side=side))
-        published = _published_cutoff(published_constants, side)
-        for axes in (above, below):
-            axes.axvline(published, color="0.4", lw=1.0, ls="--", label="published cutoff")
-        style.label_panel(above, letter, SIDES[side])
-        below.label_outer()
-    grid[0, 0].set_ylabel("pull-off force / unfiltered")
-    handles, labels = grid[0, 0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=4)
+    figure = style.create(6.4)
+    grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
+    for letter, side, column in zip("ab", SIDES, grid.T, strict=True):
+        of_side, of_sets = band.sel(side=side), sets.sel(side=side)
+        _draw_ratios(column[0], of_side, of_sets, scales.sel(side=side))
+        _draw_changes(column[1], of_side, of_sets)
+        _draw_critical(column[2], of_side, of_sets)
+        for axes in column:
+            axes.axvline(_published_cutoff(published_constants, side), zorder=1, **PUBLISHED)
+            axes.label_outer()
+        style.label_panel(column[0], letter, SIDES[side])
+    grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
+    cutoffs = [_published_cutoff(published_constants, side) for side in SIDES]
+    figure.legend(handles=_legend_handles(band, cutoffs), loc="outside upper center", ncols=5)
+    figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)
     return figure
-
-
-def _mean_rows(of_side: xr.Dataset) -> pd.DataFrame:
-    frame = bounded(of_side, "scale_ratio").to_dataframe().dropna(subset="value").reset_index()
-    return frame.assign(origin="computed", quantity="ratio", unit="1")
-
-
-def _realization_rows(of_side: xr.Dataset) -> pd.DataFrame:
-    frame = of_side["ratio"].to_dataframe("value").dropna(subset="value").reset_index()
-    named = frame.rename(columns={"surface": "group"})
-    return named.assign(origin="computed", quantity="ratio", unit="1")
-
-
-def _critical_rows(of_side: xr.Dataset) -> pd.DataFrame:
-    frame = bounded(of_side, "critical_wavelength").to_dataframe().reset_index()
-    return frame.assign(origin="computed", quantity="critical_wavelength", unit="nm")
 
 
 def _published_cutoff(published_constants: pd.DataFrame, side: str) -> float:
@@ -124,72 +130,156 @@ def _published_row(side: str, cutoff: float) -> pd.DataFrame:
     )
 
 
-def _colours(band: xr.Dataset) -> dict[str, str]:
-    """Return the colour of each group: that of its surface, black for all of them pooled."""
-    return {**style.colours(band["surface"].values), POOLED: style.PUBLISHED}
+def _curve_rows(of_side: xr.Dataset, of_sets: xr.Dataset) -> list[pd.DataFrame]:
+    """Return ratio and change against the cutoff, of the study and over the sets."""
+    return [
+        values.to_dataframe()[["value", "low", "high"]]
+        .dropna(subset="value")
+        .reset_index()
+        .rename(columns={"surface": "group"})
+        .assign(origin="computed", over=over, quantity=quantity, unit="1")
+        .assign(side=str(of_side["side"].item()))
+        for quantity in ("ratio", "change")
+        for over, values in (
+            ("realizations", bounded(of_side, f"scale_{quantity}")),
+            ("sets", over_sets(of_sets[f"scale_{quantity}"])),
+        )
+    ]
 
 
-def _labels(band: xr.Dataset) -> dict[str, str]:
-    """Return the printed name of each group."""
-    names = {
-        str(name): str(band["label"].sel(surface=name).item()) for name in band["surface"].values
-    }
-    return {**names, POOLED: "all pooled"}
+def _realization_rows(of_side: xr.Dataset) -> list[pd.DataFrame]:
+    frame = of_side["ratio"].to_dataframe("value").dropna(subset="value").reset_index()
+    named = frame.rename(columns={"surface": "group"})
+    over = "realization " + named["realization"].astype(str)
+    return [named.assign(origin="computed", quantity="ratio", unit="1", over=over)]
 
 
-def _draw_ratios(axes: Axes, of_side: xr.Dataset, scales: xr.Dataset) -> None:
-    """Draw ratio against cutoff (nm) of each group, with band and single realizations."""
-    tolerance, labels = of_side.attrs["scale_tolerance"], _labels(of_side)
-    axes.axhspan(
+def _cutoffs(of_side: xr.Dataset) -> np.ndarray:
+    """Return the cutoffs (nm) of one side, of the study or of the sets."""
+    ratio = of_side["scale_ratio"]
+    known = ratio.notnull().any([dim for dim in ratio.dims if dim != "cutoff_wavelength"])
+    cutoffs: np.ndarray = of_side["cutoff_wavelength"].values[known.values]
+    return cutoffs
+
+
+def _last_cutoff(of_side: xr.Dataset) -> float:
+    """Return the cutoff (nm) that removes most, which stands for all beyond it."""
+    cutoffs = _cutoffs(of_side)
+    return float(cutoffs[-1] if of_side["side"].item() == "small" else cutoffs[0])
+
+
+def _critical(of_side: xr.Dataset, of_sets: xr.Dataset) -> pd.DataFrame:
+    """Return the critical wavelength (nm) of each group, of the study and over the sets."""
+    last = _last_cutoff(of_side)
+    of_study = bounded(of_side, "critical_wavelength")
+    of_study["value"] = of_study["value"].fillna(last)
+    spread = over_sets(of_sets["critical_wavelength"].fillna(last))
+    frames = [
+        values.to_dataframe()[["value", "low", "high"]].reset_index().assign(over=over)
+        for over, values in (("realizations", of_study), ("sets", spread))
+    ]
+    return pd.concat(frames, ignore_index=True)
+
+
+def _without_open_ends(critical: pd.DataFrame, band: xr.Dataset, side: str) -> pd.DataFrame:
+    """Return the rows of `_critical` without numbers that stand for all beyond the last cutoff."""
+    ends = critical[["value", "low", "high"]]
+    beyond = np.isclose(ends, _last_cutoff(band.sel(side=side)))
+    names = [", ".join(ends.columns[row]) for row in beyond]
+    known = critical.assign(**ends.mask(beyond), beyond=names, side=side)
+    return known.assign(origin="computed", quantity="critical_wavelength", unit="nm")
+
+
+def _looks(band: xr.Dataset) -> dict[str, dict[str, Any]]:
+    """Return colour and marker of each group: those of its surface, black for all pooled."""
+    return {**style.looks(band["surface"].values), POOLED: {"color": "black", "marker": "h"}}
+
+
+def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: xr.Dataset) -> None:
+    """Draw ratio against cutoff (nm): mean and interval, single realizations, band of the sets."""
+    tolerance = of_side.attrs["scale_tolerance"]
+    axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
+    curves, spread = bounded(of_side, "scale_ratio"), over_sets(of_sets["scale_ratio"])
+    cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
+    for surface, look in style.looks(of_side["surface"].values).items():
+        at = {"surface": surface, "cutoff_wavelength": cutoff}
+        mean, band = curves.sel(at), spread.sel(surface=surface, cutoff_wavelength=of_band)
+        axes.fill_between(
+            of_band, band["low"], band["high"], color=look["color"], alpha=BAND_OF_SETS, lw=0
+        )
+        single = scales["ratio"].sel(at).transpose("cutoff_wavelength", "realization")
+        axes.plot(cutoff, single, color=look["color"], lw=0.35, alpha=0.7)
+        axes.errorbar(cutoff, mean["value"], reach(mean), elinewidth=0.7, **look)
+    axes.text(
+        0.99,
         1 - tolerance,
-        1 + tolerance,
-        color="0.88",
-        zorder=0,
-        label=f"within ±{style.print_share(tolerance)}",
+        f"±{style.print_share(tolerance)}",
+        transform=axes.get_yaxis_transform(),
+        color="0.35",
+        fontsize=7,
+        ha="right",
+        va="bottom",
     )
-    curves = bounded(of_side, "scale_ratio")
-    for group, colour in _colours(of_side).items():
-        mean = curves.sel(group=group).dropna("cutoff_wavelength", subset=["value"])
-        cutoff = mean["cutoff_wavelength"]
-        width = 1.2
-        if group == POOLED:
-            # Only the outline of this band is drawn, as a filled one would hide the others.
-            axes.plot(cutoff, mean["low"], cutoff, mean["high"], color=colour, lw=0.8, ls=":")
-            width = 1.8
-        else:
-            axes.fill_between(cutoff, mean["low"], mean["high"], color=colour, alpha=0.18, lw=0)
-        axes.plot(cutoff, mean["value"], color=colour, label=labels[group], lw=width)
-    _draw_realizations(axes, scales, _colours(of_side))
     axes.set(xscale="log", yscale="log")
     style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
     style.label_logarithmic(axes.yaxis)
 
 
-def _draw_realizations(axes: Axes, scales: xr.Dataset, colours: dict[str, str]) -> None:
-    """Draw a thin line for each realization of each surface."""
-    axes.plot([], [], color="0.4", lw=0.4, label="single realization")
-    ratio = scales["ratio"].dropna("cutoff_wavelength", how="all")
-    for surface in map(str, scales["surface"].values):
-        lines = ratio.sel(surface=surface).transpose("cutoff_wavelength", "realization")
-        axes.plot(ratio["cutoff_wavelength"], lines, color=colours[surface], lw=0.4, alpha=0.6)
+def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
+    """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
+    cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
+    change = 100 * bounded(of_side, "scale_change").sel(cutoff_wavelength=cutoff)
+    spread = 100 * over_sets(of_sets["scale_change"]).sel(cutoff_wavelength=of_band)
+    for surface, look in style.looks(of_side["surface"].values).items():
+        axes.plot(cutoff, change["value"].sel(group=surface), color=look["color"], lw=0.8)
+    pooled, band = change.sel(group=POOLED), spread.sel(group=POOLED)
+    axes.fill_between(of_band, band["low"], band["high"], color="0", alpha=BAND_OF_SETS, lw=0)
+    look = _looks(of_side)[POOLED]
+    axes.errorbar(cutoff, pooled["value"], reach(pooled), elinewidth=0.9, lw=1.8, **look)
+    axes.axhline(100 * of_side.attrs["scale_tolerance"], color="0.6", lw=0.8, zorder=0)
+    axes.set(yscale="log", ylabel="|ratio − 1| (%)")
+    style.label_logarithmic(axes.yaxis, at=(1,))
 
 
-def _draw_critical(axes: Axes, of_side: xr.Dataset) -> None:
-    """Mark the critical wavelength (nm) and its interval of each group, one row a group."""
-    colours, labels = _colours(of_side), _labels(of_side)
-    for row, (group, colour) in enumerate(colours.items()):
-        of_group = value_and_bounds(of_side.sel(group=group), "critical_wavelength")
-        axes.plot([of_group["low"], of_group["high"]], [row, row], color=colour, lw=1.4)
-        axes.plot([of_group["value"]], [row], color=colour, marker="o", ls="none")
-        if not np.isfinite(of_group["value"]):
-            axes.text(
-                0.02,
-                row,
-                "never outside the band",
-                transform=axes.get_yaxis_transform(),
-                fontsize=7,
-                color=colour,
-                va="center",
-            )
-    axes.set_yticks(range(len(colours)), [labels[group] for group in colours])
-    axes.set(ylim=(len(colours) - 0.4, -0.6), xlabel="cutoff wavelength (nm)")
+def _draw_critical(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
+    """Mark the critical wavelength (nm) of each group: of the study, over that of the sets."""
+    looks, labels = _looks(of_side), _labels(of_side)
+    last, arrow = _last_cutoff(of_side), ">" if of_side["side"].item() == "small" else "<"
+    critical = _critical(of_side, of_sets).set_index(["group", "over"])
+    ends = critical[["value", "low", "high"]].to_dict("index")
+    for place, (group, look) in enumerate(looks.items()):
+        for over, width, opacity in (("sets", 7, BAND_OF_SETS), ("realizations", 1.4, 1)):
+            value, low, high = ends[group, over].values()
+            shade = {"color": look["color"], "alpha": opacity}
+            axes.plot([low, high], [place] * 2, lw=width, solid_capstyle="butt", **shade)
+            if np.isclose([value, low, high], last).any():
+                axes.plot(last, place, arrow, ms=5, mew=0, clip_on=False, **shade)
+            if over == "realizations" and not np.isclose(value, last):
+                axes.plot(value, place, **look)
+    axes.set_yticks(range(len(looks)), [labels[group] for group in looks])
+    axes.set(ylim=(len(looks) - 0.4, -0.6), xlabel="cutoff wavelength (nm)")
+
+
+def _labels(band: xr.Dataset) -> dict[str, str]:
+    """Return the printed name of each group."""
+    names = zip(band["surface"].values, band["label"].values, strict=True)
+    return {**{str(name): str(label) for name, label in names}, POOLED: "mean of all"}
+
+
+def _legend_handles(band: xr.Dataset, cutoffs: list[float]) -> list[Line2D | Patch]:
+    """Return one entry a group and one for each kind of line."""
+    confidence = style.print_share(band.attrs["confidence"])
+    return [
+        *style.surface_handles(band),
+        Line2D([], [], lw=1.8, label="mean |ratio − 1| of all", **_looks(band)[POOLED]),
+        Line2D([], [], lw=0.35, color="0.3", label="single realization"),
+        Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
+        Patch(
+            color="0.3",
+            alpha=BAND_OF_SETS,
+            lw=0,
+            label=f"{style.print_share(SHARE_OF_SETS)} of all sets of substitutes",
+        ),
+        Line2D([], [], label="published: {:g} and {:g} nm".format(*cutoffs), **PUBLISHED),
+        Line2D([], [], ls="none", marker=">", ms=5, color="0.3", label="beyond the last cutoff"),
+    ]

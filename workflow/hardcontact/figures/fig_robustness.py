@@ -1,4 +1,8 @@
-"""Robustness: range, work of adhesion and critical band under other assumptions."""
+"""Robustness: range, work of adhesion and critical band under other assumptions.
+
+The error of the fit has several local minima along the range: beside the fit, which is the least,
+stand the others, so that a step from one to another is told from a shift of both.
+"""
 
 from typing import Any, NamedTuple
 
@@ -22,6 +26,7 @@ ABOVE = 0.4  # rows between the baseline and the study itself
 GAP = 0.4  # rows between groups of variants
 VARIANT: dict[str, Any] = {"color": "0.15", "marker": "o"}
 STUDY: dict[str, Any] = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
+MINIMUM: dict[str, Any] = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
 COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *VALUE_COLUMNS]
 
 
@@ -35,14 +40,15 @@ class _Quantity(NamedTuple):
     printed_unit: float  # in `unit`
     ticks: tuple[int, ...]  # digits labelled in each decade
     missing: str  # said of a variant without a value
+    minimum: str = ""  # name of its values at all local minima of the error
 
 
 QUANTITIES = {  # by the name of the published constant
     "range_of_adhesion": _Quantity(
-        "a", "range of adhesion", "ρ (nm)", "nm", 1, (1, 3), "not affected"
+        "a", "range of adhesion", "ρ (nm)", "nm", 1, (1, 3), "not affected", "minimum_range"
     ),
     "work_of_adhesion": _Quantity(
-        "b", "work of adhesion", "$W$ (mJ/m²)", "J/m2", 1e-3, (1, 3), "not affected"
+        "b", "work of adhesion", "$W$ (mJ/m²)", "J/m2", 1e-3, (1, 3), "not affected", "minimum_work"
     ),
     "critical_wavelength_small": _Quantity(
         "c", "short cutoff", "$λ_S$ (nm)", "nm", 1, (1, 2, 3, 4, 5, 7), "never reached"
@@ -60,6 +66,8 @@ def table(
     published_constants: pd.DataFrame,
 ) -> pd.DataFrame:
     """Return the four quantities, one row each of a variant, of the study and of the paper.
+
+    Of range and work a row each of the other minima of the error of a variant follows.
 
     Parameters
     ----------
@@ -82,6 +90,7 @@ def table(
         for name, quantity in QUANTITIES.items()
         for row in (
             *_variant_rows(robustness, name),
+            *_minimum_rows(robustness, quantity.minimum),
             {**study, **_result(of_study, name)},
             {"origin": "published", **published_value(published_constants, name)},
         )
@@ -114,13 +123,13 @@ def draw(
     """
     rows = table(robustness, inference, band, published_constants)
     heights = _heights(robustness)
-    figure = style.create(0.24 * heights[-1] + 1.6)
+    figure = style.create(0.24 * heights[-1] + 1.8)
     row = figure.subplots(1, len(QUANTITIES), sharey=True)
-    for axes, (name, quantity) in zip(row, QUANTITIES.items(), strict=True):
-        _draw_quantity(axes, rows[rows["quantity"] == name], quantity, heights)
+    for axes, quantity in zip(row, QUANTITIES.values(), strict=True):
+        _draw_quantity(axes, rows[rows["panel"] == quantity.panel], quantity, heights)
     row[0].set_yticks(heights, robustness["variant_label"].values)
     row[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
-    figure.legend(handles=_legend_handles(robustness), loc="outside upper center", ncols=3)
+    figure.legend(handles=_legend_handles(robustness), loc="outside upper center", ncols=2)
     style.mark_basis(figure, inference)
     return figure
 
@@ -146,6 +155,24 @@ def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict[str, Any]]:
     ]
 
 
+def _minimum_rows(robustness: xr.Dataset, minimum: str) -> list[dict[str, Any]]:
+    """Return one row for each local minimum of the error beside the least one."""
+    return [
+        {
+            "variant": str(variant),
+            "label": str(robustness["variant_label"].sel(variant=variant).item()),
+            "group": str(robustness["group"].sel(variant=variant).item()),
+            "origin": "computed",
+            "quantity": minimum,
+            "value": value,
+        }
+        for variant in robustness["variant"].values
+        if minimum
+        for value in robustness[minimum].sel(variant=variant).isel(minimum=slice(1, None)).values
+        if np.isfinite(value)
+    ]
+
+
 def _heights(robustness: xr.Dataset) -> np.ndarray:
     """Return where each variant is drawn, downwards, with gaps between the groups."""
     group = robustness["group"].values
@@ -161,8 +188,13 @@ def _draw_quantity(
     if np.isfinite(published["low"]):
         axes.axvspan(published["low"] / factor, published["high"] / factor, color="0.85", zorder=0)
     axes.axvline(published["value"] / factor, color="0.4", lw=1.0, ls="--")
-    variants = rows[rows["group"].notna()]
+    other = rows["quantity"] == quantity.minimum
+    variants = rows[rows["group"].notna() & ~other]
+    others = rows[other].groupby("variant")["value"]
     for height, (_, variant) in zip(heights, variants.iterrows(), strict=True):
+        if variant["variant"] in others.groups:
+            minima = others.get_group(variant["variant"]) / factor
+            axes.plot(minima, [height] * len(minima), ls="none", **MINIMUM)
         _draw_result(axes, height, variant, quantity, VARIANT)
         if variant["group"] == BASELINE:
             axes.axvline(variant["value"] / factor, color="0.15", lw=0.6, ls=":")
@@ -205,6 +237,7 @@ def _legend_handles(robustness: xr.Dataset) -> list[Line2D | Patch]:
     )
     return [
         Line2D([], [], lw=1.2, label=variants, **VARIANT),
+        Line2D([], [], ls="none", label="other minima of the error", **MINIMUM),
         Line2D([], [], lw=1.2, label=f"{FULL}, all of its contacts and pixels", **STUDY),
         Line2D([], [], lw=0.6, ls=":", color="0.15", label=str(baseline)),
         Line2D([], [], lw=1.0, ls="--", color="0.4", label="published"),

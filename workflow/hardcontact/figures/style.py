@@ -1,6 +1,7 @@
 """Style of all figures: fonts, colours and markers of surfaces, axes, note on substitutes."""
 
-from collections.abc import Iterable, Iterator
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from itertools import cycle
 from typing import Any
@@ -28,6 +29,7 @@ __all__ = [
     "legend_entries",
     "looks",
     "mark_basis",
+    "print_interval",
     "print_share",
     "print_style",
     "surface_handles",
@@ -131,6 +133,13 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
 def print_share(share: float) -> str:
     """Return a share of 1 in percent, as a confidence of 0.95 is printed: "95 %"."""
     return f"{100 * share:g} %"
+
+
+def print_interval(ends: Mapping[str, float], digits: str) -> str:
+    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if it has no others."""
+    value, low, high = (ends[name] for name in ("value", "low", "high"))
+    interval = f" [{low:{digits}}, {high:{digits}}]" if math.isfinite(low + high) else ""
+    return f"{value:{digits}}{interval}"
 
 
 def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:

@@ -11,7 +11,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
-from hardcontact.figures.tables import label_surfaces
+from hardcontact.figures.tables import BY_CONSTRUCTION, label_surfaces, rows_by_construction
 
 __all__ = ["draw", "table"]
 
@@ -21,11 +21,13 @@ SCOPES = {
     "AFM scans": "AFM scans alone",
     "all scales": "all scales (published: stylus, AFM and TEM; computed: the joined spectrum)",
 }
-CALIBRATED = "†"
-NOTE = f"{CALIBRATED} substitute calibrated to this row, with others: it tests nothing"
+NOTE = (
+    f"{BY_CONSTRUCTION} by construction: substitutes are made to meet this mean (of AFM scans' "
+    "heights also the ±), which tests nothing"
+)
 COLUMNS = [
     "scope", "quantity", "definition", "surface", "label", "basis", "origin",
-    "value", "uncertainty", "unit", "calibrated",
+    "value", "uncertainty", "unit", "by_construction",
 ]  # fmt: skip
 
 
@@ -76,7 +78,7 @@ def table(topography: xr.Dataset, published_table1: pd.DataFrame) -> pd.DataFram
     pandas.DataFrame
         Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the
         standard deviation over the scans (none for the moments of the joined spectrum).
-        `calibrated` says that a substitute was made to meet the published value under this
+        `by_construction` says that a substitute was made to meet the published value under this
         definition.
     """
     rows = [
@@ -143,7 +145,7 @@ def _published_rows(
             "definition": "",
             "value": row.value,
             "uncertainty": row.uncertainty,
-            "calibrated": False,
+            "by_construction": False,
         }
         for row in chosen.itertuples()
     ]
@@ -151,7 +153,7 @@ def _published_rows(
 
 def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str, Any]]:
     """Return a row for each definition of the quantity."""
-    calibrated = quantity.name in _calibrated_to(of_surface)
+    by_construction = quantity.name in rows_by_construction(of_surface)
     taken = json.loads(of_surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
     rows = []
     for variable, definition in quantity.definitions.items():
@@ -163,7 +165,7 @@ def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str
                 "definition": definition,
                 "value": value,
                 "uncertainty": uncertainty,
-                "calibrated": calibrated and variable == taken,
+                "by_construction": by_construction and variable == taken,
             }
         )
     return rows
@@ -176,10 +178,6 @@ def _named(quantity: _Quantity, surface: str) -> dict[str, Any]:
         "surface": surface,
         "unit": quantity.unit,
     }
-
-
-def _calibrated_to(of_surface: xr.Dataset) -> list[str]:
-    return [name.strip() for name in of_surface["calibrated_to_table1"].item().split(",")]
 
 
 def _moments(of_surface: xr.Dataset, variable: str) -> tuple[float, float]:
@@ -249,11 +247,11 @@ def _draw_quantity(
 
 
 def _print_cell(cell: pd.Series, quantity: _Quantity) -> str:
-    """Return value and uncertainty in the printed unit, with the mark of a calibrated row."""
+    """Return value and uncertainty in the printed unit, marked if they hold by construction."""
     value, uncertainty = (cell[name] / quantity.printed_unit for name in ("value", "uncertainty"))
     if not np.isfinite(value):
         return "–"
-    mark = f" {CALIBRATED}" if cell["calibrated"] else ""
+    mark = f" {BY_CONSTRUCTION}" if cell["by_construction"] else ""
     if not np.isfinite(uncertainty):
         return f"{value:.3g}{mark}"
     published = cell["origin"] == "published"

@@ -6,11 +6,15 @@ import xarray as xr
 from hardcontact.statistics import bounds
 
 __all__ = [
+    "BY_CONSTRUCTION",
     "ROW_COLUMNS",
+    "SHARE_OF_SETS",
     "VALUE_COLUMNS",
     "bounded",
     "label_surfaces",
+    "over_sets",
     "published_value",
+    "rows_by_construction",
     "value_and_bounds",
 ]
 
@@ -18,11 +22,28 @@ __all__ = [
 ROW_COLUMNS = ("panel", "surface", "label", "basis", "origin", "quantity")
 VALUE_COLUMNS = ("value", "low", "high", "unit")
 
+#: Mark of a number that substitutes are made to have.
+BY_CONSTRUCTION = "†"
+
+#: Share of the sets of substitutes between `low` and `high`, in the middle of all.
+SHARE_OF_SETS = 0.9
+
 
 def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
     """Return a variable and the bounds of its interval as variables `value`, `low` and `high`."""
     low, high = bounds(data, name)
     return data[[name]].rename({name: "value"}).assign(low=low, high=high)
+
+
+def over_sets(values: xr.DataArray) -> xr.Dataset:
+    """Return the median over the dimension `set` as `value`, and SHARE_OF_SETS as `low`, `high`.
+
+    Each is the value of one of the sets.
+    """
+    tail = (1 - SHARE_OF_SETS) / 2
+    parts = values.quantile([0.5, tail, 1 - tail], "set", method="inverted_cdf", skipna=False)
+    ends = zip(("value", "low", "high"), parts, strict=True)
+    return xr.Dataset({name: part.drop_vars("quantile") for name, part in ends})
 
 
 def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, float]:
@@ -55,3 +76,14 @@ def label_surfaces(rows: pd.DataFrame, data: xr.Dataset, column: str = "surface"
     """
     named = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return rows.join(named, on=column)
+
+
+def rows_by_construction(of_surface: xr.Dataset) -> list[str]:
+    """Return the rows of Table 1 that a substitute is made to meet, none of a measured surface.
+
+    Parameters
+    ----------
+    of_surface : xarray.Dataset
+        The part of topography.nc with one surface.
+    """
+    return [name.strip() for name in of_surface["calibrated_to_table1"].item().split(",")]

@@ -1,0 +1,280 @@
+"""Many sets of substitutes: where each puts range and work of adhesion, and what moves them."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.figures import fig_sets_facts, style
+from hardcontact.figures.marks import (
+    FIT_STAR,
+    MILLIJOULE,
+    PUBLISHED_RANGE,
+    draw_fit,
+    draw_published_fit,
+    draw_published_range,
+)
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    SHARE_OF_SETS,
+    VALUE_COLUMNS,
+    label_surfaces,
+    over_sets,
+    published_value,
+)
+
+__all__ = ["draw", "table"]
+
+PLASTIC = "plastic"  # the contact model that the paper's conclusions rest on
+MODELS: dict[str, dict[str, Any]] = {
+    "plastic": {"fill": True, "color": "0.55"},
+    "rigid": {"color": "black", "ls": "--", "lw": 1.0},
+}
+BINS_PER_DECADE = 8
+MINIMUM_UNITS = {"range": "nm", "work": "J/m2", "error": "1"}
+FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+COLUMNS = [*ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
+COLUMNS += VALUE_COLUMNS
+
+
+def table(
+    sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame
+) -> pd.DataFrame:
+    """Return the fits of each set and the rank correlations of its facts, one row a number.
+
+    Parameters
+    ----------
+    sets, inference, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Panel a: share of the sets (1) whose best range lies between `range_low` and `range_high`
+        (nm). b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published.
+        c: rank correlation (1) with its interval. d: least error (1) of each set.
+    """
+    facts = fig_sets_facts.correlations(sets.sel(contact_model=PLASTIC))
+    rows = pd.concat(
+        [
+            *(_histogram_rows(sets, inference, model) for model in MODELS),
+            _minimum_rows(sets),
+            facts.assign(panel="c", unit="1", origin="computed", contact_model=PLASTIC),
+            _error_rows(sets),
+            _published_rows(published_constants),
+        ],
+        ignore_index=True,
+    )
+    return label_surfaces(rows, inference)[COLUMNS]
+
+
+@style.print_style()
+def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors.
+
+    Parameters
+    ----------
+    sets : xarray.Dataset
+        With the fit of each set, by contact model, and the facts of its scans, by surface.
+    inference : xarray.Dataset
+        With the fit of the study's own scans.
+    published_constants : pandas.DataFrame
+        With range (nm) and work of adhesion (J/m2) and their uncertainties.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
+    labels = {str(name): str(label) for name, label in inference["label"].to_series().items()}
+    facts = fig_sets_facts.correlations(of_sets)
+    figure = style.create(5.8)
+    columns = figure.add_gridspec(1, 2, width_ratios=(1.45, 1))
+    left = columns[0].subgridspec(2, 1, height_ratios=(1, 2.6))
+    counts, places = left.subplots(sharex=True, squeeze=False)[:, 0]
+    right = columns[1].subgridspec(2, 1, height_ratios=(1.3, 1))
+    bars, errors = right.subplots(squeeze=False)[:, 0]
+    _draw_histogram(counts, sets, inference)
+    _draw_places(places, of_sets, fig_sets_facts.strongest(facts), labels)
+    draw_fit(places, fit, "work", MILLIJOULE)
+    draw_published_fit(places, published_constants)
+    for axes in (counts, places):
+        draw_published_range(axes, published_constants)
+    fig_sets_facts.draw_correlations(bars, facts, list(labels))
+    style.label_panel(bars, "c", "what moves ρ: facts of the scans")
+    figure.align_ylabels([counts, places])
+    _draw_errors(errors, sets, inference)
+    figure.legend(
+        handles=_legend_handles(labels, places, published_constants),
+        loc="outside upper center",
+        ncols=5,
+    )
+    style.mark_basis(figure, inference)
+    return figure
+
+
+def _edges(inference: xr.Dataset) -> np.ndarray:
+    """Return edges (nm) of bins over all ranges computed, even in the logarithm."""
+    low, high = (float(end) for end in inference["rho"].values[[0, -1]])
+    return np.geomspace(low, high, 1 + round(BINS_PER_DECADE * np.log10(high / low)))
+
+
+def _shares(sets: xr.Dataset, model: str, edges: np.ndarray) -> np.ndarray:
+    """Return the share of the sets whose best range lies in each bin."""
+    ranges = sets["range_of_adhesion"].sel(contact_model=model)
+    inside = ranges.clip(edges[0], edges[-1])  # the ends of a sweep belong to it
+    shares: np.ndarray = np.histogram(inside, edges)[0] / ranges.size
+    return shares
+
+
+def _histogram_rows(sets: xr.Dataset, inference: xr.Dataset, model: str) -> pd.DataFrame:
+    edges = _edges(inference)
+    return pd.DataFrame(
+        {
+            "panel": "a",
+            "origin": "computed",
+            "quantity": "share_of_sets",
+            "contact_model": model,
+            "range_low": edges[:-1],
+            "range_high": edges[1:],
+            "value": _shares(sets, model, edges),
+            "unit": "1",
+        }
+    )
+
+
+def _minimum_rows(sets: xr.Dataset) -> pd.DataFrame:
+    of_sets = sets.sel(contact_model=PLASTIC)
+    frames = [
+        of_sets[f"minimum_{name}"]
+        .to_dataframe("value")
+        .reset_index()
+        .assign(panel="b", quantity=f"minimum_{name}", unit=unit)
+        for name, unit in MINIMUM_UNITS.items()
+    ]
+    frames += [
+        of_sets[name]
+        .to_dataframe("value")
+        .reset_index()
+        .assign(panel="b", quantity=name, unit=unit)
+        for name, unit in FITTED_UNITS.items()
+    ]
+    return pd.concat(frames).dropna(subset="value").assign(origin="computed")
+
+
+def _error_rows(sets: xr.Dataset) -> pd.DataFrame:
+    frame = sets["best_error"].to_dataframe("value").reset_index()
+    return frame.assign(panel="d", origin="computed", quantity="best_error", unit="1")
+
+
+def _published_rows(published_constants: pd.DataFrame) -> pd.DataFrame:
+    return pd.DataFrame(
+        {"panel": "b", "origin": "published", "quantity": name, "unit": unit}
+        | published_value(published_constants, name)
+        for name, unit in FITTED_UNITS.items()
+    )
+
+
+def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
+    """Draw the share of the sets (%) by their best range (nm), for both contact models."""
+    edges = _edges(inference)
+    for model, look in MODELS.items():
+        axes.stairs(100 * _shares(sets, model, edges), edges, label=f"{model} contact", **look)
+    spread = over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
+    low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
+    axes.set(xscale="log", ylabel="share of sets (%)")
+    axes.legend(loc="upper left")
+    share = style.print_share(SHARE_OF_SETS)
+    title = f"median {middle:.3g} nm, {share} in {low:.2g} to {high:.3g} nm"
+    style.label_panel(axes, "a", f"best ρ of {sets.sizes['set']} sets: {title}")
+
+
+def _draw_places(
+    axes: Axes, of_sets: xr.Dataset, moved_by: pd.Series | None, labels: dict[str, str]
+) -> None:
+    """Mark the best range (nm) and work of adhesion (mJ/m2) of each set, and its other minima."""
+    best = of_sets["range_of_adhesion"]
+    others = of_sets["minimum_range"].where(of_sets["minimum_range"] != best)
+    axes.plot(
+        others.values.ravel(),
+        of_sets["minimum_work"].values.ravel() / MILLIJOULE,
+        "o",
+        mfc="none",
+        mec="0.6",
+        mew=0.5,
+        ms=3.5,
+        zorder=1,
+        label="other minimum of a set",
+    )
+    shown: dict[str, Any] = {"c": "0.4"}
+    if moved_by is not None:
+        fact = of_sets[moved_by["quantity"]].sel(surface=moved_by["surface"])
+        shown = {"c": fact.values, "cmap": "cividis"}
+    points = axes.scatter(
+        best,
+        of_sets["work_of_adhesion"] / MILLIJOULE,
+        s=20,
+        zorder=3,
+        edgecolors="white",
+        lw=0.3,
+        **shown,
+    )
+    if moved_by is not None:
+        bar = axes.figure.colorbar(points, ax=axes, location="bottom", pad=0.02, aspect=40)
+        bar.ax.locator_params(nbins=6)
+        bar.set_label(fig_sets_facts.name_fact(moved_by, labels[moved_by["surface"]]))
+    axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
+    axes.set(ylabel="work of adhesion $W$ (mJ/m²)")
+    style.label_logarithmic(axes.xaxis, at=(1, 3))
+    style.label_logarithmic(axes.yaxis)
+    style.label_panel(axes, "b", "best fit of each set, plastic contact")
+
+
+def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
+    """Mark the least error of each set and of the study with rigid over that with plastic."""
+    threshold = inference.attrs["error_threshold"]
+    plastic, rigid = (sets["best_error"].sel(contact_model=name) for name in MODELS)
+    axes.plot(plastic, rigid, ".", color="0.55", ms=4, mew=0)
+    of_study = [inference["best_error"].sel(contact_model=name).item() for name in MODELS]
+    axes.plot(*([value] for value in of_study), **FIT_STAR)
+    errors = [*plastic.values, *rigid.values, *of_study, threshold]
+    ends = 0.8 * np.nanmin(errors), 1.25 * np.nanmax(errors)
+    axes.plot(ends, ends, color="0.3", lw=0.8)
+    for line in (axes.axhline, axes.axvline):
+        line(threshold, color="0.6", lw=0.8, ls=":")
+    axes.text(
+        0.98,
+        0.03,
+        f"dotted: paper, below {threshold:g}",
+        transform=axes.transAxes,
+        fontsize=7,
+        color="0.35",
+        ha="right",
+    )
+    axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
+    axes.set(xlabel="least error, plastic", ylabel="least error, rigid")
+    for axis in (axes.xaxis, axes.yaxis):
+        style.label_logarithmic(axis, at=(1, 2, 5))
+    share = style.print_share(float((plastic < rigid).mean()))
+    style.label_panel(axes, "d", f"plastic better in {share} of sets")
+
+
+def _legend_handles(
+    labels: dict[str, str], places: Axes, published_constants: pd.DataFrame
+) -> list[Any]:
+    """Return one entry a surface and one for each kind of mark."""
+    published = published_constants["value"]["range_of_adhesion"]
+    return [
+        *(
+            Line2D([], [], ls="none", marker="s", color=colour, label=labels[surface])
+            for surface, colour in style.colours(labels).items()
+        ),
+        Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
+        *style.legend_entries([places]).values(),
+        Line2D([], [], label=f"published ρ = {published:g} nm", **PUBLISHED_RANGE),
+    ]
