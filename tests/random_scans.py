@@ -3,7 +3,8 @@
 import numpy as np
 
 from hardcontact.random import generator
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds, smooth_rolloff
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level
@@ -21,7 +22,7 @@ UNCD = Spectrum(WAVEVECTORS, uncd(WAVEVECTORS))
 
 def levelled_scan(rng, pixels, pixel_size=PIXEL):
     """A scan of UNCD's spectrum, cut out of a surface of twice its size."""
-    return level(substitute_scan(rng, random_surface(rng, 2 * pixels, pixel_size, uncd), pixels))
+    return level(substitute_scan(random_surface(rng, 2 * pixels, pixel_size, uncd), pixels))
 
 
 def measured_spectra(count, seed):

@@ -21,10 +21,10 @@ SCHEMAS = {
     name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text())
     for name in ("config", "surfaces")
 }
-#: What robustness makes otherwise in the quick study, as it stands in paths: only the heights of
-#: uncd are skewed, and ncd has no number that is read from the curvature of Table 1.
+#: What robustness makes otherwise in the quick study, as it stands in paths.
 OTHERWISE = [
-    "polished_uncd/laplacian", "uncd/laplacian", "mcd/laplacian", "uncd/skewness-0",
+    "polished_uncd/laplacian", "uncd/laplacian", "ncd/laplacian", "mcd/laplacian",
+    "polished_uncd/skewness+0.5", "uncd/tip-17nm",
 ]  # fmt: skip
 #: Folders that tools leave in the repository.
 CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")

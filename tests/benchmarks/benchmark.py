@@ -30,13 +30,13 @@ sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the m
 from direct_sum import direct_total
 
 from hardcontact.adhesion.force_sum import plastic_totals
-from hardcontact.adhesion.sphere_sums import rough_sphere_sums
+from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact import elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.gap_map import gap_map, part_around_lowest
 from hardcontact.contact.geometry import bodies
 from hardcontact.random import generator
-from hardcontact.surfaces import spectrum, topography
+from hardcontact.surfaces import spectral_models, topography
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
@@ -51,7 +51,7 @@ RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
 
 def uncd(q):
     """Measured C_iso (nm⁴) of UNCD: resources/spectra/uncd.csv."""
-    return spectrum.smooth_rolloff(q, 6.1e7, 930.0, 0.84)
+    return spectral_models.smooth_rolloff(q, 6.1e7, 930.0, 0.84)
 
 
 def surface(pixels):
@@ -113,7 +113,7 @@ def stitched(seed, scale):
     """A mirror-stitched scan of 512² pixels with the spectrum of UNCD times `scale`."""
     rng = generator(seed, "benchmark pair")
     random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd(q))
-    scan = substitute_scan(rng, random, 512)
+    scan = substitute_scan(random, 512)
     return topography.mirror_stitch(topography.level(scan))
 
 
@@ -121,7 +121,7 @@ def rough_sphere():
     pair, contact_pixels = under_sphere(stitched(1, 1.0), stitched(2, 4e-4))
 
     def fast():
-        return contact_pixels + rough_sphere_sums(pair, all_lowest_gaps(pair, contact_pixels), RHOS)
+        return contact_pixels + outside_sums(pair, all_lowest_gaps(pair, contact_pixels), RHOS)
 
     def direct(place, rho):
         return direct_total(gap_map(pair, place), contact_pixels, rho)

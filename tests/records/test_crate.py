@@ -119,7 +119,7 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     run = snakemake(study, *REDRAW, *REPORT)
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
-    assert len(jobs) == 11
+    assert len(jobs) == 12
     assert jobs == {name for name in jobs if name.startswith("draw_")} | {"describe_study"}
     assert {path.name for path in (study / "results").iterdir()} == {"quick"}
     for path in [*(finished / "results/quick/figures").iterdir(),

@@ -16,7 +16,7 @@ from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_coun
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.indents import indents
 from hardcontact.study import checks, configuration, surface_table
-from hardcontact.surfaces import spectrum, synthesis
+from hardcontact.surfaces import spectral_models, synthesis
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
 from hardcontact.surfaces.topography import level, mirror_stitch, subtract_sphere
@@ -85,13 +85,12 @@ def tiny(draw):
             "share": pick(0.001, 0.5, 0.999),
             "ranges": ["0.1 nm", "9 nm"],
         },
-        "robustness": {
+        "sets": {
             "count": pick(1, 2),
-            "preloads": [],
-            "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"],
             "small": {"pixels": small, "cutoffs": cutoffs["small"]},
             "large": {"pixels": large, "cutoffs": cutoffs["large"]},
         },
+        "robustness": {"preloads": [], "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"]},
     }
 
 
@@ -108,7 +107,9 @@ def accepted(overlay):
 
 #: About as rough as MCD, and as the ruby.
 ROUGH, SMOOTH = (
-    Spectrum(WAVEVECTORS, spectrum.self_affine(WAVEVECTORS, plateau, rolloff=1500.0, hurst=0.9))
+    Spectrum(
+        WAVEVECTORS, spectral_models.self_affine(WAVEVECTORS, plateau, rolloff=1500.0, hurst=0.9)
+    )
     for plateau in (2e9, 5e4)
 )
 
@@ -118,7 +119,7 @@ def stitched_scan(config, rng, density, radius=None):
     scan = config["scan"]
     pixel_size = scan["size"] / scan["pixels"]
     surface = synthesis.random_surface(rng, scan["realization_pixels"], pixel_size, density)
-    made = substitute_scan(rng, surface, scan["pixels"])
+    made = substitute_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(made))
     return mirror_stitch(subtract_sphere(sphere_scan(rng, made, radius), radius))
@@ -157,10 +158,10 @@ def check_masters(config, rng, stitched, sphere, section, side):
         "radius": config["sphere"]["radius"],
         "rho": config["scales"]["range"],
         "window": contact["window"],
-        "count": config["robustness" if section == "robustness" else "contact"]["count"],
+        "count": config["sets" if section == "sets" else "contact"]["count"],
         "loads": [{"name": "one", "preload": contact["preload"], "hardness": contact["hardness"]}],
     }
-    for probe in [None, sphere] if section == "robustness" else [None]:
+    for probe in [None, sphere] if section == "sets" else [None]:
         assert_forces(mean_filtered_pull_off(master, probe, parameters))
 
 
@@ -184,7 +185,7 @@ def test_what_is_accepted_can_be_computed(at_root, examples):
         stitched = stitched_scan(config, rng, ROUGH)
         sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
         check_pair(config, rng, stitched, sphere)
-        for section, side in product(("scales", "robustness"), ("small", "large")):
+        for section, side in product(("scales", "sets"), ("small", "large")):
             check_masters(config, rng, stitched, sphere, section, side)
 
     compute()

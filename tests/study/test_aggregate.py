@@ -4,7 +4,7 @@ from itertools import product
 
 import pytest
 from paper_numbers import SUBSTRATES, SURFACES
-from small_study import PATTERNS, files
+from small_study import PATTERNS, files, selection
 
 pytestmark = pytest.mark.usefixtures("at_root")
 
@@ -71,6 +71,32 @@ def test_realizations_begin_again_when_the_scans_are_used_up():
     assert numbers == ["scan-2-flat.nc", "scan-5-flat.nc", "scan-2-flat.nc"]
 
 
+def test_every_realization_of_the_sets_has_a_scan_of_its_own():
+    study = files(scans=[2, 5], measured=["mcd"])
+
+    def number(surface, realization):
+        path = study.stitched_of_set_realization(surface, realization, "study")
+        return int(path.split("scan-")[1].split("-")[0])
+
+    assert [number("uncd", realization) for realization in (1, 2, 3, 4, 5)] == [2, 5, 6, 7, 8]
+    assert [number("mcd", realization) for realization in (1, 2, 3)] == [2, 5, 2]
+
+
+def test_scans_are_conditioned_in_groups_as_large_as_the_study():
+    study, chosen = files(scans=[2, 5]), selection(scans=[2, 5])
+    assert [chosen.scans_of_group("uncd", group) for group in (0, 1, 2)] == [[2, 5], [6, 7], [8, 9]]
+    for group in (0, 1, 2):
+        path = f"results/store/conditioning/uncd/study/group-{group}.nc"
+        for scan in chosen.scans_of_group("uncd", group):
+            assert study.conditioning("uncd", scan) == path
+
+
+def test_only_substitutes_are_conditioned():
+    conditionings = files(measured=["mcd"]).conditionings
+    assert list(conditionings) == [name for name in SURFACES if name != "mcd"]
+    assert conditionings["ruby"] == "results/store/conditioning/ruby/study/group-0.nc"
+
+
 def test_every_cutoff_of_every_realization_and_the_unfiltered_surface():
     cutoffs = {"scales__small__cutoffs": ["43 nm", "0.1 um"], "scales__large__cutoffs": ["2 um"]}
     study = files(scales__realizations=2, **cutoffs)
@@ -89,19 +115,40 @@ def test_indents_are_made_on_one_surface():
 
 
 def test_robustness_asks_for_each_variant_of_a_surface_once():
-    study = files(robustness__skewness=[0], robustness__realizations=3)
-    made = [(name, "study") for name in SUBSTRATES] + [
-        ("polished_uncd", "laplacian"), ("uncd", "laplacian"), ("mcd", "laplacian"),
-        ("uncd", "skewness-0"),
-    ]  # fmt: skip
-    assert list(dict.fromkeys(pair[:2] for pair in study.varied_pairs)) == made
-    assert len(study.varied_pairs) == 4 * len(made)
+    study = files(
+        robustness__heights={"surface": "mcd", "skewness": [-0.5]},
+        robustness__tip={"surface": "uncd", "radii": ["17 nm"]},
+        robustness__realizations=3,
+    )
+    made = list(product(SUBSTRATES, ["study"])) + list(product(SUBSTRATES, ["laplacian"]))
+    made += [("mcd", "skewness-0.5"), ("uncd", "tip-17nm")]
+    assert [pair[:2] for pair in study.varied_pairs if pair.scan == 1] == made
+    assert len(study.varied_pairs) == 2 * len(made)
+    assert {pair.sphere_scan for pair in study.varied_pairs} == {1}
     masters = {(name, variant, probe) for name, variant, _, _, probe in study.varied_masters}
     assert masters == {(*one, "smooth") for one in made} | {
         (name, "study", "rough") for name in SUBSTRATES
     }
     assert len(study.varied_masters) == len(study.varied_scales) == 2 * 3 * len(masters)
     assert study.varied_scales[0].endswith("polished_uncd/study/realization-1/small-smooth.nc")
+
+
+def test_the_masters_of_the_study_are_those_of_the_sets():
+    study = files(robustness__realizations=3, sets__realizations=5)
+    of_study = {
+        one for one in study.varied_masters if (one.variant, one.probe) == ("study", "smooth")
+    }
+    assert of_study == {one for one in study.set_masters if one.realization <= 3}
+
+
+def test_what_changes_no_spectrum_has_that_of_the_study():
+    study = files()
+    for variant in ("skewness+0.5", "tip-17nm"):
+        assert study.spectrum("uncd", variant) == study.spectrum("uncd")
+        assert study.conditioning("uncd", 1, variant) == study.conditioning("uncd", 1)
+        assert study.stitched("uncd", 1, variant) != study.stitched("uncd", 1)
+    assert study.spectrum("uncd", "laplacian") != study.spectrum("uncd")
+    assert study.conditioning("uncd", 1, "laplacian") != study.conditioning("uncd", 1)
 
 
 def test_the_other_sphere_bears_the_load_of_the_study_alone():
@@ -112,3 +159,23 @@ def test_the_other_sphere_bears_the_load_of_the_study_alone():
     ]
     assert study.loads("smooth") == loads  # the study's own preload is not listed again
     assert study.loads("rough") == loads[:1]
+
+
+def test_pools_are_computed_in_chunks_of_substitutes_alone():
+    study = files(measured=["mcd"], sets__pool=32)
+    assert [one.surface for one in study.chunks[::3]] == SUBSTRATES[:3]
+    assert [(one.first, one.last) for one in study.chunks[:3]] == [(1, 15), (16, 30), (31, 32)]
+    assert len(study.pools) == len(study.chunks)
+    assert study.pools[1] == (
+        "results/store/pool/R250um/H25GPa-F10uN/polished_uncd/study/scans-16-30.nc"
+    )
+    assert [path.split("/")[-3] for path in study.smooth_spheres] == SUBSTRATES[:3]
+
+
+def test_sets_and_robustness_share_their_masters():
+    study = files(measured=["mcd"], sets__realizations=4, robustness__realizations=2)
+    masters = [one[:1] + one[2:4] for one in study.set_masters]
+    assert masters == list(product(SUBSTRATES, [1, 2, 3, 4], ["small", "large"]))
+    of_robustness = {one for one in study.varied_masters if one in study.set_masters}
+    assert {one.realization for one in of_robustness} == {1, 2}
+    assert set(study.of_masters(of_robustness)) <= set(study.set_scales)

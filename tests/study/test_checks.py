@@ -25,7 +25,7 @@ from hardcontact.study import configuration
         (("scales.large.pixels", 512), ["scales.large.pixels", "4096", "found 512"]),
         (
             ("scan.pixels", 32, "elastic.window", "2500 nm", "sphere.radius", "2500 nm"),
-            ["adhesion.ranges", "156.2", "found 50 nm"],
+            ["adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"],
         ),
         (("contact.preload", "1 N"), ["contact.preload", "a quarter of", "262144", "1677722"]),
         (("contact.window", "10 nm"), ["contact.preload", "1, can carry", "needs 17"]),
@@ -43,7 +43,11 @@ from hardcontact.study import configuration
             ("contact.count", 200, "contact.preload", "0.5 mN"),
             ["contact.preload", "at most 268", "found 839"],
         ),
-        (("robustness.skewness", [0.1234567]), ["robustness.skewness", "six digits", "0.1234567"]),
+        (
+            ("robustness.heights.skewness", [0.1234567]),
+            ["robustness.heights.skewness", "six digits", "0.1234567"],
+        ),
+        (("sets.pool", 4), ["sets.pool", "the 5 scans of polished_uncd", "found 4"]),
         (("sphere.surface", "glass"), ["sphere.surface", "ruby", "found glass"]),
         (("reference_surface", "glass"), ["reference_surface", "mcd", "found glass"]),
         (("reference_surface", "ruby"), ["reference_surface", "mcd", "found ruby"]),
@@ -65,6 +69,9 @@ from hardcontact.study import configuration
             ("robustness.hardnesses", ["2 GPa", "1 GPa"]),
             ["found 1000000000 Pa after 2000000000 Pa"],
         ),
+        (("robustness.tip.radii", ["17 nm", "10 nm"]), ["robustness.tip.radii", "ascending"]),
+        (("robustness.heights.surface", "brass"), ["robustness.heights.surface", "found brass"]),
+        (("robustness.tip.surface", "ruby"), ["robustness.tip.surface", "found ruby"]),
         (("robustness.preloads", ["5 uN", "0.005 mN"]), ["found 5e-06 N after 5e-06 N"]),
         (
             ("indent.preloads", ["20 uN", "10 uN"]),
@@ -78,9 +85,9 @@ from hardcontact.study import configuration
             ["contact.preload", "at most 0.00669 N", "5000 nm", "found 0.02 N"],
         ),
         (("elastic.window", "50 nm"), ["elastic.window", "16 pixels", "78.12 nm", "found 50 nm"]),
-        (("robustness.large.pixels", 4094), ["robustness.large.pixels", "4096", "found 4094"]),
-        (("robustness.small.cutoffs", ["2 nm"]), ["robustness.small.cutoffs", "2.441 nm"]),
-        (("scales.large.tiles", 8), ["robustness.large.pixels", "8192", "found 4096"]),
+        (("sets.large.pixels", 4094), ["sets.large.pixels", "4096", "found 4094"]),
+        (("sets.small.cutoffs", ["2 nm"]), ["sets.small.cutoffs", "2.441 nm"]),
+        (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
     ],
 )
 def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):

@@ -103,13 +103,16 @@ ACCEPTED = {
     "elastic": {"contacts": 1, "window": "160 nm"},
     "indent": {"surface": "uncd", "preloads": ["1 mN"]},
     "asperities": {"contacts": 1},
-    "robustness": {
-        "preloads": [],
-        "hardnesses": [],
-        "skewness": [],
+    "sets": {
         "count": 1,
         "small": {"pixels": 66, "cutoffs": ["20.001 nm"]},
         "large": {"pixels": 198, "cutoffs": ["1980 nm"]},
+    },
+    "robustness": {
+        "preloads": [],
+        "hardnesses": [],
+        "heights": {"surface": "uncd", "skewness": []},
+        "tip": {"surface": "uncd", "radii": []},
     },
 }
 

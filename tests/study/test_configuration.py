@@ -64,8 +64,16 @@ from hardcontact.study import configuration
         ("indent.preloads", [], ["config key indent.preloads:", "at least 1 entries"]),
         ("asperities.share", 1.0, ["config key asperities.share:", "at most 0.999", "found 1.0"]),
         ("robustness.preloads", ["5 nm"], ["config key robustness.preloads.0:", "N", "'5 nm'"]),
-        ("robustness.skewness", [2], ["robustness.skewness.0:", "at most 1", "found 2"]),
-        ("robustness.skewness", [0, 0.0], ["robustness.skewness:", "each entry once"]),
+        (
+            "robustness.heights.skewness",
+            [2],
+            ["robustness.heights.skewness.0:", "at most 1", "found 2"],
+        ),
+        (
+            "robustness.heights.skewness",
+            [0, 0.0],
+            ["robustness.heights.skewness:", "each entry once"],
+        ),
     ],
 )
 def test_key_refused(key, value, parts):

@@ -115,7 +115,7 @@ def test_tables_stand_between_their_markers():
         ("scans", ["`all` or a list: 1 to 9999", "`all`"]),
         ("reference_surface", ["id of a surface", "`uncd`", "Fig. 4b"]),
         ("topography.slope", ["`gradient` or `profile`"]),
-        ("robustness.skewness", ["a list: -1 to 1", "`[0, 0.54]`"]),
+        ("robustness.heights.skewness", ["a list: -1 to 1", "`[-1, -0.5, 0.5, 1]`"]),
     ],
 )
 def test_a_row_names_values_with_their_unit_and_the_default(key, parts):

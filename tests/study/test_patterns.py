@@ -14,13 +14,16 @@ INTERMEDIATES = {
     for name, pattern in vars(PATTERNS).items()
     if "{" in pattern and not name.startswith(("stitched_", "small_", "large_"))
 }
-CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"], ["study", "skewness-0.3"])
+CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"], ["study", "skewness+0.3"])
 VALUES = {
     "surface": ["uncd", "polished_uncd", "b.c"],
-    "variant": ["study", "skewness-0.3"],
+    "variant": ["study", "skewness+0.3"],
     "scan": ["1", "12"],
     "sphere_scan": ["3"],
+    "first": ["1", "16"],
+    "last": ["15", "27"],
     "shape": ["flat", "sphere-R250um"],
+    "group": ["0", "12"],
     "realization": ["1"],
     "side": ["small", "large"],
     "probe": ["smooth", "rough"],

@@ -16,7 +16,8 @@ def by_name(made):
 def test_the_variants_of_the_paper():
     made = variants(configuration(), selection())
     assert [variant.name for variant in made] == [
-        "baseline", "laplacian", "skewness-0", "skewness-0.54", "rough_sphere",
+        "baseline", "laplacian", "skewness-1", "skewness-0.5", "skewness+0.5", "skewness+1",
+        "tip-10nm", "tip-17nm", "tip-26nm", "rough_sphere",
         "preload-5uN", "preload-20uN", "hardness-16GPa", "hardness-47GPa",
     ]  # fmt: skip
     assert made[0].load == STUDY
@@ -44,16 +45,22 @@ def test_loads_are_values_with_the_names_of_paths():
     assert made["preload-20uN"].label == "preload 20 µN"
 
 
-def test_a_surface_that_a_choice_leaves_alone_is_that_of_the_study():
+def test_other_heights_and_the_tip_concern_one_surface():
     made = by_name(variants(configuration(), selection()))
-    # Nothing of ncd is read from the curvature of Table 1; only the heights of uncd are skewed.
-    assert made["laplacian"].variant["ncd"] == "study"
-    assert made["laplacian"].variant["uncd"] == "laplacian"
-    assert made["skewness-0"].variant == {
-        "polished_uncd": "study", "uncd": "skewness-0", "ncd": "study", "mcd": "study",
-    }  # fmt: skip
-    assert made["skewness-0.54"].variant["uncd"] == "study"
-    assert made["skewness-0.54"].variant["mcd"] == "skewness-0.54"
+    study = dict.fromkeys(selection().substrates, "study")
+    assert made["skewness-1"].variant == study | {"polished_uncd": "skewness-1"}
+    assert made["tip-17nm"].variant == study | {"uncd": "tip-17nm"}
+    assert (made["skewness-1"].label, made["skewness-1"].group) == (
+        "polished UNCD: skewness -1", "heights",
+    )  # fmt: skip
+    assert (made["tip-17nm"].label, made["tip-17nm"].group) == ("UNCD: tip of 17 nm", "tip")
+
+
+def test_heights_that_a_surface_has_already_are_not_made_again():
+    heights = {"surface": "mcd", "skewness": [0, 0.3]}
+    made = by_name(variants(configuration(robustness__heights=heights), selection()))
+    assert set(made["skewness+0"].variant.values()) == {"study"}
+    assert made["skewness+0.3"].variant["mcd"] == "skewness+0.3"
 
 
 def test_measured_surfaces_have_no_variants():
@@ -70,16 +77,17 @@ def test_the_other_curvature_and_the_other_sphere_follow_from_the_study():
 
 
 def test_what_a_variant_of_a_surface_is_made_with():
-    made = surface_variants(configuration())
+    tip = {"surface": "uncd", "radii": ["0.017 um"]}
+    made = surface_variants(configuration(robustness__tip=tip))
     definitions = {"slope": "gradient", "curvature": "half_laplacian"}
-    assert list(made) == ["study", "laplacian", "skewness-0", "skewness-0.54"]
-    assert made["study"].parameters(definitions, 0.5) == {"table1": definitions, "skewness": 0.5}
-    assert made["skewness-0"].parameters(definitions, 0.5) == {
-        "table1": definitions,
-        "skewness": 0.0,
-    }
-    other = definitions | {"curvature": "laplacian"}
-    assert made["laplacian"].parameters(definitions, 0.5) == {"table1": other, "skewness": 0.5}
+    assert list(made)[:3] == ["study", "laplacian", "skewness-1"]
+    assert made["study"].table1(definitions) == definitions
+    assert made["laplacian"].table1(definitions) == definitions | {"curvature": "laplacian"}
+    assert made["study"].heights(0.1) == {"skewness": 0.1, "tip_radius": None}
+    assert made["skewness-1"].heights(0.1) == {"skewness": -1.0, "tip_radius": None}
+    assert made["tip-17nm"].heights(0.1) == {"skewness": 0.1, "tip_radius": 17.0}
+    spectra = [made[name].spectrum for name in ("laplacian", "skewness-1", "tip-17nm")]
+    assert spectra == ["laplacian", "study", "study"]
 
 
 def test_parameters_name_the_load():
@@ -91,7 +99,7 @@ def test_parameters_name_the_load():
         "variant": {
             "polished_uncd": "laplacian",
             "uncd": "laplacian",
-            "ncd": "study",
+            "ncd": "laplacian",
             "mcd": "laplacian",
         },
         "load": "H25GPa-F10uN",

@@ -8,7 +8,6 @@ import yaml
 from repository import PARTS, QUICK, ROOT
 from rule_graph import (
     AGGREGATED,
-    CONTACTS,
     DRAWN,
     FILTERED,
     FORCES,
@@ -18,8 +17,9 @@ from rule_graph import (
     MASTER_LARGE,
     MASTER_SMALL,
     MASTERS,
-    PAIRS,
+    POOLED,
     SCANS,
+    SPECTRA,
     all_following,
     drawn_from,
     following,
@@ -28,39 +28,43 @@ from scan_files import heights, scan
 
 from hardcontact.study.patterns import PUBLISHED
 
+#: What a substitute that robustness makes otherwise runs through.
+MADE_OTHERWISE = {"synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scales"}
+
 #: Another value of every key, and the rules that it concerns. Every value also stands in the
 #: configuration kept with the results and on the page of parameters.
 KEYS = {
     "study": ("second", AGGREGATED | {"trace_contact", "measure_indents", "infer"}),
-    "store": ("results/other", FROM_SCANS | {"calibrate_spectrum"}),
+    "store": ("results/other", FROM_SCANS | SPECTRA),
     "surfaces": ("config/same.tsv", set()),
-    "scans": ([1, 2, 3], SCANS | CONTACTS - {"trace_contact"}),
+    "scans": ([1, 2, 3], FROM_SCANS | {"condition_scans"}),
     "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer"}),
-    "seed": (1, FROM_SCANS | {"calibrate_spectrum", *INFERRED}),
-    "sphere.surface": ("mcd", FROM_SCANS),
+    "seed": (1, FROM_SCANS | {"condition_scans", *INFERRED}),
+    "sphere.surface": ("mcd", FROM_SCANS - POOLED | {"condition_scans"}),
     "sphere.radius": ("300 um", SCANS | FORCES),
-    "scan.pixels": (112, FROM_SCANS),
-    "scan.size": ("2400 nm", FROM_SCANS),
-    "scan.realization_pixels": (256, FROM_SCANS),
+    "scan.pixels": (112, FROM_SCANS | {"condition_scans"}),
+    "scan.size": ("2400 nm", FROM_SCANS | {"condition_scans"}),
+    "scan.realization_pixels": (256, FROM_SCANS | {"condition_scans"}),
     "scan.undefined_pixels": ("harmonic", set()),  # substitutes have none
-    "topography.slope": ("profile", FROM_SCANS | {"calibrate_spectrum"}),
-    "topography.curvature": ("laplacian", FROM_SCANS | {"calibrate_spectrum"}),
+    "topography.slope": ("profile", FROM_SCANS | SPECTRA),
+    "topography.curvature": ("laplacian", FROM_SCANS | SPECTRA),
     "contact.hardness": ("30 GPa", FORCES),
     "contact.preload": ("12 uN", FORCES - {"measure_indents"}),
     "contact.window": ("12000 nm", FORCES),
-    "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales"}),
-    "adhesion.ranges": (["1 nm", "3 nm", "5.6 nm"], {"compute_pull_off", "vary_adhesion"}),
+    "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales", "compute_pool"}),
+    "adhesion.ranges": (["1 nm", "3 nm", "5.6 nm"],
+                        {"compute_pull_off", "vary_adhesion", *POOLED}),
     "adhesion.traced_contact.surface": ("ncd", {"trace_contact"}),
     "adhesion.traced_contact.scan": (2, {"trace_contact"}),
     "adhesion.traced_contact.sphere_scan": (2, {"trace_contact"}),
     "adhesion.traced_contact.contact": ([2, 3], {"trace_contact"}),
-    "inference.error_threshold": (0.2, {"infer", "aggregate_robustness"}),
-    "inference.force_floor": ("20 nN", {"infer"}),
-    "inference.bootstrap_samples": (120, INFERRED),
+    "inference.error_threshold": (0.2, {"infer", "aggregate_robustness", "judge_sets"}),
+    "inference.force_floor": ("20 nN", {"infer", "judge_sets"}),
+    "inference.samples": (120, INFERRED),
     "inference.confidence": (0.9, INFERRED | {"aggregate_topography"}),
     "scales.range": ("5 nm", {"measure_window_change", *FILTERED}),
-    "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness"}),
-    "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off"}),
+    "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets"}),
+    "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off", "judge_sets"}),
     "scales.sphere_roughness": (True, FILTERED),
     "scales.small.pixels": (2048, {MASTER_SMALL, "compute_filtered_pull_off"}),
     "scales.small.transition": ("90 nm", {MASTER_SMALL, *FILTERED}),
@@ -83,32 +87,40 @@ KEYS = {
     "asperities.ranges": (["1 nm", "2 nm"], {"find_asperities"}),
     "robustness.preloads": (["6 uN"], {"vary_adhesion", "vary_scales"}),
     "robustness.hardnesses": (["16 GPa"], {"vary_adhesion", "vary_scales"}),
-    "robustness.skewness": (
-        [0.1],
-        {"calibrate_spectrum", "synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scales"},
-    ),
-    "robustness.realizations": (2, {"vary_scales"}),
-    "robustness.count": (5, {"vary_adhesion", "vary_scales"}),
-    "robustness.small.pixels": (2048, {"vary_scales"}),
-    "robustness.small.cutoffs": (["43 nm", "120 nm"], {"vary_scales"}),
-    "robustness.large.pixels": (2048, {"vary_scales"}),
-    "robustness.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
+    "sets.replicates": (3, {"judge_sets"}),
+    "sets.pool": (12, {"compute_pool"}),
+    "sets.amplitudes": (5, {"compute_pool"}),
+    "sets.count": (5, {"vary_adhesion", "vary_scales", "compute_pool"}),
+    "sets.realizations": (3, {"judge_sets"}),
+    "sets.small.pixels": (2048, {"vary_scales"}),
+    "sets.small.cutoffs": (["43 nm", "120 nm"], {"vary_scales"}),
+    "sets.large.pixels": (2048, {"vary_scales"}),
+    "sets.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
 }  # fmt: skip
 
+#: The same of keys that concern the variants of robustness alone, whose masters no set draws.
+KEYS_OF_VARIANTS = {
+    "robustness.heights.surface": ("mcd", MADE_OTHERWISE),
+    "robustness.heights.skewness": ([0.1], MADE_OTHERWISE),
+    "robustness.tip.surface": ("mcd", MADE_OTHERWISE),
+    "robustness.tip.radii": (["20 nm"], MADE_OTHERWISE),
+    "robustness.realizations": (2, {"vary_scales"}),
+}
+
 #: What is made of one substitute surface, and with it; traced is uncd, indents are made on ncd.
-SUBSTITUTE = {"calibrate_spectrum", *FROM_SCANS}
+SUBSTITUTE = SPECTRA | FROM_SCANS
 OF_MCD = SUBSTITUTE - {"trace_contact", "measure_indents"}
 
 #: Another text of a column of the rows of mcd (of its second scan), and the rules it concerns.
 COLUMNS = {
-    "surface": ("xcd", OF_MCD),
+    "surface": ("xcd", OF_MCD - POOLED),  # of which Table 1 has no rms height
     "label": ("fine diamond", AGGREGATED - {"aggregate_robustness"}),
-    "scan": ("6", SCANS | MASTERS | PAIRS | {"compute_filtered_pull_off"}),
+    "scan": ("6", OF_MCD - {"calibrate_spectrum", "compute_pool"}),
     "source": (
         "measured",
-        OF_MCD - {"calibrate_spectrum", "synthesize_scan"} | {"extrapolate_spectrum"},
+        OF_MCD - {*SPECTRA, *POOLED, "synthesize_scan"} | {"extrapolate_spectrum"},
     ),
-    "path": ("resources/spectra/ncd-table1.csv", OF_MCD),
+    "path": ("resources/spectra/ncd-published.csv", OF_MCD),
 }
 
 
@@ -133,6 +145,9 @@ def published(table, *rules):
     return {PUBLISHED[table]: all_following({*rules, *drawn_from(table)})}
 
 
+#: What compares computed forces with the published ones.
+JUDGED_BY_FORCES = {"infer", "apply_classical_models", "aggregate_robustness", "judge_sets"}
+
 #: Files beside the code, and what is to be made after a change of their text.
 FILES = {
     "environment.txt": ALL,
@@ -144,16 +159,17 @@ FILES = {
     },
     "CITATION.cff": {"describe_crate"},
     "config/surfaces.tsv": following({"keep_configuration"}),
-    **published("published_table1", "calibrate_spectrum", "apply_classical_models"),
-    **published("published_pull_off", "infer", "apply_classical_models", "aggregate_robustness"),
-    **published("published_constants", "calibrate_spectrum", "apply_classical_models"),
-    "resources/paper/claims.csv": following({"evaluate_claims"}),
+    **published("published_table1", *SPECTRA, "compute_pool", "apply_classical_models"),
+    **published("published_pull_off", *JUDGED_BY_FORCES),
+    **published("published_constants", *SPECTRA, "compute_pool", *JUDGED_BY_FORCES),
+    "resources/paper/claims.csv": following({"judge_sets", "evaluate_claims"}),
     "resources/spectra/polished_uncd.csv": following(OF_MCD),
     "resources/spectra/uncd.csv": following(SUBSTITUTE - {"measure_indents"}),
-    "resources/spectra/uncd-tem.csv": following(SUBSTITUTE),  # of uncd and ncd
     "resources/spectra/ncd.csv": following(SUBSTITUTE - {"trace_contact"}),
     "resources/spectra/mcd.csv": following(OF_MCD),
-    "resources/spectra/ruby.csv": following(SUBSTITUTE - MASTERS - {"compute_filtered_pull_off"}),
+    "resources/spectra/ruby.csv": following(
+        SUBSTITUTE - MASTERS - POOLED - {"compute_filtered_pull_off"}
+    ),
     "resources/spectra/height_distribution.csv": set(),  # its values are parameters of the rules
 }
 
@@ -224,6 +240,10 @@ CHANGES = (
     {
         key: (overlay(key, value), same_table, following(rules | KEPT))
         for key, (value, rules) in KEYS.items()
+    }
+    | {
+        key: (overlay(key, value), same_table, rules | following({"aggregate_robustness"} | KEPT))
+        for key, (value, rules) in KEYS_OF_VARIANTS.items()
     }
     | {
         f"column {name}": (

@@ -4,6 +4,7 @@ from hardcontact.figures.catalogue import FIGURES
 
 # The rules of one stage
 
+SPECTRA = {"calibrate_spectrum", "condition_scans"}
 SCANS = {"synthesize_scan", "prepare_scan", "measure_topography", "aggregate_topography"}
 MASTER_SMALL, MASTER_LARGE = "synthesize_small_scale_master", "synthesize_large_scale_master"
 MASTERS = {MASTER_SMALL, MASTER_LARGE}
@@ -11,13 +12,15 @@ PAIRS = {
     "compute_pull_off", "measure_window_change", "solve_elastic_contact", "find_asperities",
     "vary_adhesion",
 }  # fmt: skip
-CONTACTS = PAIRS | {"trace_contact", "measure_indents"}
+CONTACTS = PAIRS | {"trace_contact", "measure_indents", "compare_sphere"}
 FILTERED = {"compute_filtered_pull_off", "vary_scales"}
-FORCES = CONTACTS | FILTERED
+#: What concerns substitutes with a published rms height alone.
+POOLED = {"compute_pool", "compare_sphere"}
+FORCES = CONTACTS | FILTERED | POOLED
 FROM_SCANS = SCANS | MASTERS | FORCES
 AGGREGATED = {
     "aggregate_topography", "aggregate_adhesion", "aggregate_elastic", "aggregate_asperities",
-    "aggregate_scales", "aggregate_robustness",
+    "aggregate_scales", "aggregate_robustness", "judge_sets",
 }  # fmt: skip
 INFERRED = {
     "infer", "find_critical_band", "aggregate_robustness", "apply_classical_models",
@@ -32,7 +35,7 @@ DATASETS = {
     "band": "find_critical_band", "classical": "apply_classical_models",
     "contact": "trace_contact", "elastic": "aggregate_elastic", "indent": "measure_indents",
     "inference": "infer", "robustness": "aggregate_robustness", "scales": "aggregate_scales",
-    "topography": "aggregate_topography",
+    "sets": "judge_sets", "topography": "aggregate_topography",
 }  # fmt: skip
 
 
@@ -49,10 +52,13 @@ FOLLOWS = {
     "find_asperities": {"aggregate_asperities"},
     "compute_filtered_pull_off": {"aggregate_scales"},
     "vary_adhesion": {"aggregate_robustness"},
-    "vary_scales": {"aggregate_robustness"},
+    "vary_scales": {"aggregate_robustness", "judge_sets"},
+    "compute_pool": {"judge_sets"},
+    "compare_sphere": {"judge_sets"},
+    "judge_sets": {"evaluate_claims"},
     "measure_topography": {"aggregate_topography"},
-    "aggregate_topography": {"evaluate_claims"},
-    "aggregate_adhesion": {"infer", "evaluate_claims"},
+    "aggregate_topography": {"judge_sets", "evaluate_claims"},
+    "aggregate_adhesion": {"infer", "judge_sets", "evaluate_claims"},
     "aggregate_elastic": {"evaluate_claims"},
     "measure_indents": {"evaluate_claims"},
     "aggregate_asperities": {"evaluate_claims"},
@@ -67,7 +73,15 @@ for dataset, rule in DATASETS.items():
 
 #: What reads the intermediates, where all files of a rule are made again.
 INTERMEDIATE = {
-    "calibrate_spectrum": {"synthesize_scan", *MASTERS, "vary_scales", "aggregate_topography"},
+    "calibrate_spectrum": {
+        "condition_scans",
+        "synthesize_scan",
+        "compute_pool",
+        *MASTERS,
+        "vary_scales",
+        "aggregate_topography",
+    },
+    "condition_scans": {"synthesize_scan", "aggregate_topography"},
     "extrapolate_spectrum": {*MASTERS, "vary_scales", "aggregate_topography"},
     "synthesize_scan": {"prepare_scan"},
     "prepare_scan": {

@@ -8,13 +8,14 @@ import pandas as pd
 import pytest
 from paper_numbers import SUBSTRATES
 from repository import OTHERWISE, ROOT, run_snakemake
-from rule_graph import AGGREGATED, KEPT, MASTERS, following
+from rule_graph import AGGREGATED, KEPT, MASTERS, POOLED, following
 from scan_files import container, heights, scan
 
-#: Pairs of robustness: of each surface, and of the substitutes made otherwise.
-VARIED_PAIRS = 4 * (len(SUBSTRATES) + len(OTHERWISE))
-#: Masters of robustness on one side: on either sphere, and of the substitutes made otherwise.
-VARIED = 2 * len(SUBSTRATES) + len(OTHERWISE)
+#: Scans of robustness: of each surface, and of the substitutes made otherwise.
+VARIED_PAIRS = 2 * (len(SUBSTRATES) + len(OTHERWISE))
+#: Masters of the sets and of robustness on one side: on either sphere, of the substitutes made
+#: otherwise, and of the realizations that robustness does without.
+VARIED = 2 * len(SUBSTRATES) + len(OTHERWISE) + 3 * len(SUBSTRATES)
 
 
 def planned(folder, *overlays, targets=()):
@@ -68,29 +69,34 @@ def test_one_more_realization(finished):
         "synthesize_small_scale_master": len(SUBSTRATES),
         "synthesize_large_scale_master": len(SUBSTRATES),
         "compute_filtered_pull_off": 8 * len(SUBSTRATES),
-        **after("aggregate_scales"),
+        **after("aggregate_scales", "judge_sets"),
     }
     assert all("realization-3" in output for _, output in jobs if "store-quick" in output)
 
 
 def test_one_more_scan(finished):
+    """The scans of a surface are conditioned together: all of them are made again.
+
+    So is the fourth, which begins another group and on which the sets' last realization builds.
+    """
     jobs = planned(finished, {"scans": [1, 2, 3]})
+    surfaces = 5 + len(OTHERWISE)
     assert counts(jobs) == {
-        "synthesize_scan": 5 + len(OTHERWISE),
-        "prepare_scan": 5 + len(OTHERWISE),
-        "measure_topography": 5,
-        "compute_pull_off": len(SUBSTRATES) * (9 - 4),
+        "condition_scans": 5 + 2 * len(SUBSTRATES),  # those of the other curvature as well
+        "synthesize_scan": 3 * surfaces + len(SUBSTRATES),
+        "prepare_scan": 3 * surfaces + len(SUBSTRATES),
+        **dict.fromkeys(POOLED, len(SUBSTRATES)),
+        "measure_topography": 3 * 5,
+        "compute_pull_off": 9 * len(SUBSTRATES),
         "measure_window_change": 3 * len(SUBSTRATES),
-        "solve_elastic_contact": len(SUBSTRATES),
-        "find_asperities": len(SUBSTRATES),
-        "vary_adhesion": (9 - 4) * (len(SUBSTRATES) + len(OTHERWISE)),
-        **after(*AGGREGATED - {"aggregate_scales"}, "measure_indents"),
+        "solve_elastic_contact": 3 * len(SUBSTRATES),
+        "find_asperities": 3 * len(SUBSTRATES),
+        "vary_adhesion": 3 * (len(SUBSTRATES) + len(OTHERWISE)),
+        **dict.fromkeys(MASTERS, 2 * len(SUBSTRATES)),
+        "compute_filtered_pull_off": 16 * len(SUBSTRATES),
+        "vary_scales": 2 * VARIED,
+        **after(*AGGREGATED, "trace_contact", "measure_indents"),
     }
-    rules = {
-        "synthesize_scan", "prepare_scan", "solve_elastic_contact", "find_asperities",
-        "compute_pull_off", "vary_adhesion",
-    }  # fmt: skip
-    assert all("scan-3" in output for rule in rules for output in outputs(jobs, rule))
 
 
 def test_another_preload(finished):
@@ -102,6 +108,7 @@ def test_another_preload(finished):
         "find_asperities": 2 * len(SUBSTRATES),
         "vary_adhesion": VARIED_PAIRS,
         "vary_scales": 2 * VARIED,
+        **dict.fromkeys(POOLED, len(SUBSTRATES)),
         **after(*AGGREGATED - {"aggregate_topography"}, "trace_contact"),
     }
 
@@ -158,31 +165,32 @@ def test_other_hardnesses_of_robustness(finished):
     assert counts(jobs) == {
         "vary_adhesion": VARIED_PAIRS,
         "vary_scales": 2 * (VARIED - len(SUBSTRATES)),  # the rough sphere bears one load alone
-        **after("aggregate_robustness"),
+        **after("aggregate_robustness", "judge_sets"),  # sets draw masters that bear all loads
     }
     assert all("-smooth" in output for output in outputs(jobs, "vary_scales"))
 
 
 def test_one_more_skewness_of_robustness(finished):
-    jobs = planned(finished, {"robustness": {"skewness": [0, 0.3]}})
+    """It concerns one surface, which keeps its spectrum and conditioning."""
+    jobs = planned(finished, {"robustness": {"heights": {"skewness": [0.5, 0.3]}}})
     assert counts(jobs) == {
-        "calibrate_spectrum": len(SUBSTRATES),
-        "synthesize_scan": 2 * len(SUBSTRATES),
-        "prepare_scan": 2 * len(SUBSTRATES),
-        "vary_adhesion": 4 * len(SUBSTRATES),
-        "vary_scales": 2 * len(SUBSTRATES),
+        "synthesize_scan": 2,
+        "prepare_scan": 2,
+        "vary_adhesion": 2,
+        "vary_scales": 2,
         **after("aggregate_robustness"),
     }
     stored = [output for _, output in jobs if "store-quick" in output]
-    assert len(stored) == 11 * len(SUBSTRATES)
-    assert all("/skewness-0.3/" in output for output in stored)
+    assert len(stored) == 8
+    assert all("/polished_uncd/skewness+0.3/" in output for output in stored)
 
 
 def test_robustness_without_other_values_has_nothing_more_to_make(finished):
-    jobs = planned(finished, {"robustness": {"preloads": [], "hardnesses": [], "skewness": []}})
-    assert not [output for _, output in jobs if "skewness" in output]
+    none = {"heights": {"skewness": []}, "tip": {"radii": []}}
+    jobs = planned(finished, {"robustness": {"preloads": [], "hardnesses": [], **none}})
+    assert not [output for _, output in jobs if "skewness" in output or "tip-" in output]
     expected = {"vary_adhesion", "vary_scales", *after("aggregate_robustness")}
-    assert counts(jobs).keys() == expected
+    assert counts(jobs).keys() >= expected
 
 
 # Named targets
@@ -197,11 +205,12 @@ def test_robustness_without_other_values_has_nothing_more_to_make(finished):
         ("elastic", "aggregate_elastic", "compute_pull_off"),
         ("plasticity", "measure_indents", "compute_pull_off"),
         ("asperities", "aggregate_asperities", "solve_elastic_contact"),
+        ("sets", "judge_sets", "compute_filtered_pull_off"),
         ("robustness", "aggregate_robustness", "compute_filtered_pull_off"),
         ("classical", "apply_classical_models", "vary_scales"),
         ("claims", "evaluate_claims", "draw_fig1"),
         ("figures", "draw_fig6", "evaluate_claims"),
-        ("pages", "describe_study", "vary_scales"),
+        ("pages", "describe_study", "vary_adhesion"),
     ],
 )
 def test_named_target(finished, target, last, not_needed):

@@ -10,7 +10,18 @@ from multiprocessing.pool import ThreadPool
 
 import pytest
 import yaml
-from changes import CHANGES, COLUMNS, FILES, IDLE, KEYS, MODULES, SCRIPTS, rules_of, with_line
+from changes import (
+    CHANGES,
+    COLUMNS,
+    FILES,
+    IDLE,
+    KEYS,
+    KEYS_OF_VARIANTS,
+    MODULES,
+    SCRIPTS,
+    rules_of,
+    with_line,
+)
 from repository import PAPER, PARTS, QUICK, ROOT, ROWS, environment, leaves
 from rule_graph import all_following
 from snakemake.cli import main as snakemake
@@ -117,7 +128,7 @@ def reruns(finished, tmp_path_factory):
 
 
 def test_every_key_is_in_the_matrix():
-    assert sorted(KEYS) == sorted(leaves(PAPER))
+    assert sorted([*KEYS, *KEYS_OF_VARIANTS]) == sorted(leaves(PAPER))
 
 
 def test_every_column_is_in_the_matrix():
@@ -131,7 +142,9 @@ def test_every_resource_is_in_the_matrix():
         for folder in ("paper", "spectra")
         for path in (ROOT / "resources" / folder).glob("*.csv")
     }
-    other = {"resources/spectra/ncd-table1.csv"}  # an alternative that no surface names
+    other = {  # alternatives that no surface names
+        f"resources/spectra/{name}.csv" for name in ("ncd-published", "uncd-measured", "uncd-tem")
+    }
     assert used - other <= set(FILES)
 
 

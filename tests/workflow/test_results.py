@@ -7,9 +7,11 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from paper_numbers import SUBSTRATES, SURFACES
+from paper_numbers import SUBSTRATES
 from repository import OTHERWISE, ROOT, copy_repository, run_snakemake
 
+from hardcontact.claims.evaluation import COLUMNS
+from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.figures.catalogue import FIGURES
 from hardcontact.records import dataset
@@ -48,17 +50,20 @@ CONTENT = {
         "-": "label basis side",
     },
     "inference": {
-        "N": "mean_force mean_force_interval contact_spread force_mean "
+        "N": "mean_force mean_force_interval contact_spread force_mean force_mean_interval "
         "force_median lognormal_median",
         "nm": "rho rho_fine range_of_adhesion range_of_adhesion_interval range_from_ratios "
-        "bootstrap_range region_range",
-        "J m-2": "work work_of_adhesion work_of_adhesion_interval bootstrap_work region_work",
-        "1": "ratio ratio_error mean_relative_error best_error lognormal_shape censored_fraction",
-        "-": "label basis undecided",
+        "sampled_range region_range minimum_range pair_range",
+        "J m-2": "work work_of_adhesion work_of_adhesion_interval sampled_work region_work "
+        "minimum_work pair_work",
+        "1": "ratio ratio_error ratio_at_pair ratio_at_pair_interval mean_relative_error "
+        "error_of_range minimum_error best_error best_error_interval sampled_error "
+        "model_error_ratio model_error_ratio_interval lognormal_shape censored_fraction",
+        "-": "label basis undecided pair",
     },
     "band": {
         "nm": "critical_wavelength critical_wavelength_interval cutoff_wavelength",
-        "1": "scale_ratio scale_ratio_interval",
+        "1": "scale_ratio scale_ratio_interval scale_change scale_change_interval",
         "-": "label basis side group",
     },
     "elastic": {
@@ -154,7 +159,8 @@ def test_datasets_without_surfaces_say_what_they_are_made_of(results):
 def test_every_map_of_the_store_is_labelled(finished):
     store = finished / "results" / "store-quick"
     maps = {part: list(store.glob(f"{part}/**/*.nc")) for part in ("scans", "stitched", "masters")}
-    scans = dict.fromkeys([*(f"{surface}/study" for surface in SURFACES), *OTHERWISE], 2)
+    scans = {f"{surface}/study": 4 for surface in SUBSTRATES}  # of the masters of sets
+    scans |= dict.fromkeys(["ruby/study", *OTHERWISE], 2)
     for part in ("scans", "stitched"):
         folders = (path.parent.relative_to(store / part) for path in maps[part])
         assert Counter(map(str, folders)) == scans
@@ -217,9 +223,9 @@ def robustness(results):
 
 
 def test_variants_are_those_of_the_configuration(robustness):
-    names = "baseline laplacian skewness-0 rough_sphere preload-5uN hardness-47GPa".split()
-    groups = "baseline curvature heights sphere preload hardness".split()
-    assert robustness.variant.values.tolist() == names
+    names = "baseline laplacian skewness+0.5 tip-17nm rough_sphere preload-5uN hardness-47GPa"
+    groups = "baseline curvature heights tip sphere preload hardness".split()
+    assert robustness.variant.values.tolist() == names.split()
     assert robustness.group.values.tolist() == groups
 
 
@@ -227,8 +233,8 @@ def test_only_what_a_variant_concerns_is_another(robustness):
     fitted = [name for name in robustness if robustness[name].dtype.kind == "f"]
     fitted = robustness[[name for name in fitted if "side" not in robustness[name].dims]]
     rough = fitted.sel(variant="rough_sphere")
-    assert len(fitted) == 5 and all(value.isnull().all() for value in rough.values())
-    others = fitted.drop_sel(variant="rough_sphere")
+    assert len(fitted) == 9 and all(value.isnull().all() for value in rough.values())
+    others = fitted.drop_sel(variant="rough_sphere").sel(minimum=1)  # others need not exist
     assert all(np.isfinite(value).all() for value in others.values())
     cutoffs = robustness.critical_wavelength
     assert np.isfinite(cutoffs).all()
@@ -236,11 +242,16 @@ def test_only_what_a_variant_concerns_is_another(robustness):
         assert (cutoffs.sel(variant=name) != cutoffs.sel(variant="baseline")).any(), name
 
 
-@pytest.mark.parametrize("name", ["range_of_adhesion", "work_of_adhesion", "critical_wavelength"])
+@pytest.mark.parametrize("name", ["range_of_adhesion", "work_of_adhesion"])
 def test_variants_lie_in_their_intervals(robustness, name):
     value, (low, high) = robustness[name], bounds(robustness, name)
     known = np.isfinite(value)
     assert ((low <= value) | ~known).all() and ((value <= high) | ~known).all()
+
+
+def test_a_single_realization_has_no_interval(robustness):
+    assert robustness.attrs["realizations"] == 1
+    assert robustness.critical_wavelength_interval.isnull().all()
 
 
 def test_loads_that_as_many_pixels_carry_are_one(robustness):
@@ -267,19 +278,14 @@ def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished)
     for name in OTHERWISE:
         plain, other = heights(f"{name.partition('/')[0]}/study"), heights(name)
         assert (plain != other).any()
-        assert np.corrcoef(plain, other)[0, 1] > 0.9, name
+        assert np.corrcoef(plain, other)[0, 1] > 0.7, name  # spectrum and gain differ
     assert abs(np.corrcoef(heights("uncd/study"), heights("mcd/study"))[0, 1]) < 0.5
-    skewness = {
-        variant: dataset.read(store / f"spectra/uncd/{variant}/calibrated.nc").attrs["skewness"]
-        for variant in ("study", "laplacian", "skewness-0")
-    }
-    assert skewness == {"study": 0.54, "laplacian": 0.54, "skewness-0": 0.0}
 
 
 def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy, results):
     pair = "R250um/H25GPa-F10uN/uncd/study/scan-2/sphere-scan-1.nc"
     path = f"results/store-quick/robustness/{pair}"
-    run = run_snakemake(finished_copy, path, overlays=[{"robustness": {"count": 6}}])
+    run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])
     assert run.returncode == 0, run.stdout[-3000:]
     varied = dataset.read(finished_copy / path).pull_off_force.transpose("load", "rho")
     study = dataset.read(results / "adhesion.nc").pull_off_force
@@ -298,13 +304,14 @@ def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy,
 
 def test_claims(results):
     claims = pd.read_csv(results / "claims.csv")
-    columns = "id section statement published computed low high unit rule verdict basis note"
-    assert list(claims.columns) == columns.split()
-    known = {"reproduced", "consistent", "not reproduced", "not testable on substitutes"}
-    assert set(claims.verdict) <= known
+    assert tuple(claims.columns) == COLUMNS
+    assert set(claims.verdict) <= set(VERDICTS)
     assert set(claims.basis) == {"substitute scans", "no scan"}
     published = pd.read_csv(ROOT / "resources/paper/claims.csv")
     assert list(claims.id) == list(published.id) and claims.id.is_unique
+    replicated = published.set_index("id").loc[claims.id, "replicated"] == "yes"
+    assert list(claims.frequency.notna()) == list(replicated)
+    assert claims.frequency.dropna().between(0, 1).all()
 
 
 SIGNATURES = {"pdf": b"%PDF-", "png": b"\x89PNG"}
@@ -323,7 +330,8 @@ def test_pages_of_the_report(results):
     assert set(pages) == set(PAGES)
     claims = pd.read_csv(results / "claims.csv")
     assert [text for text in claims.statement if escape(text) not in pages["claims"]] == []
-    assert pages["claims"].count("<tr>") == 1 + len(claims)
+    tables = 1 + claims.section.nunique()
+    assert pages["claims"].count("<tr>") == tables + len(VERDICTS) + len(claims)
     assert "study: quick" in pages["parameters"] and "numpy" in pages["parameters"]
     assert "Interaction radius" in pages["departures"]
 

@@ -18,7 +18,7 @@ BLOCKS = dict(
 RULES = {name: block for name, block in BLOCKS.items() if "script:" in block and name != "verify"}
 TARGETS = {
     "all", "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical",
-    "robustness", "claims", "figures", "pages", "crate", "verify",
+    "sets", "robustness", "claims", "figures", "pages", "crate", "verify",
 }  # fmt: skip
 
 

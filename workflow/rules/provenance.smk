@@ -30,6 +30,7 @@ rule describe_crate:
         rules.asperities.input,
         rules.scales.input,
         rules.classical.input,
+        rules.sets.input,
         rules.robustness.input,
         rules.claims.input,
         rules.figures.input,

@@ -1,11 +1,11 @@
-# Robustness: the headline numbers under other choices, each from fewer contacts and realizations.
+# Robustness: the headline numbers under other choices, at the size of the sets.
 
-VARIED = STUDY["robustness"]
+SIZE = STUDY["sets"]
 PROBE = FILES.variants[0].probe
 
 
 rule vary_adhesion:
-    """Compute the mean forces of one pair of scans, of one variant of a surface, at every load."""
+    """Compute the mean forces of one scan of one variant of a surface, on one scan of the sphere."""
     input:
         substrate=PATTERNS.stitched_substrate,
         sphere=PATTERNS.stitched_sphere,
@@ -23,7 +23,7 @@ rule vary_adhesion:
             {
                 "surface": w.surface,
                 "loads": FILES.loads(PROBE),
-                "count": VARIED["count"],
+                "count": SIZE["count"],
                 "window": STUDY["contact"]["window"],
                 "ranges": STUDY["adhesion"]["ranges"],
                 "radius": STUDY["sphere"]["radius"],
@@ -36,7 +36,7 @@ rule vary_adhesion:
 rule vary_scales:
     """Compute the mean forces of one master without the scales beyond each cutoff, at every load."""
     input:
-        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
+        scan=lambda w: FILES.stitched_of_set_realization(w.surface, int(w.realization), w.variant),
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
         sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
         code=code_inputs("vary_scales.py"),
@@ -55,10 +55,10 @@ rule vary_scales:
                 "realization": int(w.realization),
                 "side": w.side,
                 "seed": STUDY["seed"],
-                "scales": STUDY["scales"][w.side] | VARIED[w.side],
+                "scales": STUDY["scales"][w.side] | SIZE[w.side],
                 "rho": STUDY["scales"]["range"],
                 "loads": FILES.loads(w.probe),
-                "count": VARIED["count"],
+                "count": SIZE["count"],
                 "window": STUDY["contact"]["window"],
                 "radius": STUDY["sphere"]["radius"],
             }
@@ -73,6 +73,7 @@ rule aggregate_robustness:
         adhesion=FILES.of_pairs(PATTERNS.varied_adhesion, FILES.varied_pairs),
         scales=FILES.varied_scales,
         published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
         code=code_inputs("aggregate_robustness.py"),
     output:
         PATTERNS.dataset("robustness"),
@@ -87,15 +88,15 @@ rule aggregate_robustness:
             {
                 **{
                     key: STUDY["inference"][key]
-                    for key in ("bootstrap_samples", "confidence", "error_threshold")
+                    for key in ("samples", "confidence", "error_threshold")
                 },
                 "variants": [variant.parameters() for variant in FILES.variants],
                 "pairs": FILES.varied_pairs,
                 "masters": FILES.varied_masters,
                 "substrates": SELECTION.substrates,
                 "probe": PROBE,
-                **{f"pixels_{side}": VARIED[side]["pixels"] for side in ("small", "large")},
-                "count": VARIED["count"],
+                **{f"pixels_{side}": SIZE[side]["pixels"] for side in ("small", "large")},
+                "count": SIZE["count"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 "range": STUDY["scales"]["range"],
                 "reference_surface": STUDY["reference_surface"],

@@ -126,7 +126,7 @@ rule find_critical_band:
         canonical=canonical(
             {
                 "tolerance": STUDY["scales"]["tolerance"],
-                "bootstrap_samples": STUDY["inference"]["bootstrap_samples"],
+                "samples": STUDY["inference"]["samples"],
                 "confidence": STUDY["inference"]["confidence"],
                 "seed": STUDY["seed"],
             }

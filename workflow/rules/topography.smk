@@ -23,6 +23,7 @@ rule aggregate_topography:
     input:
         scans=FILES.topographies,
         spectra=FILES.spectra,
+        conditionings=FILES.conditionings.values(),
         examples=FILES.first_scans,
         code=code_inputs("aggregate_topography.py"),
     output:
@@ -35,6 +36,7 @@ rule aggregate_topography:
         canonical=canonical(
             {
                 "scans": FILES.scans,
+                "conditioned": list(FILES.conditionings),
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,
                 "sphere_surface": SPHERE,

@@ -1,8 +1,9 @@
 """Range and work of adhesion and the critical band under every variant of the study's choices."""
 
 from hardcontact import published
-from hardcontact.adhesion.bootstrap import Bootstrap
+from hardcontact.adhesion.inference import Pair
 from hardcontact.adhesion.robustness import Choices, robustness
+from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 
@@ -11,6 +12,7 @@ SETTINGS = "sphere_radius", "range", "count", "pixels_small", "pixels_large"
 
 with job(snakemake) as this:
     given = this.parameters
+    constants = published.constants(this.input.published_constants)["value"]
     choices = Choices(
         given["substrates"],
         given["basis"],
@@ -18,11 +20,12 @@ with job(snakemake) as this:
         given["probe"],
         given["error_threshold"],
         given["tolerance"],
-        Bootstrap(
+        Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
+        Sampling(
             given["seed"],
-            given["bootstrap_samples"],
+            given["samples"],
             given["confidence"],
-            ("bootstrap", "robustness"),
+            ("sampling", "robustness"),
         ),
     )
     varied = robustness(

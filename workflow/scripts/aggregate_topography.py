@@ -7,10 +7,12 @@ from hardcontact.surfaces.roughness_table import TableSettings, roughness_table
 with job(snakemake) as this:
     keys = [tuple(key) for key in this.parameters.pop("scans")]
     surfaces = dict.fromkeys(surface for surface, _ in keys)
+    substitutes = this.parameters.pop("conditioned")
     this.write(
         roughness_table(
             dict(zip(keys, map(dataset.read, this.input.scans), strict=True)),
             dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True)),
+            dict(zip(substitutes, map(dataset.read, this.input.conditionings), strict=True)),
             dict(zip(surfaces, map(dataset.read, this.input.examples), strict=True)),
             TableSettings(**this.parameters),
         ),

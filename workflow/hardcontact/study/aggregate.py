@@ -17,9 +17,12 @@ from hardcontact.study.variants import (
     variants,
 )
 
-__all__ = ["Files", "Master", "Pair"]
+__all__ = ["Chunk", "Files", "Master", "Pair"]
 
 SIDES = ("small", "large")
+
+#: Scans of a pool in one job: more of them leave the jobs there are as they are.
+CHUNK = 15
 
 
 class Pair(NamedTuple):
@@ -29,6 +32,14 @@ class Pair(NamedTuple):
     variant: str
     scan: int
     sphere_scan: int
+
+
+class Chunk(NamedTuple):
+    """Scans of the pool of a substrate that are computed together, from the first to the last."""
+
+    surface: str
+    first: int
+    last: int
 
 
 class Master(NamedTuple):
@@ -78,7 +89,12 @@ class Files:
             pattern = self._patterns.extrapolated_spectrum
         else:
             pattern = self._patterns.calibrated_spectrum
-        return self._of_surface(pattern, surface, variant)
+        return self._of_surface(pattern, surface, self.surface_variants[variant].spectrum)
+
+    def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
+        """Return what a substitute scan shares with the others of its group."""
+        group, made = self._selection.group(surface, scan), self.surface_variants[variant].spectrum
+        return self._of_surface(self._patterns.conditioning, surface, made, group=group)
 
     def scan(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return the file that a scan is read from, measured or a substitute."""
@@ -98,6 +114,16 @@ class Files:
         """Return the scan that a realization builds on, in turn where there are fewer scans."""
         scans = self._selection.scans(surface)
         return self.stitched(surface, scans[(realization - 1) % len(scans)], variant)
+
+    def stitched_of_set_realization(self, surface: str, realization: int, variant: str) -> str:
+        """Return the scan that a realization of the sets builds on.
+
+        Of a substitute it is a scan of its own, beyond the study's where these are used up; of a
+        measured surface it is that of `stitched_of_realization`.
+        """
+        if self._selection.basis[surface] == "measured":
+            return self.stitched_of_realization(surface, realization, variant)
+        return self.stitched(surface, self._selection.own_scan(surface, realization), variant)
 
     @property
     def first_sphere(self) -> str:
@@ -132,6 +158,15 @@ class Files:
         return [
             self.levelled(surface, self._scans(surface)[0]) for surface in self._selection.surfaces
         ]
+
+    @property
+    def conditionings(self) -> dict[str, str]:
+        """What the study's own scans of each substitute share, by surface."""
+        return {
+            surface: self.conditioning(surface, self._scans(surface)[0])
+            for surface in self._selection.surfaces
+            if self._selection.basis[surface] == "substitute"
+        }
 
     # Adhesion and contact
 
@@ -207,13 +242,64 @@ class Files:
             for surface, realization, side, cutoff in self.filters
         ]
 
+    # Sets
+
+    @property
+    def chunks(self) -> list[Chunk]:
+        """The scans of all pools."""
+        pool = self._configuration["sets"]["pool"]
+        return [
+            Chunk(surface, first, min(first + CHUNK - 1, pool))
+            for surface in self._selection.pooled
+            for first in range(1, pool + 1, CHUNK)
+        ]
+
+    @property
+    def pools(self) -> list[str]:
+        """The forces of all pools, one file a chunk."""
+        return [
+            self._of_surface(
+                self._patterns.pool, one.surface, STUDY_VARIANT, first=one.first, last=one.last
+            )
+            for one in self.chunks
+        ]
+
+    @property
+    def smooth_spheres(self) -> list[str]:
+        """The forces on a smooth sphere of the study's scans of each substrate with a pool."""
+        pattern = self._patterns.smooth_sphere
+        return [
+            self._of_surface(pattern, surface, STUDY_VARIANT) for surface in self._selection.pooled
+        ]
+
+    @property
+    def set_masters(self) -> list[Master]:
+        """Every master that the bands of sets are drawn from."""
+        probe = self.variants[0].probe
+        return [
+            Master(surface, STUDY_VARIANT, realization, side, probe)
+            for surface in self._selection.substrates
+            for realization in range(1, self._configuration["sets"]["realizations"] + 1)
+            for side in SIDES
+        ]
+
+    @property
+    def set_scales(self) -> list[str]:
+        """The pull-off forces of every master of the sets."""
+        return self.of_masters(self.set_masters)
+
     # Robustness
 
     @cached_property
     def varied_pairs(self) -> list[Pair]:
-        """Every pair of scans that some variant asks for."""
+        """Every scan that some variant asks for, with the first scan of the sphere."""
         made = (item for variant in self.variants for item in variant.variant.items())
-        return self._pairs(dict.fromkeys(made))
+        first = self._scans(self._selection.sphere)[0]
+        return [
+            Pair(surface, variant, scan, first)
+            for surface, variant in dict.fromkeys(made)
+            for scan in self._scans(surface)
+        ]
 
     @cached_property
     def varied_masters(self) -> list[Master]:
@@ -230,8 +316,12 @@ class Files:
     @property
     def varied_scales(self) -> list[str]:
         """The pull-off forces of every master of robustness."""
+        return self.of_masters(self.varied_masters)
+
+    def of_masters(self, masters: Iterable[Master]) -> list[str]:
+        """Return the pull-off forces of masters at all cutoffs and loads, one file a master."""
         pattern = self._patterns.varied_scales
-        return [pattern.format(**one._asdict(), **self._swept) for one in self.varied_masters]
+        return [pattern.format(**one._asdict(), **self._swept) for one in masters]
 
     def loads(self, probe: str) -> list[NamedLoad]:
         """Return the loads that this sphere comes with, each once."""

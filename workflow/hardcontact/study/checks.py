@@ -51,7 +51,20 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
         refuse_description(path, rows_of_table1.get(surface, set()))
+    _refuse_small_pool(config, table)
     _refuse_on_grids(config, table)
+
+
+def _refuse_small_pool(config: dict[str, Any], table: pd.DataFrame) -> None:
+    """Refuse a pool with fewer scans than a set has."""
+    pool = config["sets"]["pool"]
+    scans = table[table.source == "substitute"].groupby("surface", sort=False).size()
+    for surface, count in scans.items():
+        if surface != config["sphere"]["surface"] and count > pool:
+            raise ValueError(
+                f"config key sets.pool: expected at least the {count} scans of {surface}, "
+                f"found {pool}"
+            )
 
 
 def _refuse_on_grids(config: dict[str, Any], table: pd.DataFrame) -> None:
@@ -71,7 +84,7 @@ def _refuse_on_grids(config: dict[str, Any], table: pd.DataFrame) -> None:
         refuse_on_scan(config, surface, grid)
         if surface != name:
             refuse_on_pair(config, surface, grid, sphere)
-            for section, side in product(("scales", "robustness"), ("small", "large")):
+            for section, side in product(("scales", "sets"), ("small", "large")):
                 refuse_on_master(config, section, side, surface, grid, sphere)
 
 
@@ -85,6 +98,8 @@ def _refuse_unknown_surfaces(config: dict[str, Any], table: pd.DataFrame) -> Non
         ("reference_surface", config["reference_surface"], substrates),
         ("adhesion.traced_contact.surface", traced["surface"], substrates),
         ("indent.surface", config["indent"]["surface"], substrates),
+        ("robustness.heights.surface", config["robustness"]["heights"]["surface"], substrates),
+        ("robustness.tip.surface", config["robustness"]["tip"]["surface"], substrates),
     ):
         if surface not in known:
             raise ValueError(
@@ -104,11 +119,13 @@ def _refuse_disorder(config: dict[str, Any]) -> None:
     """Refuse lists of quantities that do not ascend."""
     for section in ("adhesion", "asperities"):
         _refuse_descent(f"{section}.ranges", config[section]["ranges"], "nm")
-    for section, side in product(("scales", "robustness"), ("small", "large")):
+    for section, side in product(("scales", "sets"), ("small", "large")):
         _refuse_descent(f"{section}.{side}.cutoffs", config[section][side]["cutoffs"], "nm")
     for section in ("indent", "robustness"):
         _refuse_descent(f"{section}.preloads", config[section]["preloads"], "N")
-    _refuse_descent("robustness.hardnesses", config["robustness"]["hardnesses"], "Pa")
+    robustness = config["robustness"]
+    _refuse_descent("robustness.hardnesses", robustness["hardnesses"], "Pa")
+    _refuse_descent("robustness.tip.radii", robustness["tip"]["radii"], "nm")
 
 
 def _refuse_descent(key: str, values: Sequence[float], unit: str) -> None:
@@ -158,8 +175,9 @@ def _refuse_names(config: dict[str, Any]) -> None:
             f"config key store: expected a folder apart from results/{config['study']}, "
             f"found {config['store']}"
         )
-    for skewness in config["robustness"]["skewness"]:
+    for skewness in config["robustness"]["heights"]["skewness"]:
         if float(f"{skewness:g}") != skewness:
             raise ValueError(
-                f"config key robustness.skewness: expected at most six digits, found {skewness!r}"
+                "config key robustness.heights.skewness: expected at most six digits, "
+                f"found {skewness!r}"
             )

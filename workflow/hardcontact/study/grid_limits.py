@@ -1,5 +1,6 @@
 """Limits that the grids of scans and of masters have in common."""
 
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -30,8 +31,8 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"contact", "scales", "robustness"}
-        The section.
+    section : {"contact", "scales", "sets"}
+        The section; robustness is computed at the size of the sets, at loads of its own.
 
     Yields
     ------
@@ -43,7 +44,7 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
     if section == "contact":
         largest = max(config["indent"]["preloads"])
         yield "indent.preloads", Load(preload=largest, hardness=hardness)
-    if section == "robustness":
+    if section == "sets":
         for other in config["robustness"]["preloads"]:
             yield "robustness.preloads", Load(preload=other, hardness=hardness)
         for other in config["robustness"]["hardnesses"]:
@@ -51,12 +52,14 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
 
 
 def refuse_short_range(
-    config: dict[str, Any], key: str, rho: float, surface: str, relief: float, period: float
+    config: dict[str, Any], key: str, rho: float, surface: str, grid: Grid
 ) -> None:
-    """Refuse a range of adhesion over which heights differ so much that exponentials overflow.
+    """Refuse a range of adhesion too short for the pixels or for the relief of a surface.
 
-    Where the window holds a period of the surface, every contact has the highest pixel of the map
-    within half a period of it, and cannot be farther from it than the sphere's curvature says.
+    The interaction radius sqrt(2 R rho) must span two pixels, and exponentials of height over range
+    must not overflow. Where the window holds a period of the surface, every contact has the highest
+    pixel of the map within half a period of it, and cannot be farther from it than the sphere's
+    curvature says.
 
     Parameters
     ----------
@@ -68,23 +71,35 @@ def refuse_short_range(
         Range of adhesion in nm.
     surface : str
         Id of the surface, for the message.
-    relief : float
-        Largest difference in height in nm.
-    period : float
-        Period of the surface in nm.
+    grid : Grid
+        Of the surface before stitching, which doubles its size to the period.
 
     Raises
     ------
     ValueError
-        In one line, naming the key.
+        In one line, naming the key and the least range that the surface permits.
     """
-    if config["contact"]["window"] >= period:
-        relief = min(relief, (period / 2) ** 2 / config["sphere"]["radius"])
-    if rho < relief / RELIEF_OVER_RANGE:
+    radius, relief = config["sphere"]["radius"], grid.relief
+    if config["contact"]["window"] >= 2 * grid.size:
+        relief = min(relief, grid.size**2 / radius)
+    reasons = {
+        f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
+        "an interaction radius sqrt(2 R rho) of two pixels needs it": 2
+        * grid.pixel_size**2
+        / radius,
+    }
+    reason, least = max(reasons.items(), key=lambda item: item[1])
+    if rho < least:
         raise ValueError(
-            f"config key {key}: expected at least {relief / RELIEF_OVER_RANGE:.3g} nm on {surface},"
-            f" where contacts lie up to some {relief:.4g} nm apart in height, found {rho:.4g} nm"
+            f"config key {key}: expected at least {_rounded_up(least):g} nm on {surface}, "
+            f"where {reason}, found {rho:.4g} nm"
         )
+
+
+def _rounded_up(number: float) -> float:
+    """Return the next number of three digits."""
+    step = 10.0 ** (math.floor(math.log10(number)) - 2)
+    return math.ceil(number / step) * step
 
 
 def refuse_large_map(what: str, pixel_size: float, *grids: Grid) -> None:
@@ -121,7 +136,7 @@ def refuse_contact_pixels(
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"contact", "scales", "robustness"}
+    section : {"contact", "scales", "sets"}
         The section whose loads are checked.
     surface : str
         Id of the substrate, for the message.
@@ -135,7 +150,7 @@ def refuse_contact_pixels(
     ValueError
         In one line, naming the key.
     """
-    counted = "robustness" if section == "robustness" else "contact"
+    counted = "sets" if section == "sets" else "contact"
     count = config[counted]["count"]
     most = int(CONTACT_PIXELS / count**2 / images)
     for key, load in loads(config, section):

@@ -29,8 +29,8 @@ def refuse_on_master(
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"scales", "robustness"}
-        Masters of the study, or of robustness.
+    section : {"scales", "sets"}
+        Masters of the study, or of the sets and of robustness.
     side : {"small", "large"}
         The scales that are added to a scan.
     surface : str
@@ -51,14 +51,14 @@ def refuse_on_master(
             f"{tiles} x {tiles} stitched scans of {surface}, found {pixels}"
         )
     rho = config["scales"]["range"]
-    refuse_short_range(config, "scales.range", rho, surface, grid.relief, size)
+    refuse_short_range(config, "scales.range", rho, surface, grid._replace(size=size / 2))
     _refuse_deep_contacts(config, section, rho, grid)
     finest = size / pixels
     cutoff_pixel_size = finest if side == "small" else grid.pixel_size
     for name, limit in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
         wavelengths = config[section][side].get(name, config["scales"][side][name])
         _refuse_wavelengths(f"{section}.{side}.{name}", wavelengths, surface, limit, size)
-    if section == "robustness" or config["scales"]["sphere_roughness"]:
+    if section == "sets" or config["scales"]["sphere_roughness"]:
         finest = min(finest, sphere.pixel_size)
         master = grid._replace(size=size / 2)
         what = f"the {side}-scale masters of {surface} and the sphere"

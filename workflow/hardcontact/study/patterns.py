@@ -45,6 +45,7 @@ class Patterns:
         self.extrapolated_spectrum = (
             f"{store}/spectra/{{surface}}/{{variant}}/extrapolated-{{shape}}.nc"
         )
+        self.conditioning = f"{store}/conditioning/{{surface}}/{{variant}}/group-{{group}}.nc"
         self.substitute = f"{store}/substitutes/{_SCAN}"
         self.levelled = f"{store}/scans/{_SCAN}"
         self.stitched = f"{store}/stitched/{_SCAN}"
@@ -62,6 +63,10 @@ class Patterns:
             "{surface}/{variant}/scan-{scan}.nc"
         )
 
+        of_surface = "{radius}/{load}/{surface}/{variant}"
+        self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
+        self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
+
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")
         self.large_master = self.master.replace("{side}", "large")
@@ -69,7 +74,7 @@ class Patterns:
         self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}/cutoff-{{cutoff}}.nc"
 
         self.varied_adhesion = f"{store}/robustness/{_PAIR}"
-        self.varied_scales = f"{store}/robustness/{loaded}/{{side}}-{{probe}}.nc"
+        self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
@@ -118,8 +123,11 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
     return {
         "surface": "|".join(map(re.escape, surfaces)),
         "variant": "|".join(map(re.escape, variants)),
+        "group": r"\d+",
         "scan": r"\d+",
         "sphere_scan": r"\d+",
+        "first": r"\d+",
+        "last": r"\d+",
         "shape": f"flat|sphere-R{_NUMBER}um",
         "realization": r"\d+",
         "side": "small|large",

@@ -1,6 +1,5 @@
 """What the scans of a surface permit, alone and in a pair with those of the sphere."""
 
-import math
 from typing import Any
 
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
@@ -44,7 +43,7 @@ def refuse_on_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
         In one line, naming the key.
     """
     _refuse_loads(config, surface, grid)
-    for section in ("contact", "robustness"):
+    for section in ("contact", "sets"):
         if config[section]["count"] > 2 * grid.pixels:
             raise ValueError(
                 f"config key {section}.count: expected at most the {2 * grid.pixels} pixels along "
@@ -60,21 +59,14 @@ def refuse_on_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
         ("adhesion.ranges", config["adhesion"]["ranges"][0]),
         ("scales.range", config["scales"]["range"]),
     ):
-        interaction_radius = math.sqrt(2 * config["sphere"]["radius"] * rho)
-        if interaction_radius < 2 * grid.pixel_size:
-            raise ValueError(
-                f"config key {key}: expected an interaction radius "
-                f"sqrt(2 R rho) of two pixels ({2 * grid.pixel_size:.4g} nm) or more on "
-                f"{surface}, found {interaction_radius:.4g} nm"
-            )
-        refuse_short_range(config, key, rho, surface, grid.relief, 2 * grid.size)
+        refuse_short_range(config, key, rho, surface, grid)
 
 
 def _refuse_loads(config: dict[str, Any], surface: str, grid: Grid) -> None:
     """Refuse loads that need more than a quarter of the pixels in the window."""
     window = window_pixels(config["contact"]["window"], grid.pixel_size)
     available = min(window, 2 * grid.pixels) ** 2 // 4
-    for key, load in (*loads(config, "contact"), *loads(config, "robustness")):
+    for key, load in (*loads(config, "contact"), *loads(config, "sets")):
         needed = contact_pixel_count(load, grid.pixel_size)
         if needed > available:
             raise ValueError(
@@ -109,7 +101,7 @@ def refuse_on_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Gri
         )
     refuse_large_map(f"{surface} and the sphere", pixel_size, grid, sphere)
     images = max(1, contact["window"] / (2 * grid.size)) ** 2
-    for section in ("contact", "robustness"):
+    for section in ("contact", "sets"):
         refuse_contact_pixels(config, section, surface, pixel_size, images)
     _refuse_pressure(config, surface, min(contact["window"], 2 * grid.size))
     largest = Load(preload=max(config["indent"]["preloads"]), hardness=contact["hardness"])

@@ -4,6 +4,9 @@ from pathlib import Path
 
 import pandas as pd
 
+from hardcontact.study.patterns import PUBLISHED
+from hardcontact.surfaces.substitute_spectra import CALIBRATED
+
 __all__ = ["Selection"]
 
 HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
@@ -41,13 +44,47 @@ class Selection:
         """Return the numbers of the scans of a surface."""
         return [int(scan) for scan in self._rows.scan[self._rows.surface == surface]]
 
+    def own_scan(self, surface: str, realization: int) -> int:
+        """Return the number of the substitute scan that belongs to one realization alone.
+
+        The study's scans come first, then numbers after the largest of them.
+        """
+        scans = self.scans(surface)
+        if realization <= len(scans):
+            return scans[realization - 1]
+        return max(scans) + realization - len(scans)
+
+    def group(self, surface: str, scan: int) -> int:
+        """Return the number of the group of a substitute scan: 0 of the study's own scans."""
+        scans = self.scans(surface)
+        return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
+
+    def scans_of_group(self, surface: str, group: int) -> list[int]:
+        """Return the scans of a group: as many as the study has, and conditioned together."""
+        scans = self.scans(surface)
+        if group == 0:
+            return scans
+        first = max(scans) + 1 + (group - 1) * len(scans)
+        return list(range(first, first + len(scans)))
+
+    @property
+    def pooled(self) -> list[str]:
+        """Substrates of which sets of scans are drawn: substitutes with a published rms height."""
+        table1 = pd.read_csv(PUBLISHED["published_table1"])
+        known = set(table1.surface[table1.quantity == "afm_rms_height"])
+        return [
+            surface
+            for surface in self.substrates
+            if surface in known and self.basis[surface] == "substitute"
+        ]
+
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""
         return self._cell(surface, scan, "path")
 
     def dataset(self, surface: str, scan: int) -> str:
         """Return which dataset of its container a scan is; empty of a plain file."""
-        return self._cell(surface, scan, "dataset")
+        return self._cell(surface, scan, "dataset") if self.basis[surface] == "measured" else ""
 
     def undefined_pixels(self, surface: str, choice: str) -> str:
         """Return what is done with undefined pixels of a surface: substitutes have none."""
@@ -70,7 +107,7 @@ class Selection:
     def reads_curvature(self, surface: str) -> bool:
         """Return whether a substitute depends on what the curvature of Table 1 is read as."""
         bands = pd.read_csv(self.description(surface))
-        return bool((bands.hurst.isna() & bands.model.isin(["self-affine", "power law"])).any())
+        return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
 
     def _cell(self, surface: str, scan: int, column: str) -> str:
         rows = self._rows

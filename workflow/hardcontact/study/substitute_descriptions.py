@@ -12,18 +12,14 @@ import pandas as pd
 
 from hardcontact.study.schema import plain
 from hardcontact.study.surface_table import TABLE_LIMIT
-from hardcontact.surfaces.calibration import SELF_AFFINE_ROWS, TAIL_ROWS
-from hardcontact.surfaces.substitute_spectra import PARAMETERS
+from hardcontact.surfaces.substitute_spectra import CALIBRATED, PARAMETERS
 
 __all__ = ["refuse_description"]
 
-#: Models of a band, with the rows of Table 1 that a blank Hurst exponent is calibrated to.
-MODELS = {
-    "self-affine": SELF_AFFINE_ROWS,
-    "smooth roll-off": (),
-    "profile": (),
-    "power law": TAIL_ROWS,  # continues the band above, so that it cannot come first
-}
+#: Models of a band; a power law continues the band above, so that it cannot come first.
+MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
+#: Columns of numbers that may be below zero.
+SIGNED = ["hurst_change"]
 #: Columns of the points of a profile's spectrum.
 POINTS = ("wavelength_nm", "c1d_nm3")
 
@@ -44,33 +40,43 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
         In one line, naming the file and the line.
     """
     bands = _table(path, PARAMETERS, ("model", "table"))
-    columns = zip(bands.model, bands.hurst, bands.table, strict=True)
-    for line, (model, hurst, points) in enumerate(columns, start=2):
+    columns = zip(bands.model, bands.rolloff_nm, bands.hurst, bands.table, strict=True)
+    for line, (model, rolloff, hurst, points) in enumerate(columns, start=2):
         known = [name for name in MODELS if line > 2 or name != "power law"]
         if model not in known:
             raise ValueError(
                 f"{path}: line {line}: expected a model, one of {', '.join(known)}; "
                 f"found {plain(model)}"
             )
-        missing = set(MODELS[model]).difference(published) if math.isnan(hurst) else ()
+        missing = set(CALIBRATED.get(model, ())).difference(published) if math.isnan(hurst) else ()
         if missing:
             raise ValueError(
                 f"{path}: line {line}: expected a Hurst exponent, or of this surface the rows "
                 f"{', '.join(sorted(missing))} in resources/paper/table1.csv; found neither"
+            )
+        if model == "varying Hurst" and math.isnan(rolloff):
+            raise ValueError(
+                f"{path}: line {line}: expected a roll-off wavelength of a varying Hurst exponent, "
+                "found none"
             )
         if model == "profile":
             _table(Path(path).parent / str(points), POINTS)
 
 
 def _table(path: str | Path, numbers: Sequence[str], others: Sequence[str] = ()) -> pd.DataFrame:
-    """Read a small table (CSV): columns of numbers, blank or not below zero, and other columns."""
+    """Read a small table (CSV): columns of numbers, blank or not below zero, and other columns.
+
+    Only the change of a Hurst exponent may be below zero.
+    """
     columns = [*numbers, *others]
     try:
         if os.path.getsize(path) > TABLE_LIMIT:
             raise ValueError(f"more than {TABLE_LIMIT} bytes")
         table = pd.read_csv(path, compression=None)[columns]
         table = table.astype(dict.fromkeys(numbers, float))
-        if table.empty or (table[list(numbers)] < 0).any(axis=None):
+        if table.empty or (table[list(numbers)].drop(columns=SIGNED, errors="ignore") < 0).any(
+            axis=None
+        ):
             raise ValueError("no row, or a number below zero")
     except (KeyError, OSError, ValueError) as error:
         reason = " ".join(str(error).split())[:200]

@@ -23,39 +23,47 @@ class SurfaceVariant:
     ----------
     name : str
         As it stands in paths.
+    surface : str or None
+        The only one that is made so; None: all.
     curvature : str or None
         What the curvature of Table 1 is read as.
     skewness : float or None
         Skewness of the heights.
+    tip_radius : float or None
+        In nm, of the tip that images the surface.
     """
 
     name: str
+    surface: str | None = None
     curvature: str | None = None
     skewness: float | None = None
+    tip_radius: float | None = None
 
-    def parameters(self, definitions: Mapping[str, str], skewness: float) -> dict[str, Any]:
-        """Return what a substitute is made with, given the study's own choices.
+    @property
+    def spectrum(self) -> str:
+        """Name of the way to make substitutes whose spectrum and conditioning this one has."""
+        return STUDY_VARIANT if self.curvature is None else self.name
 
-        Parameters
-        ----------
-        definitions : dict
-            What slope and curvature of Table 1 are read as.
-        skewness : float
-            Of the heights of the surface.
-        """
+    def table1(self, definitions: Mapping[str, str]) -> dict[str, str]:
+        """Return what slope and curvature of Table 1 are read as, given the study's reading."""
         other = {} if self.curvature is None else {"curvature": self.curvature}
+        return dict(definitions) | other
+
+    def heights(self, skewness: float) -> dict[str, float | None]:
+        """Return how heights differ from those drawn, given the skewness of the surface."""
         return {
-            "table1": dict(definitions) | other,
             "skewness": skewness if self.skewness is None else self.skewness,
+            "tip_radius": self.tip_radius,
         }
 
     def changes(self, selection: Selection, surface: str) -> bool:
         """Return whether a surface made so differs from that of the study."""
-        if selection.basis[surface] == "measured":
+        if selection.basis[surface] == "measured" or self.surface not in (None, surface):
             return False
         if self.curvature is not None:
             return selection.reads_curvature(surface)
-        return self.skewness not in (None, selection.skewness(surface))
+        other_heights = self.skewness not in (None, selection.skewness(surface))
+        return other_heights or self.tip_radius is not None
 
 
 @dataclass(frozen=True)
@@ -100,11 +108,22 @@ def named_load(preload: str, hardness: str) -> NamedLoad:
 def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
     """Return the ways to make substitutes by their names, that of the study first."""
     curvature = OTHER_CURVATURE[configuration["topography"]["curvature"]]
-    others = [SurfaceVariant(curvature, curvature=curvature)] + [
-        SurfaceVariant(f"skewness-{value:g}", skewness=float(value))
-        for value in configuration["robustness"]["skewness"]
+    heights, tip = (configuration["robustness"][key] for key in ("heights", "tip"))
+    made = [
+        SurfaceVariant(STUDY_VARIANT),
+        SurfaceVariant(curvature, curvature=curvature),
+        *(
+            SurfaceVariant(f"skewness{value:+g}", heights["surface"], skewness=float(value))
+            for value in heights["skewness"]
+        ),
+        *(
+            SurfaceVariant(
+                f"tip-{token(text, 'nm')}", tip["surface"], tip_radius=magnitude(text, "nm")
+            )
+            for text in tip["radii"]
+        ),
     ]
-    return {variant.name: variant for variant in (SurfaceVariant(STUDY_VARIANT), *others)}
+    return {variant.name: variant for variant in made}
 
 
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
@@ -158,15 +177,22 @@ def _of_surfaces(
     """Return a variant for each other way to make substitutes."""
     made = []
     for name, one in surface_variants(configuration).items():
-        if one.curvature is not None:
-            label, group = f"curvature of Table 1: {name.replace('_', ' ')}", "curvature"
-        elif one.skewness is not None:
-            label, group = f"heights of skewness {one.skewness:g}", "heights"
-        else:
+        if name == STUDY_VARIANT:
             continue
+        label, group = _described(one, selection.labels)
         of_surface = {
             surface: name if one.changes(selection, surface) else STUDY_VARIANT
             for surface in selection.substrates
         }
         made.append(_with(baseline, name, label, group, variant=of_surface))
     return made
+
+
+def _described(one: SurfaceVariant, labels: Mapping[str, str]) -> tuple[str, str]:
+    """Return how another way to make substitutes is called, and the choice that it concerns."""
+    if one.surface is None:
+        return f"curvature of Table 1: {one.name.replace('_', ' ')}", "curvature"
+    label = labels[one.surface]
+    if one.skewness is not None:
+        return f"{label}: skewness {one.skewness:+g}", "heights"
+    return f"{label}: tip of {one.tip_radius:g} nm", "tip"

@@ -1,0 +1,33 @@
+"""A pool of small scans of UNCD's spectrum."""
+
+from functools import cache
+
+from random_scans import uncd
+
+from hardcontact.random import generator
+from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
+from hardcontact.surfaces.scan_targets import Targets
+from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.topography import level
+
+GRID = ScanGrid(pixels=64, size=640.0, realization_pixels=128)
+CONTACT = {"window": 1600.0, "count": 2, "preload": 10e-6, "hardness": 25e9}
+TARGETS = Targets({"rms_height": 10.0}, 4.0, ())
+HEIGHTS = pool_heights(TARGETS, 5, 7)
+SETTINGS = PoolSettings(
+    seed=7, surface="uncd", scan=GRID, contact=CONTACT, radius=250e3, ranges=[0.05, 1.0, 5.6]
+)
+
+
+def raw_scan(number):
+    """Return a scan of the pool as it is drawn."""
+    rng = generator(7, "uncd", number, "pool")
+    surface = random_surface(rng, GRID.realization_pixels, GRID.pixel_size, uncd)
+    return level(substitute_scan(surface, GRID.pixels))
+
+
+@cache
+def pool_of(*numbers):
+    """Return the pool of some scans."""
+    return compute_pool(numbers, uncd, TARGETS, HEIGHTS, SETTINGS)

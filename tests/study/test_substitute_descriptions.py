@@ -1,0 +1,49 @@
+"""Descriptions of substitutes: those of the repository are accepted, others in one line refused."""
+
+import pytest
+from refusals import assert_says, refusal
+from repository import ROOT
+
+from hardcontact.study.substitute_descriptions import refuse_description
+from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS
+
+SPECTRA = ROOT / "resources/spectra"
+HEADER = (
+    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
+)
+ROWS = {*AFM_ROWS, *TAIL_ROWS}
+
+
+@pytest.mark.parametrize(
+    "name", ["polished_uncd", "uncd", "ncd", "mcd", "ruby", "uncd-measured", "ncd-published"]
+)
+def test_descriptions_of_the_repository_are_accepted(name):
+    refuse_description(SPECTRA / f"{name}.csv", ROWS)
+
+
+@pytest.mark.parametrize(
+    ("band", "parts"),
+    [
+        ("inf,20,varying Hurst,,,,,,assumed,none", ["line 2", "roll-off wavelength", "none"]),
+        ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
+        ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["line 2", "varying Hurst", "fractal"]),
+        ("inf,20,power law,,,1,,,assumed,none", ["line 2", "model", "power law"]),
+    ],
+)
+def test_other_descriptions_are_refused(tmp_path, band, parts):
+    path = tmp_path / "surface.csv"
+    path.write_text(f"{HEADER}{band}\n")
+    assert_says(refusal(refuse_description, path, ROWS), "surface.csv", "expected", *parts)
+
+
+def test_a_blank_exponent_needs_the_rows_of_table_1(tmp_path):
+    path = tmp_path / "surface.csv"
+    path.write_text(f"{HEADER}inf,6.5,varying Hurst,,2000,,,,assumed,none\n")
+    assert_says(refusal(refuse_description, path, set()), "line 2", "afm_rms_height", "neither")
+    refuse_description(path, ROWS)
+
+
+def test_a_changing_exponent_may_fall(tmp_path):
+    path = tmp_path / "surface.csv"
+    path.write_text(f"{HEADER}inf,20,varying Hurst,1e10,2000,1.7,-0.5,,assumed,none\n")
+    refuse_description(path, set())
