@@ -3,6 +3,7 @@
 import re
 
 import pytest
+import yaml
 from repository import ROOT, snakemake
 from rule_graph import DRAWN
 
@@ -68,6 +69,11 @@ def test_every_rule_wrote_its_log_and_benchmark(finished):
             for path in folder.rglob(f"*{suffix}")
         }
         assert found - {"verify"} == (RULES.keys() | DRAWN) - {"extrapolate_spectrum"}, kind
+
+
+def test_the_cluster_profile_groups_every_rule():
+    profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
+    assert profile["groups"].keys() == profile["set-resources"].keys() == RULES.keys() | DRAWN
 
 
 def test_library_knows_nothing_of_snakemake():
