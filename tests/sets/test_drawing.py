@@ -11,8 +11,9 @@ from small_pool import CONTACT, SETTINGS, pool_of, raw_scan
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
 from hardcontact.random import generator
-from hardcontact.sets.drawing import draw_scans, sampled_again, set_heights
+from hardcontact.sets.drawing import draw_scans, with_sampled_mean
 from hardcontact.statistics import student_log_interval
+from hardcontact.surfaces.scan_targets import group_heights
 from hardcontact.surfaces.topography import metrics, mirror_stitch
 
 POOL = range(1, 7)
@@ -20,11 +21,11 @@ POOL = range(1, 7)
 
 def test_mean_and_deviation_of_heights_are_exactly_as_asked_for():
     drawn = np.array([3.0, 2.8, 3.3, 3.1, 2.9])
-    heights = set_heights(drawn, 3.2, 1.6)
+    heights = group_heights(drawn, 3.2, 1.6)
     assert heights.mean() == pytest.approx(3.2, rel=1e-12)
     assert heights.std(ddof=1) == pytest.approx(1.6, rel=1e-12)
     np.testing.assert_array_equal(np.argsort(heights), np.argsort(drawn))
-    np.testing.assert_array_equal(set_heights(drawn[:1], 3.2, 1.6), [3.2])
+    np.testing.assert_array_equal(group_heights(drawn[:1], 3.2, 1.6), [3.2])
 
 
 def test_forces_and_roughness_of_a_set_are_those_of_its_scans_at_their_heights():
@@ -77,7 +78,7 @@ def measured(scans):
 
 def test_measured_scans_get_another_mean_and_keep_their_distribution():
     forces = measured(5)
-    ratio = sampled_again(forces, generator(4)) / forces
+    ratio = with_sampled_mean(forces, generator(4)) / forces
     assert ratio.dims == forces.dims
     factor = ratio.isel(scan=0, sphere_scan=0, contact_y=0, contact_x=0)
     np.testing.assert_allclose(ratio, factor.broadcast_like(ratio), rtol=1e-12)
@@ -90,7 +91,7 @@ def test_means_of_measured_scans_spread_as_their_interval_says():
     low, high = np.moveaxis(student_log_interval(scans, 0.9, "scan").values, -1, 0)
     means = np.array(
         [
-            sampled_again(forces, generator(5, n)).mean(
+            with_sampled_mean(forces, generator(5, n)).mean(
                 ["scan", "sphere_scan", "contact_y", "contact_x"]
             )
             for n in range(400)
@@ -101,4 +102,4 @@ def test_means_of_measured_scans_spread_as_their_interval_says():
 
 
 def test_a_single_measured_scan_stays_as_it_is():
-    xr.testing.assert_identical(sampled_again(measured(1), generator(6)), measured(1))
+    xr.testing.assert_identical(with_sampled_mean(measured(1), generator(6)), measured(1))

@@ -9,7 +9,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 from set_sources import CONFIDENCE, make_adhesion, make_masters, make_pool, make_sources
 
 from hardcontact.adhesion.inference import Pair, Published
-from hardcontact.sets.judged_sets import Judges, SetSettings, gathered_sources, judge_sets
+from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
 from hardcontact.sets.set_datasets import Draw, drawn_scans, set_adhesion
 
 SETTINGS = SetSettings(
@@ -23,12 +23,12 @@ SETTINGS = SetSettings(
     confidence=CONFIDENCE,
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
-JUDGES = Judges(STATEMENTS, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3)))
+PAPER = Paper(STATEMENTS, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3)))
 
 
 @pytest.fixture(scope="module")
 def sets():
-    return judge_sets(make_sources(), JUDGES, SETTINGS)
+    return judge_sets(make_sources(), PAPER, SETTINGS)
 
 
 def test_every_replicated_claim_has_a_number_of_every_set(sets):
@@ -61,9 +61,9 @@ def test_numbers_are_those_of_each_set(sets):
 
 
 def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
-    fewer = judge_sets(make_sources(), JUDGES, SETTINGS._replace(replicates=1))
+    fewer = judge_sets(make_sources(), PAPER, SETTINGS._replace(replicates=1))
     xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
-    other = judge_sets(make_sources(), JUDGES, SETTINGS._replace(replicates=1, seed=2))
+    other = judge_sets(make_sources(), PAPER, SETTINGS._replace(replicates=1, seed=2))
     assert not np.allclose(other["mean_force"].isel(set=0), sets["mean_force"].isel(set=0))
     assert len(np.unique(sets["range_of_adhesion"])) > 2
 
@@ -100,7 +100,7 @@ def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
 
 def test_surfaces_that_are_all_measured_make_sets_too():
     sources = make_sources(measured=SUBSTRATES)
-    judged = judge_sets(sources, JUDGES, SETTINGS._replace(replicates=2))
+    judged = judge_sets(sources, PAPER, SETTINGS._replace(replicates=2))
     gradient = sources.topography["rms_gradient_mean"].sel(surface=SUBSTRATES)
     np.testing.assert_array_equal(judged["rms_gradient"].isel(set=0), gradient)
     assert not np.allclose(*judged["mean_force"].values)

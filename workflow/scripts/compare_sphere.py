@@ -1,6 +1,6 @@
 """Mean pull-off forces of the study's scans of one substrate on a smooth sphere."""
 
-from hardcontact.sets.smooth_sphere import on_smooth_sphere
+from hardcontact.sets.sphere_comparison import on_smooth_sphere
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map
 

@@ -6,7 +6,7 @@ from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
 from hardcontact.study.job import job
 from hardcontact.surfaces.calibration import rows_of_surface
 from hardcontact.surfaces.scan_targets import scan_targets
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid
 
 with job(snakemake) as this:
@@ -23,7 +23,7 @@ with job(snakemake) as this:
     this.write(
         compute_pool(
             range(first, last + 1),
-            Spectrum(spectrum["wavevector"].values, spectrum["spectrum"].values),
+            spectrum_from(spectrum),
             targets,
             pool_heights(targets, given["scans"], given["amplitudes"]),
             PoolSettings(

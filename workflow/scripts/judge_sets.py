@@ -5,7 +5,7 @@ from hardcontact.adhesion.all_surfaces import stacked_ratios
 from hardcontact.adhesion.inference import Pair, Published
 from hardcontact.claims.evaluation import read_statements
 from hardcontact.records.dataset import read, read_all
-from hardcontact.sets.judged_sets import Judges, SetSettings, gathered_sources, judge_sets
+from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
 from hardcontact.study.job import job
 
 with job(snakemake) as this:
@@ -18,13 +18,13 @@ with job(snakemake) as this:
         dict(zip(given["pooled"], map(read, this.input.smooth_spheres), strict=True)),
         stacked_ratios(read_all(given["masters"], this.input.masters), given["load"]),
     )
-    judges = Judges(
+    paper = Paper(
         read_statements(this.input.statements),
         constants,
         Published(published.pull_off(this.input.published_pull_off), pair),
     )
     this.write(
-        judge_sets(sources, judges, SetSettings(**given["settings"])).assign_attrs(
+        judge_sets(sources, paper, SetSettings(**given["settings"])).assign_attrs(
             confidence=given["settings"]["confidence"]
         ),
         title="numbers of many sets of substitute scans",

@@ -9,13 +9,13 @@ from scipy.interpolate import make_interp_spline
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.statistics import student_log_interval, student_log_samples, with_interval
 
-__all__ = ["at_range", "force_curves", "mean_forces", "of_scans", "on_fine_grid"]
+__all__ = ["at_range", "force_curves", "mean_forces", "mean_of_each_scan", "on_fine_grid"]
 
 #: Dimensions of single contacts, and of the sphere scans they are made with.
 CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
 
 
-def of_scans(forces: xr.DataArray) -> xr.DataArray:
+def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
     """Return the mean force of each scan, over its contacts and the scans of the sphere.
 
     Parameters
@@ -48,7 +48,7 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, n
     sampled : ndarray (sample, surface, rho)
         In N, as from `student_log_samples`; NaN of a surface of one scan.
     """
-    scans = of_scans(forces)
+    scans = mean_of_each_scan(forces)
     sampled = [
         student_log_samples(
             sampling.generator("adhesion", str(surface)),
@@ -90,7 +90,7 @@ def force_curves(
     dimensions, newton, one = ("surface", "rho"), {"units": "N"}, {"units": "1"}
     ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
     spread = forces.std(["scan", *CONTACTS]).values
-    interval = student_log_interval(of_scans(forces), sampling.confidence, "scan")
+    interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
     return {
         "contact_spread": (dimensions, spread, newton),
         "ratio_contact_spread": (dimensions, spread / means[reference], one),

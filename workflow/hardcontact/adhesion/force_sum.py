@@ -10,13 +10,12 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.sphere_sums import outside_sums, smooth_sphere_sums
+from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
 from hardcontact.contact.geometry import Bodies
 
 __all__ = [
     "force_separation",
-    "smooth_sphere_total",
     "plastic_totals",
     "pull_off_force",
     "opened_total",
@@ -91,34 +90,6 @@ def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: flo
     return np.asarray(contact_pixels + opened + outside * np.exp((approach - gaps[..., -1]) / rho))
 
 
-def smooth_sphere_total(everywhere: ArrayLike, h_max: float, gaps: Floats, rho: float) -> Floats:
-    """Return the sum of exp(-gap/rho) at plastic closest approach of a smooth sphere.
-
-    The gap of a contact pixel is zero, although the rigid bodies would overlap there by the
-    penetration. The subtraction of what the overlap adds to the sum costs as many digits as
-    exp(penetration/rho) has.
-
-    Parameters
-    ----------
-    everywhere : array_like
-        (...) from `smooth_sphere_sums`.
-    h_max : float
-        Highest point of the substrate in nm.
-    gaps : numpy.ndarray
-        (..., contact_pixels) nm, ascending.
-    rho : float
-        Range of adhesion in nm.
-
-    Returns
-    -------
-    numpy.ndarray
-        (...)
-    """
-    approach = gaps[..., -1]
-    penetrated = np.expm1((approach[..., None] - gaps) / rho).sum(axis=-1)
-    return np.asarray(np.exp((approach + h_max) / rho) * everywhere - penetrated)
-
-
 def plastic_totals(
     bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
 ) -> Floats:
@@ -142,13 +113,8 @@ def plastic_totals(
     """
     contacts = all_lowest_gaps(bodies, max(contact_pixels))
     gaps = stacked_gaps(contacts, bodies.geometry)
-    if bodies.roughness is not None:
-        outside = outside_sums(bodies, contacts, [rho])[0]
-        return np.array([opened_total(outside, gaps, count, rho) for count in contact_pixels])
-    everywhere, h_max = smooth_sphere_sums(bodies, rho, threads)
-    return np.array(
-        [smooth_sphere_total(everywhere, h_max, gaps[..., :count], rho) for count in contact_pixels]
-    )
+    (outside,) = outside_sums(bodies, contacts, [rho], threads)
+    return np.array([opened_total(outside, gaps, count, rho) for count in contact_pixels])
 
 
 def force_separation(pull_off: float, rho: float, separation: ArrayLike) -> Floats:

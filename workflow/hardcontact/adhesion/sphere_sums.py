@@ -4,8 +4,9 @@ The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums
 a product over both axes, of a rough one a correlation with a kernel that is computed once.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from itertools import product
 
 import numpy as np
@@ -15,7 +16,7 @@ from threadpoolctl import threadpool_limits
 from hardcontact.adhesion.contact_pixels import ContactPixels, Contacts
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
-__all__ = ["outside_sums", "smooth_sphere_sums"]
+__all__ = ["outside_sums"]
 
 Floats = NDArray[np.float64]
 
@@ -26,41 +27,8 @@ OfSphere = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 ROWS = 64  # in a block: small enough for the cache, and the same for any number of threads
 
 
-def smooth_sphere_sums(bodies: Bodies, rho: float, threads: int = 1) -> tuple[Floats, float]:
-    """Return the sum of exp((h - h_max - s)/rho) for an array of contacts of a smooth sphere.
-
-    The sum is G exp((h - h_max)/rho) G^T, a product over both axes, because exp(-s/rho) is such a
-    product. Exact to rounding: all terms are positive.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        The substrate and a smooth sphere.
-    rho : float
-        Range of adhesion in nm.
-    threads : int
-        The result does not depend on it.
-
-    Returns
-    -------
-    sums : numpy.ndarray
-        (contact, contact)
-    h_max : float
-        Highest point of the substrate in nm.
-    """
-    heights = bodies.substrate.heights
-    h_max = float(heights.max())
-    fold = _folded(bodies.substrate.pixels, bodies.geometry, rho)
-    with threadpool_limits(1, "blas"), ThreadPoolExecutor(threads) as pool:
-        return _product(heights, h_max, fold, rho, pool.map), h_max
-
-
 def _product(
-    heights: NDArray[np.floating],
-    highest: float,
-    fold: Floats,
-    rho: float,
-    over_blocks: Callable[..., Iterable[Floats]] = map,
+    heights: NDArray[np.floating], highest: float, fold: Floats, rho: float, threads: int
 ) -> Floats:
     """Return G exp((h - highest)/rho) G^T, (contact, contact); fold: G, (contact, n)."""
     columns = np.ascontiguousarray(fold.T)
@@ -69,7 +37,8 @@ def _product(
         rows = slice(start, start + ROWS)
         return np.asarray(fold[:, rows] @ (_attraction(heights[rows], highest, rho) @ columns))
 
-    return np.asarray(sum(over_blocks(block, range(0, len(heights), ROWS))))
+    with ThreadPoolExecutor(threads) as pool:
+        return np.asarray(sum(pool.map(block, range(0, len(heights), ROWS))))
 
 
 def _folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
@@ -92,7 +61,9 @@ def _attraction(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
     return attraction
 
 
-def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
+def outside_sums(
+    bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats, threads: int = 1
+) -> Floats:
     """Return the sum of exp(-(g + d)/rho) over pixels outside plastic contact.
 
     d is the separation of closest approach. exp(h/rho) and what the sphere adds, folded over the
@@ -108,6 +79,8 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
         Place (i, j) -> `LowestGaps` of each contact of the array.
     rhos : array_like
         (rho,) ranges of adhesion in nm.
+    threads : int
+        Used for a smooth sphere; the result does not depend on it.
 
     Returns
     -------
@@ -121,7 +94,7 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     h_max = float(substrate.heights.max())
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
     outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
-    of_sphere = _of_smooth_sphere if roughness is None else _of_rough_sphere
+    of_sphere = partial(_of_smooth_sphere, threads) if roughness is None else _of_rough_sphere
     with threadpool_limits(1, "blas"):
         for k, rho in enumerate(rhos):
             total, factor = of_sphere(bodies, contact_pixels, rest, h_max, rho)
@@ -134,16 +107,21 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
 
 
 def _of_smooth_sphere(
+    threads: int,
     bodies: Bodies,
     contact_pixels: ContactPixels,
     rest: NDArray[np.floating],
     h_max: float,
     rho: float,
 ) -> OfSphere:
-    """Return the sums over `rest`, heights without contact pixels, and the factor at these."""
+    """Return the sums over `rest`, heights without contact pixels, and the factor at these.
+
+    The sum is G exp((h - h_max)/rho) G^T, a product over both axes, because exp(-s/rho) is one.
+    """
     fold = _folded(bodies.substrate.pixels, bodies.geometry, rho)
     rows, columns = fold[:, contact_pixels.row], fold[:, contact_pixels.column]
-    return _product(rest, h_max, fold, rho), lambda place: rows[place[0]] * columns[place[1]]
+    total = _product(rest, h_max, fold, rho, threads)
+    return total, lambda place: rows[place[0]] * columns[place[1]]
 
 
 def _of_rough_sphere(

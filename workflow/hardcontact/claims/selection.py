@@ -89,13 +89,15 @@ def selected_number(number: xr.Dataset, chosen: Selection, rule: str) -> xr.Data
     open_dimensions = number["value"].dims
     if number["value"].size == 1:
         return number.squeeze(open_dimensions, drop=True)
-    if rule == "below":
-        return number.max(open_dimensions)
-    if rule in ONE_SIDED:
-        return number.min(open_dimensions)
-    raise ValueError(
-        f"rule {rule!r} needs one number, open: {', '.join(map(str, open_dimensions))}"
-    )
+    if rule not in ONE_SIDED:
+        raise ValueError(
+            f"rule {rule!r} needs one number, open: {', '.join(map(str, open_dimensions))}"
+        )
+    worst = number.max(open_dimensions) if rule == "below" else number.min(open_dimensions)
+    # Where one of the numbers lacks an interval, so does the worst: the ends of the others say
+    # nothing about it.
+    with_interval = number["value_interval"].notnull().all("bound") | number["value"].isnull()
+    return worst.assign(value_interval=worst["value_interval"].where(with_interval.all()))
 
 
 def _least_ratio(groups: Iterable[xr.Dataset], dim: str) -> xr.Dataset:

@@ -7,6 +7,7 @@ import xarray as xr
 
 from hardcontact.claims.selection import Selection, selected_labels
 from hardcontact.claims.verdicts import BY_CONSTRUCTION, UNTESTABLE
+from hardcontact.surfaces.calibration import rows_met
 
 __all__ = ["NO_SCAN", "basis", "fixed_verdict", "surfaces_of"]
 
@@ -97,7 +98,7 @@ def fixed_verdict(claim: Any, surfaces: list[str], topography: xr.Dataset) -> tu
         return UNTESTABLE, "The substitute scans assume this."
     met = topography["calibrated_to_table1"].sel(surface=surfaces).values
     by_construction = [
-        substitute and claim.quantity in str(rows).split(",")
+        substitute and claim.quantity in rows_met(str(rows))
         for substitute, rows in zip(substitutes, met, strict=True)
     ]
     if surfaces and all(by_construction):

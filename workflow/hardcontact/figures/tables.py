@@ -4,6 +4,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.statistics import bounds
+from hardcontact.surfaces.calibration import rows_met
 
 __all__ = [
     "BY_CONSTRUCTION",
@@ -86,4 +87,4 @@ def rows_by_construction(of_surface: xr.Dataset) -> list[str]:
     of_surface : xarray.Dataset
         The part of topography.nc with one surface.
     """
-    return [name.strip() for name in of_surface["calibrated_to_table1"].item().split(",")]
+    return rows_met(of_surface["calibrated_to_table1"].item())

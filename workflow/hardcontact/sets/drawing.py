@@ -6,9 +6,10 @@ from numpy.typing import NDArray
 
 from hardcontact.sets.pool import height_weights
 from hardcontact.statistics import student_log_samples
+from hardcontact.surfaces.scan_targets import group_heights
 from hardcontact.surfaces.topography import METRICS
 
-__all__ = ["draw_scans", "sampled_again", "set_heights"]
+__all__ = ["draw_scans", "with_sampled_mean"]
 
 Floats = NDArray[np.float64]
 
@@ -17,30 +18,6 @@ SHAPES = ("skewness", "kurtosis")
 
 #: How often a set is drawn in search of one with the heights asked for.
 TRIES = 1000
-
-
-def set_heights(drawn: Floats, mean: float, deviation: float) -> Floats:
-    """Return rms heights of a set of scans of which mean and deviation are exactly as given.
-
-    Scans keep their order and their relative distances, as those of the study do. A single scan
-    gets the mean.
-
-    Parameters
-    ----------
-    drawn : numpy.ndarray
-        (scan,) rms heights as drawn, in nm.
-    mean, deviation : float
-        Of the heights asked for, in nm; the deviation that of a sample (n - 1).
-
-    Returns
-    -------
-    numpy.ndarray
-        (scan,) nm.
-    """
-    deviations = drawn - drawn.mean()
-    if len(drawn) > 1:
-        deviations *= deviation / deviations.std(ddof=1)
-    return np.asarray(mean + deviations)
 
 
 def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
@@ -72,7 +49,7 @@ def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dat
     known = pool["rms_height_of_force"].values
     for _ in range(TRIES):
         drawn = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
-        heights = set_heights(
+        heights = group_heights(
             drawn["rms_height"].values,
             pool.attrs["mean_rms_height"],
             pool.attrs["rms_height_deviation"],
@@ -109,7 +86,7 @@ def _at_heights(drawn: xr.Dataset, heights: Floats) -> xr.Dataset:
     )
 
 
-def sampled_again(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
+def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
     """Return the forces of measured scans times one sample of what their mean may be.
 
     Other scans of the surface would have another mean force; the scans that there are keep their

@@ -20,7 +20,7 @@ from hardcontact.sets.set_datasets import (
     set_topography,
 )
 
-__all__ = ["Judges", "SetSettings", "gathered_sources", "judge_sets"]
+__all__ = ["Paper", "SetSettings", "gathered_sources", "judge_sets"]
 
 #: Of the inference of a set.
 INFERRED = [
@@ -64,7 +64,7 @@ class SetSettings(NamedTuple):
     confidence: float
 
 
-class Judges(NamedTuple):
+class Paper(NamedTuple):
     """What sets are compared with.
 
     Attributes
@@ -124,14 +124,14 @@ def gathered_sources(
     )
 
 
-def judge_sets(sources: Sources, judges: Judges, settings: SetSettings) -> xr.Dataset:
+def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
 
     Parameters
     ----------
     sources : Sources
         What all sets are made from.
-    judges : Judges
+    paper : Paper
         What sets are compared with.
     settings : SetSettings
         How they are drawn and judged.
@@ -144,11 +144,11 @@ def judge_sets(sources: Sources, judges: Judges, settings: SetSettings) -> xr.Da
         (contact_model, surface, rho), the latter the root mean square over the pool; NaN of a
         surface without one.
     """
-    replicated = judges.statements[judges.statements["replicated"] == "yes"]
-    judges = judges._replace(statements=replicated)
+    replicated = paper.statements[paper.statements["replicated"] == "yes"]
+    paper = paper._replace(statements=replicated)
     numbers = range(1, settings.replicates + 1)
     sets = [
-        _judged_set(sources, judges, settings, Draw(settings.seed, number))
+        _judged_set(sources, paper, settings, Draw(settings.seed, number))
         for number in progress(numbers, len(numbers), "sets")
     ]
     errors = xr.full_like(sources.sphere_factor, np.nan)
@@ -165,15 +165,15 @@ def judge_sets(sources: Sources, judges: Judges, settings: SetSettings) -> xr.Da
     )
 
 
-def _judged_set(sources: Sources, judges: Judges, settings: SetSettings, draw: Draw) -> xr.Dataset:
+def _judged_set(sources: Sources, paper: Paper, settings: SetSettings, draw: Draw) -> xr.Dataset:
     """Return the numbers of one set."""
-    datasets = _datasets(sources, judges.published, settings, draw)
+    datasets = _datasets(sources, paper.published, settings, draw)
     substrates = datasets["adhesion"]["surface"].values
     topography = datasets["topography"].sel(surface=substrates).assign_coords(surface=substrates)
     facts: dict[str, Any] = {}
     for name in FACTS:
         facts |= {name: topography[f"{name}_mean"], f"{name}_std": topography[f"{name}_std"]}
-    value = values(judges.statements, datasets, judges.constants)
+    value = values(paper.statements, datasets, paper.constants)
     return xr.merge(
         [
             xr.Dataset({"value": ("claim", value.to_numpy())}, {"claim": value.index.to_list()}),

@@ -22,8 +22,7 @@ from hardcontact.records.log import progress
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scan_targets import Targets
 from hardcontact.surfaces.spectrum import Density
-from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.topography import METRICS, level, metrics, mirror_stitch
 
 __all__ = ["PoolSettings", "compute_pool", "height_weights", "pool_heights"]
@@ -146,7 +145,7 @@ def _pool_scan(
 ) -> xr.Dataset:
     """Return the forces and the roughness of one scan."""
     rng = generator(settings["seed"], settings["surface"], number, "pool")
-    scan = _raw_scan(rng, density, settings["scan"])
+    scan = level(drawn_scan(rng, density, settings["scan"]))
     roughness = metrics(scan)
     between = rng.uniform(*np.sqrt(heights[[0, -1]])) ** 2
     *computed, direct = (
@@ -179,12 +178,6 @@ def _pool_scan(
         "rho": ("rho", np.asarray(settings["ranges"], float), {"units": "nm"}),
     }
     return xr.Dataset(variables, coordinates)
-
-
-def _raw_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> HeightMap:
-    """Return a levelled scan, cut out of a larger random surface."""
-    surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
-    return level(substitute_scan(surface, grid.pixels))
 
 
 def _log_forces(scan: HeightMap, factor: float, settings: PoolSettings) -> Floats:

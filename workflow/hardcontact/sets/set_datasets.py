@@ -9,7 +9,7 @@ import xarray as xr
 from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.random import generator
-from hardcontact.sets.drawing import draw_scans, sampled_again
+from hardcontact.sets.drawing import draw_scans, with_sampled_mean
 from hardcontact.surfaces.roughness_table import averages
 from hardcontact.surfaces.topography import METRICS
 
@@ -127,7 +127,7 @@ def set_adhesion(sources: Sources, drawn: Drawn, draw: Draw) -> xr.Dataset:
         else:
             own = study["pull_off_force"].sel(surface=surface, drop=True)
             own = own.dropna("scan", how="all").dropna("sphere_scan", how="all")
-            forces = sampled_again(own, draw.generator(surface, "mean force"))
+            forces = with_sampled_mean(own, draw.generator(surface, "mean force"))
         parts.append(forces)
     stacked = xr.concat(parts, study["surface"], join="outer")
     return study[["label", "basis", "contact_pixels"]].assign(

@@ -14,13 +14,12 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.calibration import AFM_ROWS
+from hardcontact.surfaces.calibration import AFM_ROWS, rows_met
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.scan_targets import Targets
+from hardcontact.surfaces.scan_targets import Targets, group_heights
 from hardcontact.surfaces.spectral_gain import BANDS, amplified, band_shares
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum
-from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_from
+from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.topography import level, metrics
 
 if TYPE_CHECKING:
@@ -119,10 +118,7 @@ def conditioned(moments: NDArray[np.float64], targets: Targets) -> Conditioning:
         amplitudes = np.exp(np.append(0.0, logs))
         values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
         heights = values[:, 0]
-        deviations = heights - heights.mean()
-        if len(heights) > 1:
-            deviations *= targets.deviation / deviations.std(ddof=1)
-        return values, (means[0] + deviations) / heights
+        return values, group_heights(heights, means[0], targets.deviation) / heights
 
     def misses(logs: NDArray[np.float64]) -> NDArray[np.float64]:
         values, factors = measured(logs)
@@ -177,13 +173,13 @@ def conditioned_group(
     import xarray as xr
 
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
-    calibrated = [row for row in spectrum.attrs["calibrated_to_table1"].split(",") if row]
+    calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
     if targets is not None:
-        density = Spectrum(spectrum["wavevector"].values, spectrum["spectrum"].values)
+        density = spectrum_from(spectrum)
         shares = band_shares(grid)
         moments = [
             second_moments(
-                [level(_raw_scan(draw(), amplified(density, share), grid)) for share in shares],
+                [level(drawn_scan(draw(), amplified(density, share), grid)) for share in shares],
                 list(targets.means),
             )
             for draw in generators.values()
@@ -207,9 +203,3 @@ def conditioned_group(
         },
         {"basis": "substitute", "calibrated_to_table1": ",".join(calibrated)},
     )
-
-
-def _raw_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> HeightMap:
-    """Return the corner of a random surface that a scan is."""
-    surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
-    return substitute_scan(surface, grid.pixels)

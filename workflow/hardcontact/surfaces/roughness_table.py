@@ -11,7 +11,7 @@ from hardcontact.records.dataset import stack
 from hardcontact.records.origin import canonical
 from hardcontact.statistics import student_interval, with_interval
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, measured_psds
+from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_from
 from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
 
 __all__ = ["TableSettings", "averages", "measured_roughness", "roughness_table"]
@@ -155,7 +155,7 @@ def roughness_table(
 
 def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) -> xr.Dataset:
     """Return spectra (surface, wavevector) and their moments over all scales."""
-    tables = [Spectrum(one["wavevector"].values, one["spectrum"].values) for one in spectra]
+    tables = [spectrum_from(one) for one in spectra]
     height, gradient, half_laplacian = np.array([all_scales_moments(one) for one in tables]).T
     density = np.array([table(wavevector) for table in tables])
     return xr.Dataset(

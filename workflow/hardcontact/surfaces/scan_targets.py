@@ -6,20 +6,21 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pandas as pd
+from numpy.typing import NDArray
 
-from hardcontact.surfaces.calibration import AFM_ROWS
+from hardcontact.surfaces.calibration import AFM_ROWS, rows_met
 from hardcontact.surfaces.scan_moments import expected_moments, transfer_weights
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid
 from hardcontact.surfaces.topography import DEFINITIONS
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["Targets", "scan_targets"]
+__all__ = ["Targets", "group_heights", "scan_targets"]
 
-#: Metrics in units of the gradient and of half the Laplacian, of isotropic surfaces.
-UNITS = {
+#: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
+OVER_MOMENTS = {
     "rms_height": 1.0,
     "rms_gradient": 1.0,
     "rms_profile_slope": 1 / np.sqrt(2),
@@ -86,14 +87,41 @@ def scan_targets(
     same_pixels = same_size and grid.pixels == published[0]
     same = np.array([same_size, same_pixels, same_pixels])
     if not same.all():
-        density = Spectrum(spectrum["wavevector"].values, spectrum["spectrum"].values)
+        density = spectrum_from(spectrum)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
         moments = np.where(same, moments, expected_moments(density, weights))
     height = table1.loc["afm_rms_height"]
-    calibrated = spectrum.attrs["calibrated_to_table1"].split(",")
+    calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
     return Targets(
-        {name: float(UNITS[name] * moment) for name, moment in zip(names, moments, strict=True)},
+        {
+            name: float(OVER_MOMENTS[name] * moment)
+            for name, moment in zip(names, moments, strict=True)
+        },
         float(moments[0] * height["uncertainty"] / height["value"]),
         tuple(row for row, met in zip(AFM_ROWS, same, strict=True) if met and row in calibrated),
     )
+
+
+def group_heights(drawn: NDArray[np.float64], mean: float, deviation: float) -> NDArray[np.float64]:
+    """Return rms heights of a group of scans of which mean and deviation are exactly as given.
+
+    Scans keep their order and their relative distances. A single scan
+    gets the mean.
+
+    Parameters
+    ----------
+    drawn : numpy.ndarray
+        (scan,) rms heights as drawn, in nm.
+    mean, deviation : float
+        Of the heights asked for, in nm; the deviation that of a sample (n - 1).
+
+    Returns
+    -------
+    numpy.ndarray
+        (scan,) nm.
+    """
+    deviations = drawn - drawn.mean()
+    if len(drawn) > 1:
+        deviations *= deviation / deviations.std(ddof=1)
+    return np.asarray(mean + deviations)

@@ -5,7 +5,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid
 
 if TYPE_CHECKING:
@@ -49,5 +49,4 @@ def amplified(density: Density, gain: NDArray[np.float64]) -> Density:
 
 def conditioned_density(spectrum: "xr.Dataset", conditioning: "xr.Dataset") -> Density:
     """Return the spectrum that scans of a group are drawn with, from the two files."""
-    density = Spectrum(spectrum["wavevector"].values, spectrum["spectrum"].values)
-    return amplified(density, conditioning["gain"].values)
+    return amplified(spectrum_from(spectrum), conditioning["gain"].values)

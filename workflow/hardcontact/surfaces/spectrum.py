@@ -29,6 +29,7 @@ __all__ = [
     "measured_psds",
     "read_spectrum",
     "spectrum_dataset",
+    "spectrum_from",
 ]
 
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
@@ -72,6 +73,11 @@ def read_spectrum(path: str) -> Spectrum:
     """Read a spectrum that the study wrote; a file that cannot be read is a ValueError."""
     stored = netcdf.read(path)
     return Spectrum(stored.coordinates["wavevector"][1], stored.variables["spectrum"][1])
+
+
+def spectrum_from(stored: "xr.Dataset") -> Spectrum:
+    """Return a spectrum that `spectrum_dataset` holds."""
+    return Spectrum(stored["wavevector"].values, stored["spectrum"].values)
 
 
 def spectrum_dataset(density: NDArray[np.float64]) -> "xr.Dataset":

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 __all__ = [
     "HeightChoices",
     "ScanGrid",
+    "drawn_scan",
     "sphere_scan",
     "substitute_scan",
     "synthesized_scan",
@@ -86,6 +87,12 @@ def substitute_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> Hei
     """
     heights = factor * surface.heights[:pixels, :pixels].astype(float)
     return replace(surface, heights=heights, periodic=False)
+
+
+def drawn_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> HeightMap:
+    """Return a scan as it is drawn: the corner of a random surface of C_iso `density` in nm⁴."""
+    surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
+    return substitute_scan(surface, grid.pixels)
 
 
 def sphere_scan(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
