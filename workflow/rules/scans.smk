@@ -126,6 +126,7 @@ rule prepare_scan:
                 "undefined_pixels": SELECTION.undefined_pixels(
                     w.surface, STUDY["scan"]["undefined_pixels"]
                 ),
+                "levelling": "plane",
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }
         ),
