@@ -146,7 +146,7 @@ ALIASES = "a0: &a0 [x]\n" + "".join(
 @pytest.mark.parametrize(
     ("content", "part"),
     [
-        ("a: " + "x" * 2**20, "a meta.yml of at most 1048576 bytes"),
+        ("a: " + "x" * 2**20, "meta.yml of at most 1048576 bytes"),
         (ALIASES + "surfaces: *a11\n", "lists surfaces"),
         (ALIASES + "surfaces: [{topographies: [{name: *a11, datafile: 1}]}]\n", "lists surfaces"),
         ("surfaces: &a\n- topographies: *a\n", "lists surfaces"),

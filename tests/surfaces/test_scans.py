@@ -79,11 +79,6 @@ def test_nothing_but_undefined_pixels(tmp_path):
     assert_says(refusal(scans.read_scan, path, "", "harmonic"), "a.nc", "1024 undefined")
 
 
-def test_scan_that_is_not_square(tmp_path):
-    path = scan(tmp_path / "a.nc", heights(32, 16), (320.0, 160.0))
-    assert_says(refusal(scans.read_scan, path), "a.nc", "square scan", "32 x 16 pixels")
-
-
 def test_pixels_that_are_not_square(tmp_path):
     path = scan(tmp_path / "a.nc", sizes=(320.0, 160.0))
     assert_says(refusal(scans.read_scan, path), "square pixels", "10 nm x 5 nm")

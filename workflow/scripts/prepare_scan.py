@@ -1,18 +1,20 @@
-"""A scan, measured or substitute: the plane removed, and the sphere if there is one; stitched."""
+"""A scan, measured or substitute: levelled, the sphere subtracted if there is one; stitched."""
 
 from hardcontact.study.job import job
-from hardcontact.surfaces.scans import read_scan
-from hardcontact.surfaces.topography import prepared_scan
+from hardcontact.surfaces.scans import described, height_map, read_measurement
+from hardcontact.surfaces.topography import level, level_lines, prepared_scan
+
+LEVELLING = {"plane": level, "lines": level_lines}
 
 with job(snakemake) as this:
+    measurement = read_measurement(
+        this.input.scan, this.parameters["dataset"], this.parameters["undefined_pixels"]
+    )
     levelled, stitched = prepared_scan(
-        read_scan(
-            this.input.scan,
-            this.parameters["dataset"],
-            this.parameters["undefined_pixels"],
-            this.parameters["source"],
-        ),
+        height_map(measurement, this.parameters["source"]),
         this.parameters["sphere_radius"],
+        LEVELLING[this.parameters["levelling"]],
+        described(measurement),
     )
     this.write_arrays(levelled, "levelled scan, the sphere subtracted if it shows one", "scan")
     this.write_arrays(stitched, "scan and its mirror images, periodic", "stitched")

@@ -4,41 +4,64 @@ Nothing is unpacked to disk, nothing in a file is executed, and sizes are checke
 is read. `scans` calls this in a process of its own.
 """
 
-import io
 import zipfile
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-import numpy as np
-import yaml
-from numpy.typing import NDArray
-from SurfaceTopography import Topography, open_topography
+from SurfaceTopography import open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
-from SurfaceTopography.Support.UnitConversion import get_unit_conversion_factor
+from SurfaceTopography.IO import XYZReader
 
-__all__ = ["RefusedScan", "heights_of"]
+from hardcontact.surfaces import containers
+from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.scan_limits import FILE_LIMIT, RefusedScan, check_points, unit_in_nm
+from hardcontact.surfaces.scan_values import map_values, profile_values
+from hardcontact.surfaces.tip_radius import stated_tip_radius
 
-#: Pixels along an edge of a scan: substitutes have no fewer, and masters at least twice as many.
-PIXELS = (16, 8192)
-#: The largest file, or archive once unpacked, and the largest meta.yml of a container, in bytes.
-FILE_LIMIT = 2**30
-META_LIMIT = 2**20
-#: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
-#: these keep their digits. A damaged header may state any number.
-LENGTHS = (1e-3, 1e7)
-#: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
-#: are steeper.
-SLOPE_LIMIT = 10
+__all__ = ["datasets_of", "measurement_of"]
 
-
-class RefusedScan(Exception):
-    """A scan that cannot be used; the text says what was expected and what was found."""
+#: Metadata that a container may state, by their names as arguments of a reader.
+STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
+#: Spacings, in the unit of a text file, below which its reader takes any line scan for uniform.
+COARSE_SPACING = 1e-4
 
 
-def heights_of(
-    path: Path, dataset: str, undefined_pixels: str
-) -> tuple[NDArray[np.float64], float]:
-    """Return the heights and the pixel size of a scan.
+class _Source(NamedTuple):
+    """A reader of a file, and what its container says of it, if it is in one."""
+
+    reader: Any
+    entry: dict[str, Any]
+
+
+def datasets_of(path: Path) -> list[str]:
+    """Return the data files of the scans in a container; one empty name of any other file.
+
+    Parameters
+    ----------
+    path : Path
+        Of a scan or a container.
+
+    Returns
+    -------
+    list of str
+        In the order of the container.
+
+    Raises
+    ------
+    RefusedScan
+        If there is no file, it is too large, or it is a container that cannot be used.
+    """
+    _check_file(path)
+    if zipfile.is_zipfile(path):
+        with zipfile.ZipFile(path) as archive:
+            containers.check_archive(archive)
+            if containers.is_container(archive):
+                return [containers.data_file(entry) for entry in containers.members(archive)]
+    return [""]
+
+
+def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> Measurement:
+    """Return a topography.
 
     Parameters
     ----------
@@ -51,10 +74,8 @@ def heights_of(
 
     Returns
     -------
-    heights : numpy.ndarray
-        (y, x) in nm.
-    pixel_size : float
-        In nm.
+    Measurement
+        A map cropped to its central square, or a profile on uniform spacing.
 
     Raises
     ------
@@ -62,22 +83,34 @@ def heights_of(
         If the scan cannot be used.
     """
     try:
-        topography = _opened(path, dataset)
+        source = _opened(path, dataset)
     except CannotDetectFileFormat:
         raise RefusedScan(
             "expected a whole file in a format that SurfaceTopography reads, "
             "found one that none of its readers takes"
         ) from None
-    factor = _unit_in_nm(topography)
-    if topography.has_undefined_data:
-        topography = _filled(topography, undefined_pixels)
-    heights = np.asarray(topography.heights(), dtype=float).T * factor
-    pixel_sizes = np.asarray(topography.physical_sizes, float) * factor / topography.nb_grid_pts
-    return heights, _checked_pixel_size(heights, pixel_sizes)
+    channel, chosen = _height_channel(source)
+    topography, stated = _topography(channel, source.entry)
+    factor = _unit_of(topography)
+    is_map = topography.dim == 2
+    values = (map_values if is_map else profile_values)(topography, factor, undefined_pixels)
+    tip_radius, tip = stated_tip_radius(topography.info, source.entry)
+    return Measurement(
+        path=str(path),
+        dataset=dataset,
+        channel=channel.name,
+        file_unit=topography.unit,
+        kind="map" if is_map else "profile",
+        heights=values.heights,
+        pixel_size=values.pixel_size,
+        tip_radius=tip_radius,
+        notes=(*chosen, *stated, *values.notes, *tip),
+        undefined=values.undefined,
+    )
 
 
-def _opened(path: Path, dataset: str) -> Topography:
-    """Return the height map in a file, or in one member of a container."""
+def _check_file(path: Path) -> None:
+    """Refuse a file that is missing, empty or too large."""
     if not path.is_file():
         raise RefusedScan("expected a scan, found no such file")
     size = path.stat().st_size
@@ -85,157 +118,90 @@ def _opened(path: Path, dataset: str) -> Topography:
         raise RefusedScan("expected a scan, found an empty file")
     if size > FILE_LIMIT:
         raise RefusedScan(f"expected a file of at most {FILE_LIMIT} bytes, found {size}")
+
+
+def _opened(path: Path, dataset: str) -> _Source:
+    """Return the reader of a file, or of one member of a container."""
+    _check_file(path)
     if zipfile.is_zipfile(path):
         with zipfile.ZipFile(path) as archive:
-            _check_archive(archive)
-            if "meta.yml" in archive.namelist():
-                return _open_member(archive, dataset)
+            containers.check_archive(archive)
+            if containers.is_container(archive):
+                stream, entry = containers.opened_member(archive, dataset)
+                return _Source(open_topography(stream), entry)
     if dataset:
         raise RefusedScan(f"expected a whole container with a dataset {dataset!r}, found none")
-    return _topography(open_topography(str(path)), {})
+    return _Source(open_topography(str(path)), {})
 
 
-def _check_archive(archive: zipfile.ZipFile) -> None:
-    """Refuse an archive that unpacks to too much, or not to one file a name, before reading it."""
-    members = archive.infolist()
-    size = sum(member.file_size for member in members)
-    if size > FILE_LIMIT:
-        raise RefusedScan(f"expected at most {FILE_LIMIT} bytes once unpacked, found {size}")
-    if len({member.filename for member in members}) < len(members):
-        raise RefusedScan("expected an archive with each file once, found one repeated")
-    if any(member.flag_bits & 1 for member in members):
-        raise RefusedScan("expected an archive without a password, found an encrypted file")
+def _height_channel(source: _Source) -> tuple[Any, list[str]]:
+    """Return the channel that the container names, or the reader's own, if it holds heights.
+
+    Otherwise the first one that does, and a note that says so. Of Nanoscope files phases and
+    voltages are channels of heights too, with a pair of units: of pixels and of values.
+    """
+    channels = source.reader.channels
+    number = source.entry.get("data_source")
+    known = number in range(len(channels))
+    wanted = channels[number] if known else source.reader.default_channel
+    for channel in (wanted, *channels):
+        if channel.is_height_channel and not isinstance(channel.unit, tuple):
+            chosen = f"channel {channel.name} read: {wanted.name} holds no heights"
+            return channel, [] if channel.index == wanted.index else [chosen]
+    names = ", ".join(channel.name for channel in channels)
+    raise RefusedScan(f"expected a channel of heights, found only {names}")
 
 
-def _topography(reader: Any, stated: dict[str, Any]) -> Topography:
-    """Return the height map of a reader; `stated` are metadata that the file itself lacks."""
-    channel, (least, most) = reader.default_channel, PIXELS
-    if (
-        channel.dim == 2
-        and not least <= min(channel.nb_grid_pts) <= max(channel.nb_grid_pts) <= most
-    ):
-        pixels = " x ".join(map(str, channel.nb_grid_pts))
-        raise RefusedScan(f"expected {least} to {most} pixels along an edge, found {pixels}")
-    if channel.physical_sizes is None and "physical_sizes" not in stated:
+def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
+    """Return the topography of a channel, and which of its metadata the container stated.
+
+    Metadata of a container count only if its data file has none: its height scale would calibrate
+    a calibrated file twice.
+    """
+    size = tuple(entry.get("size") or ()) or None
+    check_points(channel.nb_grid_pts)
+    if channel.physical_sizes is None and size is None:
         raise RefusedScan(
             "expected a file that states the physical size of the scan, found none: "
             "the file is damaged, or its format has none"
         )
-    return reader.topography(**stated)
-
-
-class _MetaLoader(yaml.SafeLoader):
-    """Plain data only; the containers' tuples are read as lists, nothing is executed."""
-
-
-_MetaLoader.add_constructor(
-    "tag:yaml.org,2002:python/tuple",
-    yaml.SafeLoader.construct_yaml_seq,  # type: ignore[type-var]
-)
-
-
-def _open_member(container: zipfile.ZipFile, dataset: str) -> Topography:
-    """Return the named scan of a contact.engineering container, read in memory."""
-    size = container.getinfo("meta.yml").file_size
-    if size > META_LIMIT:
-        raise RefusedScan(f"expected a meta.yml of at most {META_LIMIT} bytes, found {size}")
-    text = container.read("meta.yml")
-    try:
-        entry = _entry_of(yaml.load(text, Loader=_MetaLoader), dataset)
-        member = entry["datafile"]["original"]
-    except (yaml.YAMLError, LookupError, RecursionError, TypeError, ValueError) as error:
-        raise RefusedScan(
-            "expected a meta.yml that lists surfaces, their topographies and the data file of "
-            f"each, found: {type(error).__name__}: {error}"
-        ) from None
-    if member not in container.namelist():
-        raise RefusedScan(f"expected the data file {member} in the container, found none")
-    reader = open_topography(io.BytesIO(container.read(member)))
-    # Metadata of the container count only if the data file has none: its height scale would
-    # calibrate a calibrated file twice.
     stated: dict[str, Any] = {}
-    for key, value in (
-        ("physical_sizes", tuple(entry.get("size") or ()) or None),
-        ("unit", entry.get("unit")),
-        ("height_scale_factor", entry.get("height_scale")),
-    ):
-        try:
-            if value is not None:
-                _topography(reader, stated | {key: value})
-                stated[key] = value
-        except MetadataAlreadyFixedByFile:
-            pass
-    return _topography(reader, stated)
+    for argument, key in STATED.items():
+        value = size if argument == "physical_sizes" else entry.get(key)
+        if value is not None and _takes(channel, stated | {argument: value}):
+            stated[argument] = value
+    said = ", ".join(f"{STATED[argument]} {value}" for argument, value in stated.items())
+    notes = [f"{said.replace('_', ' ')} as the container states"] if said else []
+    return _with_positions(channel, channel.topography(**stated), stated), notes
 
 
-def _entry_of(meta: Any, dataset: str) -> dict[str, Any]:
-    """Return what a container's meta.yml says of the one scan of this name or data file."""
-    entries = [entry for surface in meta["surfaces"] for entry in surface["topographies"]]
-    chosen: list[dict[str, Any]] = [
-        entry for entry in entries if dataset in (entry["datafile"]["original"], entry["name"])
-    ]
-    if not chosen:
-        known = ", ".join(sorted({entry["name"] for entry in entries}))
-        raise RefusedScan(f"expected the column dataset to name one of {known}; found {dataset!r}")
-    if len(chosen) > 1:
-        files = ", ".join(entry["datafile"]["original"] for entry in chosen)
-        raise RefusedScan(
-            f"expected one scan {dataset!r}, found {files}; name one of these instead"
-        )
-    return chosen[0]
+def _takes(channel: Any, stated: dict[str, Any]) -> bool:
+    """Return whether a channel lacks these metadata, so that they may be stated."""
+    try:
+        channel.topography(**stated)
+    except MetadataAlreadyFixedByFile:
+        return False
+    return True
 
 
-def _unit_in_nm(topography: Topography) -> float:
-    """Return the unit of a height map in nm; refuse a map without size or unit of length."""
-    if topography.dim != 2:
-        raise RefusedScan("expected a height map, found a line scan")
+def _with_positions(channel: Any, topography: Any, stated: dict[str, Any]) -> Any:
+    """Return a line scan with the positions of its file.
+
+    The reader of text takes spacings that differ by less than 1e-6 of the unit for equal: 1 µm in
+    a file in metres.
+    """
+    if not isinstance(channel.reader, XYZReader) or topography.dim != 1:
+        return topography
+    if abs(topography.physical_sizes[0]) > COARSE_SPACING * topography.nb_grid_pts[0]:
+        return topography
+    return channel.reader._read(tol=0, **stated)
+
+
+def _unit_of(topography: Any) -> float:
+    """Return the unit of a topography in nm; refuse one without size or unit of length."""
     if topography.physical_sizes is None or not isinstance(topography.unit, str):
         raise RefusedScan(
             "expected a physical size and a unit, "
             f"found size {topography.physical_sizes}, unit {topography.unit}"
         )
-    try:
-        return float(get_unit_conversion_factor(topography.unit, "nm"))
-    except ValueError:
-        raise RefusedScan(f"expected a unit of length, found {topography.unit!r}") from None
-
-
-def _filled(topography: Topography, method: str) -> Topography:
-    """Return a height map whose undefined pixels are interpolated, unless that is refused."""
-    count = int(np.ma.getmaskarray(topography.heights()).sum())
-    if method == "refuse":
-        raise RefusedScan(
-            f"expected no undefined pixels, found {count}; "
-            "the key scan.undefined_pixels: harmonic fills them"
-        )
-    if count == topography.heights().size:
-        raise RefusedScan(f"expected heights, found {count} undefined pixels and no other")
-    return topography.interpolate_undefined_data(method)
-
-
-def _checked_pixel_size(heights: NDArray[np.float64], pixel_sizes: NDArray[np.float64]) -> float:
-    """Return the pixel size (nm) of heights (y, x) in nm on pixels of these sizes along x and y.
-
-    Heights and pixels that no scan has are refused.
-    """
-    if not np.isfinite(heights).all():
-        raise RefusedScan(
-            f"expected finite heights, found {np.count_nonzero(~np.isfinite(heights))} that are not"
-        )
-    rows, columns = heights.shape
-    if rows != columns:
-        raise RefusedScan(f"expected a square scan, found {columns} x {rows} pixels")
-    along_x, along_y = pixel_sizes
-    if not (pixel_sizes > 0).all() or abs(along_x / along_y - 1) > 1e-3:
-        raise RefusedScan(f"expected square pixels, found {along_x:.6g} nm x {along_y:.6g} nm")
-    pixel_size, low, high = pixel_sizes.mean(), heights.min(), heights.max()
-    least, most = LENGTHS
-    if not least <= pixel_size <= most or max(-low, high) > most or 0 < high - low < least:
-        raise RefusedScan(
-            f"expected pixels and differences of height from {least:g} to {most:g} nm, "
-            f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
-        )
-    slope = np.abs(np.diff(heights)).mean() / pixel_size
-    if slope > SLOPE_LIMIT:
-        raise RefusedScan(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
-    return float(pixel_size)
+    return unit_in_nm(topography.unit)

@@ -4,6 +4,7 @@ SurfaceTopography and `scipy.stats` are imported where they are used: importing 
 than most jobs that import this module compute.
 """
 
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,7 @@ __all__ = [
     "DEFINITIONS",
     "METRICS",
     "level",
+    "level_lines",
     "library_map",
     "metrics",
     "mirror_stitch",
@@ -62,10 +64,25 @@ def level(scan: HeightMap) -> HeightMap:
     return replace(scan, heights=library_map(scan).detrend("height").heights().T)
 
 
-def subtract_sphere(scan: HeightMap, radius: float) -> HeightMap:
+def level_lines(scan: HeightMap) -> HeightMap:
+    """Return a scan whose lines are aligned, less its least-squares plane.
+
+    Scan lines run along x. Each loses its least-squares line, then its median: offsets and tilts
+    of lines that drift and jumps of the feedback leave. So does what is real in them: all
+    roughness whose wavevector points along y.
+
+    Source: ``ScanLineAlignedTopography`` of SurfaceTopography.
+    """
+    aligned = library_map(scan).scan_line_align(direction="x", mode="median", degree=1)
+    return level(replace(scan, heights=aligned.heights().T))
+
+
+def subtract_sphere(
+    scan: HeightMap, radius: float, levelled: Callable[[HeightMap], HeightMap] = level
+) -> HeightMap:
     """Return the roughness of a scan of the top of a sphere.
 
-    The paraboloid x²/2R of the known radius is added back and the plane removed. The position of
+    The paraboloid x²/2R of the known radius is added back and the rest levelled. The position of
     the apex does not matter, because moving it adds a plane.
 
     Parameters
@@ -74,6 +91,8 @@ def subtract_sphere(scan: HeightMap, radius: float) -> HeightMap:
         Shape and roughness.
     radius : float
         Of the sphere in nm.
+    levelled : callable
+        `level` or `level_lines`.
 
     Returns
     -------
@@ -81,7 +100,7 @@ def subtract_sphere(scan: HeightMap, radius: float) -> HeightMap:
         Levelled.
     """
     y, x = (_centred(count) * scan.pixel_size for count in scan.heights.shape)
-    return level(replace(scan, heights=scan.heights + (y[:, None] ** 2 + x**2) / (2 * radius)))
+    return levelled(replace(scan, heights=scan.heights + (y[:, None] ** 2 + x**2) / (2 * radius)))
 
 
 def _centred(count: int) -> NDArray[np.float64]:
@@ -97,7 +116,12 @@ def mirror_stitch(scan: HeightMap) -> HeightMap:
     return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
 
 
-def prepared_scan(scan: HeightMap, sphere_radius: float | None = None) -> tuple[Arrays, Arrays]:
+def prepared_scan(
+    scan: HeightMap,
+    sphere_radius: float | None = None,
+    levelled: Callable[[HeightMap], HeightMap] = level,
+    described: Mapping[str, str] | None = None,
+) -> tuple[Arrays, Arrays]:
     """Return a scan levelled, and then mirror-stitched, both as they are stored.
 
     Parameters
@@ -106,6 +130,10 @@ def prepared_scan(scan: HeightMap, sphere_radius: float | None = None) -> tuple[
         As it was read.
     sphere_radius : float or None
         In nm, of a scan of the sphere, from which the sphere is removed; None of a flat surface.
+    levelled : callable
+        `level` or `level_lines`.
+    described : dict of str to str or None
+        Attributes that both keep, as `scans.described` returns them.
 
     Returns
     -------
@@ -113,13 +141,17 @@ def prepared_scan(scan: HeightMap, sphere_radius: float | None = None) -> tuple[
         That of the sphere also keeps the scan as it was read, in the variable `as_scanned`.
     """
     if sphere_radius is None:
-        levelled = level(scan)
-        return levelled.arrays(), mirror_stitch(levelled).arrays()
-    levelled = subtract_sphere(scan, sphere_radius)
-    stored = levelled.arrays()
-    attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
-    stored.variables["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
-    return stored, mirror_stitch(levelled).arrays()
+        flat = levelled(scan)
+        stored = flat.arrays()
+    else:
+        flat = subtract_sphere(scan, sphere_radius, levelled)
+        stored = flat.arrays()
+        attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
+        stored.variables["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
+    stitched = mirror_stitch(flat).arrays()
+    for arrays in (stored, stitched):
+        arrays.attributes.update(described or {})
+    return stored, stitched
 
 
 def metrics(scan: HeightMap) -> dict[str, float]:

@@ -1,0 +1,178 @@
+"""Heights of scans as they are used: maps cropped to squares, gaps filled, profiles resampled."""
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.surfaces.scan_limits import RefusedScan, check_lengths, check_points
+
+if TYPE_CHECKING:
+    from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
+
+__all__ = ["Values", "map_values", "profile_values"]
+
+#: How far points of a line scan may lie from uniform spacing, in spacings: files round positions.
+ROUNDING = 0.05
+
+
+class Values(NamedTuple):
+    """Heights on uniform spacing, without gaps.
+
+    Attributes
+    ----------
+    heights : numpy.ndarray
+        (y, x), or (n,) of a line scan, in nm.
+    pixel_size : float
+        In nm.
+    notes : list of str
+        What was done to them.
+    undefined : int
+        Undefined pixels before they were filled.
+    """
+
+    heights: np.ndarray
+    pixel_size: float
+    notes: list[str]
+    undefined: int
+
+
+def map_values(topography: "Topography", factor: float, undefined_pixels: str) -> Values:
+    """Return the central square of a map.
+
+    Parameters
+    ----------
+    topography : SurfaceTopography.Topography
+        With physical sizes.
+    factor : float
+        Its unit in nm.
+    undefined_pixels : str
+        ``"refuse"`` or the name of an interpolation of SurfaceTopography that fills them.
+
+    Returns
+    -------
+    Values
+        Of the square alone: what is undefined beside it does not count.
+
+    Raises
+    ------
+    RefusedScan
+        If pixels are undefined or not square, or heights are those of no scan.
+    """
+    sizes = np.asarray(topography.physical_sizes, float) * factor
+    along_x, along_y = sizes / topography.nb_grid_pts
+    if not min(along_x, along_y) > 0 or abs(along_x / along_y - 1) > 1e-3:
+        raise RefusedScan(f"expected square pixels, found {along_x:.6g} nm x {along_y:.6g} nm")
+    heights, notes = _central_square(_masked(topography.heights()))
+    undefined = _undefined(heights, undefined_pixels)
+    filled = _interpolated(heights, undefined_pixels) if undefined else heights.data
+    values, pixel_size = filled.T * factor, float(along_x + along_y) / 2
+    check_lengths(values, pixel_size)
+    return Values(values, pixel_size, notes + _gaps(undefined, heights.size), undefined)
+
+
+def _masked(heights: NDArray[np.float64]) -> np.ma.MaskedArray:
+    """Return heights whose undefined pixels are masked, however the reader marked them."""
+    values = np.asarray(np.ma.getdata(heights), dtype=float)
+    return np.ma.masked_array(values, np.ma.getmaskarray(heights) | ~np.isfinite(values))
+
+
+def _central_square(heights: np.ma.MaskedArray) -> tuple[np.ma.MaskedArray, list[str]]:
+    """Return the central square of heights (x, y), and what was cut if they are none."""
+    columns, rows = heights.shape
+    if rows == columns:
+        return heights, []
+    edge = min(rows, columns)
+    left, low = (columns - edge) // 2, (rows - edge) // 2
+    square = heights[left : left + edge, low : low + edge]
+    return square, [f"cropped from {columns} x {rows} to {edge} x {edge} pixels"]
+
+
+def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> int:
+    """Return how many pixels are undefined; all, or any that may not be filled, are refused."""
+    count = int(heights.mask.sum())
+    if count == heights.size:
+        raise RefusedScan(f"expected heights, found {count} undefined pixels and no other")
+    if count and undefined_pixels == "refuse":
+        raise RefusedScan(
+            f"expected no undefined pixels, found {count}; "
+            "the key scan.undefined_pixels: harmonic fills them"
+        )
+    return count
+
+
+def _gaps(count: int, points: int) -> list[str]:
+    """Return what is said of undefined pixels, if there are any."""
+    return [f"{count} undefined pixels of {points} filled"] if count else []
+
+
+def _interpolated(heights: np.ma.MaskedArray, method: str) -> NDArray[np.float64]:
+    """Return heights (x, y) whose gaps are filled by an interpolation of SurfaceTopography."""
+    from SurfaceTopography import Topography
+
+    filled = Topography(heights, heights.shape).interpolate_undefined_data(method)
+    return np.asarray(filled.heights())
+
+
+def profile_values(
+    line_scan: "UniformLineScan | NonuniformLineScan", factor: float, undefined_pixels: str
+) -> Values:
+    """Return a line scan on uniform spacing: the median of its own, if that varies.
+
+    Between points heights are interpolated linearly. So are gaps: on a line, that is the harmonic
+    function through their ends.
+
+    Parameters
+    ----------
+    line_scan : SurfaceTopography.UniformLineScan or SurfaceTopography.NonuniformLineScan
+        Positions increase, or decrease, from each point to the next.
+    factor : float
+        Its unit in nm.
+    undefined_pixels : str
+        ``"refuse"``, or anything else to fill them.
+
+    Returns
+    -------
+    Values
+        Along increasing positions.
+
+    Raises
+    ------
+    RefusedScan
+        If the line scan is reentrant, has undefined points or too many on the median spacing, or
+        its heights are those of no scan.
+    """
+    heights = _masked(line_scan.heights())
+    positions = np.asarray(line_scan.positions(), float) * factor
+    if positions[-1] < positions[0]:
+        positions, heights = positions[::-1], heights[::-1]
+    undefined = _undefined(heights, undefined_pixels)
+    grid, notes = _uniform_grid(positions)
+    defined = ~heights.mask
+    values = np.interp(grid, positions[defined], heights.data[defined]) * factor
+    pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
+    check_lengths(values, pixel_size)
+    return Values(values, pixel_size, notes + _gaps(undefined, heights.size), undefined)
+
+
+def _uniform_grid(positions: NDArray[np.float64]) -> tuple[NDArray[np.float64], list[str]]:
+    """Return positions on uniform spacing, and what was changed if these (nm) are not."""
+    spacings = np.diff(positions)
+    if not (spacings > 0).all():
+        point = int(np.argmin(spacings > 0)) + 1
+        raise RefusedScan(
+            "expected positions that increase along a line scan, found a reentrant one: "
+            f"point {point + 1} is at {positions[point]:.6g} nm, "
+            f"that before it at {positions[point - 1]:.6g} nm"
+        )
+    uniform = np.linspace(positions[0], positions[-1], len(positions))
+    if np.abs(positions - uniform).max() < ROUNDING * spacings.mean():
+        return positions, []
+    spacing = float(np.median(spacings))
+    count = int((positions[-1] - positions[0]) / spacing + 1 + 1e-9)
+    check_points((count,))
+    note = (
+        f"resampled from spacings of {spacings.min():.4g} to {spacings.max():.4g} nm "
+        f"to their median of {spacing:.4g} nm"
+    )
+    return positions[0] + spacing * np.arange(count), [note]
