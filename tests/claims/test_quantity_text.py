@@ -12,7 +12,8 @@ from hardcontact.claims.quantity_text import print_quantity
     [
         (43.0, "nm", "43 nm"),
         (1800.0, "nm", "1.8 µm"),
-        (999.6, "nm", "1000 nm"),
+        (999.4, "nm", "999 nm"),
+        (999.6, "nm", "1 µm"),
         (-2500.0, "nm", "-2.5 µm"),
         (8.8e-6, "N", "8.8 µN"),
         (0.06e-6, "N", "0.06 µN"),

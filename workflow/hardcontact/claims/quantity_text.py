@@ -40,7 +40,9 @@ def print_quantity(
     if math.isnan(value):
         return ""
     scales = PRINTED.get(unit, ((unit, 1.0),))
-    name, size = next((scale for scale in scales if abs(value) >= scale[1]), scales[-1])
+    # 999.6 nm rounds to 1 µm, not to 1000 nm.
+    fitting = (scale for scale in scales if abs(value) >= (1 - 0.5 * 10**-digits) * scale[1])
+    name, size = next(fitting, scales[-1])
     low, high = (_rounded(end / size, digits) for end in interval)
     within = "" if any(map(math.isnan, interval)) else f" [{low}, {high}]"
     return f"{_rounded(value / size, digits)}{within} {name}".rstrip()

@@ -3,12 +3,14 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pandas as pd
 import yaml
 from markdown_it import MarkdownIt
+from markdown_it.token import Token
 
 from hardcontact.claims.quantity_text import print_quantity
 from hardcontact.claims.verdicts import summary
@@ -202,8 +204,26 @@ def chapter(text: str) -> tuple[str, str]:
     if not first.startswith("# "):
         raise ValueError(f"expected a text that begins with '# ' and a title, found {first!r}")
     unlinked = re.sub(r"\[([^\]]+)\]\((?!https?:)[^)]+\)", r"\1", body)
-    html: str = MarkdownIt("commonmark").enable("table").render(unlinked)
-    return first[2:], html
+    markdown = MarkdownIt("commonmark").enable("table")
+    tokens = markdown.parse(unlinked)
+    _label_cells(tokens)
+    return first[2:], str(markdown.renderer.render(tokens, markdown.options, {}))
+
+
+def _label_cells(tokens: Sequence[Token]) -> None:
+    """Give each cell of a Markdown table its column's name, for a page too narrow for a header."""
+    labels: list[str] = []
+    column = 0
+    for token, content in pairwise(tokens):
+        if token.type == "table_open":
+            labels = []
+        elif token.type == "tr_open":
+            column = 0
+        elif token.type == "th_open":
+            labels.append(content.content)
+        elif token.type == "td_open":
+            token.attrSet("data-label", labels[column])
+            column += 1
 
 
 def parameters_page(configuration: Mapping[str, Any], versions: Mapping[str, str]) -> str:
@@ -250,7 +270,8 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[tuple[str, str]]]) -> 
         + "</tr>"
         for row in rows
     )
-    return f"<table><tr>{head}</tr>\n" + "\n".join(lines) + "</table>"
+    body = "\n".join(lines)
+    return f"<table><thead><tr>{head}</tr></thead><tbody>\n{body}</tbody></table>"
 
 
 def _claim(row: Any) -> list[tuple[str, str]]:
