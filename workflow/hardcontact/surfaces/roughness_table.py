@@ -171,9 +171,10 @@ def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) 
 
 
 def _maps(examples: list[xr.Dataset], sphere: xr.Dataset) -> xr.Dataset:
-    """Return height maps for pictures, all on the pixels of the coarsest, and their sizes in nm."""
+    """Return maps for pictures, all on the pixels of the coarsest; sizes of scans and pixels."""
     pixels = min(len(example["x"]) for example in examples)
-    sizes = [len(example["x"]) * example["heights"].attrs["pixel_size"] for example in examples]
+    pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
+    sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
     maps = [_thinned(example["heights"].values, pixels) for example in examples]
     as_scanned = _thinned(sphere["as_scanned"].values, pixels)
     return xr.Dataset(
@@ -181,6 +182,7 @@ def _maps(examples: list[xr.Dataset], sphere: xr.Dataset) -> xr.Dataset:
             "example_heights": (("surface", "row", "column"), np.array(maps), {"units": "nm"}),
             "sphere_as_scanned": (("row", "column"), as_scanned, {"units": "nm"}),
             "scan_size": ("surface", sizes, {"units": "nm"}),
+            "pixel_size": ("surface", pixel_sizes, {"units": "nm"}),
         }
     )
 
