@@ -1,1 +1,1 @@
-"""The one page that answers what a study asked."""
+"""Pages that answer the question of a study, each self-contained, and their numbers."""

@@ -188,14 +188,16 @@ def _sphere_as_scanned(examples: Mapping[str, xr.Dataset]) -> xr.Dataset:
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return height maps for pictures, all on the pixels of the coarsest, and their sizes in nm."""
+    """Return maps for pictures, all on the pixels of the coarsest; sizes of scans and pixels."""
     pixels = min(len(example["x"]) for example in examples)
-    sizes = [len(example["x"]) * example["heights"].attrs["pixel_size"] for example in examples]
+    pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
+    sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
     maps = [_thinned(example["heights"].values, pixels) for example in examples]
     return xr.Dataset(
         {
             "example_heights": (("surface", "row", "column"), np.array(maps), {"units": "nm"}),
             "scan_size": ("surface", sizes, {"units": "nm"}),
+            "pixel_size": ("surface", pixel_sizes, {"units": "nm"}),
         }
     )
 
