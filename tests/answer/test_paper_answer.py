@@ -54,7 +54,7 @@ def test_numbers_for_machines_are_those_of_the_claims():
     assert {name: row["id"] for name, row in plain["answer"].items()} == ANSWERS
     rows = {row["id"]: row for row in plain["claims"]}
     for row in plain["answer"].values():
-        assert row == rows[row["id"]] | {"bound": None}
+        assert row == rows[row["id"]] | {"bound": None, "open_end": None}
 
 
 def test_counts_for_machines_are_those_of_the_summary():
@@ -112,6 +112,24 @@ def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
     assert f"{bound} 430 nm" in said(beyond) and "[320" not in said(beyond)
     assert as_plain(beyond)["answer"][name]["bound"] == bound
     assert "at least" not in said(answer(rows)) and "at most" not in said(answer(rows))
+
+
+@pytest.mark.parametrize(
+    ("name", "end", "last", "inside"),
+    [
+        ("shortest_wavelength", "high", 250.0, 249.0),  # of the band
+        ("shortest_wavelength", "high", 120.0, 500.0),  # of the sets, whose cutoffs are fewer
+        ("longest_wavelength", "low", 500.0, 501.0),
+        ("longest_wavelength", "low", 800.0, 250.0),
+    ],
+)
+def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
+    sets = datasets()["sets"]
+    fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
+    at_end = answer(changed(name, **{end: last}), sets=fewer)
+    assert f"its {end} end is the last cutoff" in said(at_end)
+    assert as_plain(at_end)["answer"][name]["open_end"] == end
+    assert "open" not in said(answer(changed(name, **{end: inside}), sets=fewer))
 
 
 @pytest.mark.parametrize("name", ANSWERS)

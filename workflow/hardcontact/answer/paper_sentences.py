@@ -153,7 +153,10 @@ def _computed(answer: PaperAnswer, name: str) -> str:
     row: Any = answer.numbers[name]
     if name in answer.open_edges:
         return f"{answer.open_edges[name]} {print_quantity(row.computed, row.unit, digits=DIGITS)}"
-    return print_quantity(row.computed, row.unit, (row.low, row.high), DIGITS)
+    computed = print_quantity(row.computed, row.unit, (row.low, row.high), DIGITS)
+    if name in answer.open_ends:
+        return f"{computed} (interval open: its {answer.open_ends[name]} end is the last cutoff)"
+    return computed
 
 
 def _printed(answer: PaperAnswer, name: str) -> str:
