@@ -40,11 +40,14 @@ tr { border-bottom: 1px solid #ddd }
 .print { overflow-x: auto }
 .print figure { max-width: none }
 .print figcaption { max-width: 46rem; position: sticky; left: 0 }
-td small { display: block }
+td, th { overflow-wrap: break-word }
+td small { display: block; font-weight: normal }
 summary { cursor: pointer; padding: 0.4rem 0 }
 .reproduced { background: #d9efd9 } .consistent { background: #eef5d6 }
 .undecided { background: #fbf0cc } .not-reproduced { background: #f7dcd5 }
 .by-construction, .not-testable-on-substitutes { background: #eee }
+td[class]:not(.number) { padding-left: 0.4rem }
+@media (min-width: 45rem) { .number { white-space: nowrap } }
 """
 
 
