@@ -4,11 +4,8 @@
 rule answer_paper:
     """Write the page that tells the story of the study, and its numbers."""
     input:
-        claims=rules.evaluate_claims.output.claims,
-        topography=rules.aggregate_topography.output[0],
-        scales=rules.aggregate_scales.output[0],
-        band=rules.find_critical_band.output[0],
-        sets=rules.judge_sets.output[0],
+        **{name: PATTERNS.dataset(name) for name in ("topography", "scales", "band", "sets")},
+        claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED["published_constants"],
         figures=[PATTERNS.figure(name, "png") for name in FIGURES],
         captions=[f"workflow/report/{name}.rst" for name in FIGURES],
