@@ -47,6 +47,8 @@ def test_of_radii_in_words_the_largest_counts(words, radius):
         instrument("sharp", "nm"),
         instrument(8, "V"),
         instrument(8, None),
+        instrument(8, ["nm"]),
+        instrument([8], "nm"),
         instrument(float("nan"), "nm"),
         instrument(0, "nm"),
         instrument(-8, "nm"),
