@@ -11,13 +11,22 @@ from dataclasses import dataclass
 
 import numpy as np
 
-__all__ = ["Parts", "half_width_of_logarithm", "parts_of_scans", "quarters_of_contacts"]
+__all__ = [
+    "Parts",
+    "half_width_of_logarithm",
+    "parts_of_scans",
+    "quarters_of_contacts",
+    "sampled_deviations",
+]
 
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
 
 #: Half widths of logarithms: what is less is rounding, what is more as good as infinite.
 ROUNDING, ENDLESS = 1e-9, 50.0
+
+#: Parts that correlate more are the same.
+SAME = 1 - 1e-9
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +64,7 @@ class Parts:
             return f"from {self.scans} scans"
         scans = "this scan" if self.scans == 1 else "these two scans"
         count = len(self.correlation)
-        if count < 2 or self.shared > 1 - 1e-9:
+        if count < 2 or self.shared > SAME:
             return f"no interval: every contact feels all of {scans}"
         return (
             f"conditional on {scans}: from {count} quarters, whose forces correlate by "
@@ -134,10 +143,7 @@ def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
 def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: float) -> np.ndarray:
     """Return the half width of the interval of the logarithm of a statistic.
 
-    Student's t with the variance of the delete-one jackknife, (n - 1)/n sum (l_i - l)². Parts of
-    the mean correlation c lower it by the factor 1 - c and raise the variance of their mean by
-    1 + (n - 1) c, which is corrected. The degrees of freedom are those of Satterthwaite for the
-    correlation matrix C: (tr HC)²/tr (HC)², with H = 1 - 1/n; they are n - 1 without correlation.
+    Student's t with the variance of the delete-one jackknife, corrected as `_widening` says.
 
     Parameters
     ----------
@@ -155,12 +161,57 @@ def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: floa
     """
     from scipy import stats
 
-    count, shared = len(left_out), parts.shared
-    if count < 2 or shared > 1 - 1e-9:
-        return np.full(left_out.shape[1:], np.nan)
-    centred = (np.eye(count) - 1 / count) @ parts.correlation
-    freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
-    widened = (1 + (count - 1) * shared) / (1 - shared)
-    error = np.sqrt((count - 1) * left_out.var(axis=0) * widened)
+    widened, freedom = _widening(parts)
+    error = np.sqrt((len(left_out) - 1) * left_out.var(axis=0) * widened)
     half = np.minimum(stats.t.ppf((1 + confidence) / 2, freedom) * error, ENDLESS)
     return np.where(half > ROUNDING, half, np.nan)
+
+
+def sampled_deviations(
+    rng: np.random.Generator, left_out: np.ndarray, parts: Parts, samples: int
+) -> np.ndarray:
+    """Draw deviations of the logarithm of a statistic, of Student's t at every place.
+
+    Their distribution is that of `half_width_of_logarithm`. With the same generator, parts that
+    differ in their correlation alone share their random numbers.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Source of the samples.
+    left_out : numpy.ndarray
+        (part, ...) logarithms of the statistic of all parts but one.
+    parts : Parts
+        As many.
+    samples : int
+        How many are drawn.
+
+    Returns
+    -------
+    numpy.ndarray
+        (samples, ...), NaN of fewer than two parts.
+    """
+    from scipy import stats
+
+    count = len(left_out)
+    widened, freedom = _widening(parts)
+    normal, level = rng.standard_normal((samples, count)), rng.uniform(size=samples)
+    scale = np.sqrt(widened * (count - 1) / count * freedom / stats.chi2.ppf(level, freedom))
+    drawn = np.tensordot(scale[:, None] * normal, left_out - left_out.mean(axis=0), axes=1)
+    return np.asarray(np.clip(drawn, -ENDLESS, ENDLESS))
+
+
+def _widening(parts: Parts) -> tuple[float, float]:
+    """Return the factor on the variance of the delete-one jackknife, and degrees of freedom.
+
+    The variance is (n - 1)/n sum (l_i - l)². Parts of the mean correlation c lower it by the factor
+    1 - c and raise the variance of their mean by 1 + (n - 1) c, which is corrected. The degrees of
+    freedom are those of Satterthwaite for the correlation matrix C: (tr HC)²/tr (HC)², with
+    H = 1 - 1/n; they are n - 1 without correlation. NaN where the parts are one or the same.
+    """
+    count, shared = len(parts.correlation), parts.shared
+    if count < 2 or shared > SAME:
+        return np.nan, np.nan
+    centred = (np.eye(count) - 1 / count) @ parts.correlation
+    freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
+    return (1 + (count - 1) * shared) / (1 - shared), float(freedom)
