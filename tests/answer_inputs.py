@@ -148,15 +148,24 @@ def edges(count=1):
         | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
-    texts = [["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]] * count
-    return data.assign(
+    texts = ["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]
+    data = data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
         interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
-        edge_text=(("surface", "side"), texts),
+        edge_text=(("surface", "side"), [texts] * count),
         conditional=("surface", [0] * count),
-        interval_note=("surface", ["over 3 scans"] * count),
+        interval_note=("surface", ["from 3 scans"] * count),
+        label=("surface", LABELS[:count]),
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
+    if count == 1:
+        return data
+    return data.assign(
+        between_multiples("pooled_edge", "side", [45.0, 1500.0], (0.8, 1.25), CONFIDENCE)
+    ).assign(
+        pooled_edge_bound=("side", [np.nan] * 2),
+        pooled_edge_text=("side", ["45 nm [36, 56.2]", "1.5 µm [1.2, 1.88]"]),
+    )
 
 
 def open_edges(count=1):

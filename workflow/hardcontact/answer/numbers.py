@@ -55,19 +55,20 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
         "tolerance": _number(given.edges.attrs["tolerance"], "1"),
         "confidence": _number(given.edges.attrs["confidence"], "1"),
         "surfaces": {
-            str(name): _of_surface(given.of_surface(str(name)))
-            for name in given.topography["surface"].values
+            surface: _of_surface(label, given.of_surface(surface))
+            for surface, label in given.labels().items()
         },
+        "pooled_band": _pooled(given.edges),
         "fit": None if given.fit is None else _fit(given.fit),
         "left_out": [{"part": part, "reason": reason} for part, reason in setting.left_out],
     }
 
 
-def _of_surface(given: Datasets) -> dict[str, Any]:
+def _of_surface(label: str, given: Datasets) -> dict[str, Any]:
     """Return the numbers of one surface from its parts of the datasets."""
-    label, basis = (str(given.topography[name].item()) for name in ("label", "basis"))
+    basis = str(given.topography["basis"].item())
     return {
-        "label": label,
+        "label": str(given.topography["label"].item()),
         "basis": basis,
         "answer": one_sentence(label, given.edges, given.force),
         "scan_size": _of(given.topography, "scan_size", "nm"),
@@ -124,6 +125,20 @@ def _edge(of_side: xr.Dataset) -> dict[str, Any]:
         "conditional": bool(of_side["conditional"].item()),
         "cutoff_wavelength": _numbers(curve["cutoff_wavelength"], "nm"),
         "force_ratio": _bounded_numbers(curve, "scale_ratio", "1"),
+    }
+
+
+def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
+    """Return the band of the mean change over several surfaces, None of a single one."""
+    if "pooled_edge" not in edges:
+        return None
+    return {
+        side: _of(of_side, "pooled_edge", "nm")
+        | {
+            "text": str(of_side["pooled_edge_text"].item()),
+            "bound": _of(of_side, "pooled_edge_bound", "nm"),
+        }
+        for side, of_side in ((side, edges.sel(side=side)) for side in SIDES)
     }
 
 

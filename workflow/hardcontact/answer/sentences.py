@@ -1,5 +1,7 @@
 """The answer in words: the band and the force of a surface, the fit of its own forces."""
 
+import re
+
 import numpy as np
 import xarray as xr
 
@@ -15,9 +17,13 @@ __all__ = [
     "force_sentences",
     "is_open",
     "one_sentence",
+    "pooled_sentence",
     "printed_force",
     "printed_pair",
 ]
+
+#: The text of an open edge: bound, reason, and what is said of its interval.
+OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\]|, no interval)?$")
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -89,17 +95,23 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
     )
 
 
+def pooled_sentence(edges: xr.Dataset) -> str:
+    """Return the band of the mean change over all surfaces: edges.nc with `pooled_edge_text`."""
+    pooled = edges[["pooled_edge_text"]].rename(pooled_edge_text="edge_text")
+    return (
+        "The mean over all surfaces of the relative change of the force gives the band "
+        f"{_from_to(pooled)}."
+    )
+
+
 def _text(edges: xr.Dataset, side: str) -> str:
     return str(edges["edge_text"].sel(side=side).item())
 
 
 def _from_to(edges: xr.Dataset) -> str:
     """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
-    clauses = []
-    for side in SIDES:
-        edge, _, reason = _text(edges, side).partition(": ")
-        clauses.append(f"{edge} ({reason})" if reason else edge)
-    return f"from {clauses[0]} to {clauses[1]}"
+    first, last = (OPEN_TEXT.sub(r"\1\3 (\2)", _text(edges, side)) for side in SIDES)
+    return f"from {first} to {last}"
 
 
 def printed_force(force: xr.Dataset) -> str:
