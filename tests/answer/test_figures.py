@@ -10,11 +10,10 @@ from answer_inputs import (
     MODELS,
     RANGE,
     SURFACES,
-    curve_fit,
     edges,
+    fit,
     force,
     open_edges,
-    pair_fit,
     spectra,
     topography,
     without_interval,
@@ -42,8 +41,8 @@ def figures():
         "open": ratios.draw(of_first(open_edges()), of_first(spectra())),
         "force": force_curve.draw(force(2)),
         "force without interval": force_curve.draw(without_interval(force())),
-        "fitted curve": fit_curve.draw(curve_fit().sel(contact_model="plastic")),
-        "fitted pair": fit_curve.draw(pair_fit().sel(contact_model="plastic")),
+        "fitted curve": fit_curve.draw(fit_curve.of_answer(fit())),
+        "fitted pair": fit_curve.draw(fit_curve.of_answer(fit(2))),
     }
 
 
@@ -159,8 +158,17 @@ def test_force_is_that_at_the_range_asked_for():
         force_curve.at_range(force().assign_attrs(range_of_adhesion=4.0))
 
 
-def test_a_fit_is_a_curve_or_a_pair():
-    assert fit_curve.is_curve(curve_fit()) and not fit_curve.is_curve(pair_fit())
+def test_what_fits_every_surface_is_drawn_where_there_are_several():
+    alone, together = (figures()[name].axes[0] for name in ("fitted curve", "fitted pair"))
+    region = to_hex(fit_curve.REGION["color"])
+
+    def regions(axes):
+        return [c for c in axes.collections if to_hex(c.get_facecolor()[0]) == region]
+
+    assert regions(alone) == [] and len(regions(together)) == 1
+    star = next(line for line in together.lines if line.get_marker() == "*")
+    assert star.get_xdata() == RANGE and star.get_ydata() == pytest.approx(46.3)
+    assert not [line for line in alone.lines if line.get_marker() == "*"]
 
 
 def test_pictures_are_the_same_each_time():

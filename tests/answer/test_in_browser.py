@@ -8,7 +8,7 @@ import subprocess
 from html import escape, unescape
 
 import pytest
-from answer_inputs import curve_fit, datasets, open_edges, pair_fit, setting, topography
+from answer_inputs import datasets, fit, open_edges, setting, topography
 
 from hardcontact.answer.own_surfaces import answer
 
@@ -61,11 +61,11 @@ def with_long_names(data):
 
 CASES = {
     "one surface": lambda: answer(
-        with_long_names(datasets(edges=open_edges(), fit=curve_fit())),
+        with_long_names(datasets(edges=open_edges(), fit=fit())),
         setting([(LONG, "the reason why this part was left out " * 3)]),
     ),
     "two surfaces": lambda: answer(
-        datasets(2, topography=topography(2, "substitute"), fit=pair_fit()), setting()
+        datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()
     ),
 }
 

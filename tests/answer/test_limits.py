@@ -87,12 +87,16 @@ def test_finite_scans_have_their_number():
 
 
 def test_intervals_of_few_scans_are_conditional():
-    assert "hold for these scans alone: from the quarters" in said(of_edges=open_edges())
-    assert "alone" not in said()
+    assert "Intervals of the band: conditional on this scan" in said(of_edges=open_edges())
+    assert "conditional" not in said()
+    data = force().assign(conditional=("surface", [1]))
+    assert "Interval of the mean force: from 3 scans." in said(of_force=data)
 
 
 def test_a_force_without_interval_says_so():
-    assert "no interval: one scan too small" in said(of_force=without_interval(force()))
+    assert "Interval of the mean force: no interval: every contact" in said(
+        of_force=without_interval(force())
+    )
 
 
 def test_ends_of_the_reliable_wavelengths_have_their_reason():

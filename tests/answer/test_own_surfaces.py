@@ -12,12 +12,11 @@ from answer_inputs import (
     SCANS,
     SURFACES,
     WORK,
-    curve_fit,
     datasets,
     edges,
+    fit,
     force,
     open_edges,
-    pair_fit,
     setting,
     spectra,
     topography,
@@ -33,10 +32,10 @@ LEFT_OUT = [("elastic contacts", "no modulus"), ("a < b", "x & <b>y</b>")]
 CASES = {
     "one": lambda: answer(datasets(), setting()),
     "one, open, one force": lambda: answer(
-        datasets(edges=open_edges(), fit=curve_fit()), setting(LEFT_OUT)
+        datasets(edges=open_edges(), fit=fit()), setting(LEFT_OUT)
     ),
     "two substitutes, forces": lambda: answer(
-        datasets(2, topography=topography(2, "substitute"), fit=pair_fit()), setting()
+        datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()
     ),
 }
 
@@ -163,7 +162,7 @@ def test_missing_scans_have_no_row():
 
 def test_fits_are_labelled_measured_and_never_published():
     for case in ("one, open, one force", "two substitutes, forces"):
-        assert "Measured: 640 nN on my coating" in text_of(case)
+        assert "Measured: 640 nN [576, 704] on my coating" in text_of(case)
         assert "published fo" not in text_of(case).lower()
 
 
@@ -208,7 +207,9 @@ def test_open_edges_are_no_numbers():
 def test_fits_and_pooled_bands_are_among_the_numbers():
     numbers = made("two substitutes, forces").numbers
     assert numbers["fit"]["origin"] == "measured"
-    assert numbers["fit"]["work_of_adhesion"]["values"] == [0.03, WORK]
+    assert numbers["fit"]["best_work"]["values"] == [0.5 * WORK, WORK]
+    assert numbers["fit"]["work_of_adhesion"]["dimensions"] == ["contact_model", "surface", "rho"]
+    assert numbers["fit"]["texts"]["label"] == LABELS
     assert numbers["fit"]["coordinates"]["contact_model"] == ["rigid", "plastic"]
     assert numbers["pooled_band"]["large"]["value"] == 1500.0
     assert numbers["surfaces"]["twin"]["basis"] == "substitute"

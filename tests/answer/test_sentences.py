@@ -2,9 +2,10 @@
 
 import numpy as np
 import pytest
-from answer_inputs import SURFACES, curve_fit, edges, force, open_edges, pair_fit, without_interval
+from answer_inputs import SURFACES, edges, fit, force, open_edges, without_interval
 from refusals import assert_says
 
+from hardcontact.answer import fit_curve
 from hardcontact.answer.sentences import (
     band_sentences,
     fit_sentences,
@@ -61,7 +62,7 @@ def test_a_band_says_which_end_is_open():
 
 def test_a_band_that_is_found_says_what_it_means():
     text = band_sentences("my coating", of_first(edges()))
-    assert_says(text, "changes by less than 10 %", "95 % intervals (from 3 scans)")
+    assert_says(text, "changes by less than 10 %", "95 % intervals, from 3 scans.")
     assert "open" not in text
 
 
@@ -69,38 +70,44 @@ def test_force_has_its_spread_and_where_its_interval_comes_from():
     text = force_sentences("my coating", of_first(force()))
     assert_says(
         text, "640 nN [512, 800] at a range of adhesion of 5.6 nm", "plastic contact",
-        "95 % interval of the mean, over 3 scans", "90 % of them", "256 nN and 1.15 µN",
+        "95 % interval of the mean, from 3 scans", "90 % of them", "256 nN and 1.15 µN",
     )  # fmt: skip
 
 
 def test_force_without_interval_says_why():
     text = force_sentences("x", of_first(without_interval(force())))
-    assert_says(text, "is 640 nN at a range", "one scan too small to be cut into parts")
+    assert_says(text, "is 640 nN at a range", "(no interval: every contact feels all of this scan)")
     assert "[" not in text and "nan" not in text
 
 
+def test_a_band_without_interval_says_why():
+    data = of_first(edges())
+    data["scale_ratio_interval"] = data["scale_ratio_interval"] * np.nan
+    text = band_sentences("x", data.assign(interval_note="no interval: a single quarter"))
+    assert text.endswith(" No interval: a single quarter.") and "95 %" not in text
+
+
 def test_one_force_gives_the_work_at_each_range():
-    text = fit_sentences(curve_fit().sel(contact_model="plastic"))
+    text = fit_sentences(fit_curve.of_answer(fit()))
     assert_says(
-        text, "Measured: 640 nN on my coating (mean of 40)", "cannot fix both",
-        "at a range of 1 nm", "at a range of 14 nm", "95 % intervals",
+        text, "Measured: 640 nN [576, 704] on my coating (40 tests; scans: from 3 scans)",
+        "One mean force: every range", "19.6 mJ/m² [15.7, 24.5] at a range of 1 nm",
+        "73.2 mJ/m² [58.6, 91.5] at a range of 14 nm", "95 % intervals",
     )  # fmt: skip
     assert "published" not in text.lower()
 
 
 def test_several_forces_give_range_and_work():
-    text = fit_sentences(pair_fit().sel(contact_model="plastic"))
-    assert_says(
-        text, "1.3 µN on twin (mean of 40)", "5.6 nm [4.48, 6.72]", "46.3 mJ/m² [34.7, 57.9]",
-        "error of 0.054",
-    )  # fmt: skip
+    text = fit_sentences(fit_curve.of_answer(fit(2)))
+    assert_says(text, "1.3 µN [1.17, 1.43] on twin", "Range 5.6 nm, work 46 mJ/m²", "region:")
+    assert "It runs" not in text
 
 
 def test_a_fit_without_intervals_has_none():
-    fit = pair_fit().sel(contact_model="plastic")
-    for name in ("range_of_adhesion", "work_of_adhesion"):
-        fit[f"{name}_interval"] = fit[f"{name}_interval"] * np.nan
-    assert "[" not in fit_sentences(fit)
+    data = fit_curve.of_answer(fit())
+    for name in ("measured_force", "work_of_adhesion"):
+        data[f"{name}_interval"] = data[f"{name}_interval"] * np.nan
+    assert "[" not in fit_sentences(data)
 
 
 def test_pooled_band_is_in_words():

@@ -106,14 +106,14 @@ def _of_scan_size(force: xr.Dataset) -> list[str]:
 
 def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
     """Return that intervals are conditional on the scans at hand, or that there are none."""
-    found = []
-    note = str(edges["interval_note"].item())
-    if edges["conditional"].item():
-        found.append(f"The intervals of the band hold for these scans alone: {note}.")
-    of_force = str(force["interval_note"].item())
-    if not np.isfinite(force["force_interval"]).any():
-        found.append(f"The mean force has no interval: {of_force}.")
-    return found
+    return [
+        f"{name}: {part['interval_note'].item()}."
+        for name, part, interval in (
+            ("Intervals of the band", edges, "scale_ratio_interval"),
+            ("Interval of the mean force", force, "force_interval"),
+        )
+        if part["conditional"].item() or not np.isfinite(part[interval]).any()
+    ]
 
 
 def _of_spectrum(spectra: xr.Dataset) -> list[str]:

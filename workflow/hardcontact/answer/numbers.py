@@ -168,6 +168,11 @@ def _fit(fit: xr.Dataset) -> dict[str, Any]:
     return {
         "origin": "measured",
         "coordinates": {str(name): fit[name].values.tolist() for name in fit.coords},
+        "texts": {
+            str(name): values.values.tolist()
+            for name, values in fit.data_vars.items()
+            if values.dtype.kind not in "fiu"
+        },
         **{
             str(name): {"dimensions": list(map(str, values.dims))}
             | _numbers(values, str(values.attrs.get("units", "1")))

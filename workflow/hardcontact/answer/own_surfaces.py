@@ -211,18 +211,15 @@ def _force(given: Datasets, setting: Setting) -> str:
 
 def _fit(fit: xr.Dataset) -> str:
     """Return the fit to the user's own forces, of the contact model of the answer."""
-    model = model_of(fit)
-    of_model = fit.sel(contact_model=model)
+    of_model = fit_curve.of_answer(fit)
     text = fit_sentences(of_model)
-    confidence = print_share(fit.attrs["confidence"])
-    drawn = (
-        f"The work of adhesion that gives the measured force, against the range. Band: "
-        f"{confidence} interval."
-        if fit_curve.is_curve(fit)
-        else f"Range and work of adhesion that fit the measured forces best (star, bars: "
-        f"{confidence} intervals), and the region of pairs that fit (shaded)."
+    figure = figure_html(
+        png(fit_curve.draw(of_model)),
+        text,
+        "Work of adhesion that gives the force measured on each surface, against the range, for "
+        f"{of_model['contact_model'].item()} contact. Bands: "
+        f"{print_share(fit.attrs['confidence'])} intervals, tests and scans resampled.",
     )
-    figure = figure_html(png(fit_curve.draw(of_model)), text, f"For {model} contact. {drawn}")
     return f'<p>{text_html(text)}</p>\n<div class="figures">{figure}</div>'
 
 
