@@ -24,7 +24,8 @@ def run(folder, given):
         "record": folder / "answer.record.json",
     }  # fmt: skip
     job = SimpleNamespace(
-        input=Namedlist(fromdict={name: str(path) for name, path in inputs.items()}),
+        # The rule gives no files where there are no own forces.
+        input=Namedlist(fromdict={"fit": []} | {name: str(path) for name, path in inputs.items()}),
         output=Namedlist(fromdict={name: str(path) for name, path in outputs.items()}),
         params=SimpleNamespace(canonical=canonical(setting([("part", "why")])._asdict())),
         log=[str(folder / "answer.log")],
