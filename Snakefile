@@ -16,23 +16,36 @@ include: "workflow/rules/surfaces.smk"
 include: "workflow/rules/scans.smk"
 include: "workflow/rules/topography.smk"
 include: "workflow/rules/adhesion.smk"
-include: "workflow/rules/elastic.smk"
-include: "workflow/rules/plasticity.smk"
-include: "workflow/rules/asperities.smk"
 include: "workflow/rules/scales.smk"
-include: "workflow/rules/inference.smk"
-include: "workflow/rules/classical.smk"
-include: "workflow/rules/robustness.smk"
-include: "workflow/rules/sets.smk"
-include: "workflow/rules/claims.smk"
-include: "workflow/rules/figures.smk"
-include: "workflow/rules/report.smk"
+
+
+if COMPARED:
+
+    include: "workflow/rules/traced_contact.smk"
+    include: "workflow/rules/elastic.smk"
+    include: "workflow/rules/plasticity.smk"
+    include: "workflow/rules/asperities.smk"
+    include: "workflow/rules/inference.smk"
+    include: "workflow/rules/classical.smk"
+    include: "workflow/rules/robustness.smk"
+    include: "workflow/rules/sets.smk"
+    include: "workflow/rules/claims.smk"
+    include: "workflow/rules/figures.smk"
+    include: "workflow/rules/report.smk"
+    include: "workflow/rules/answer_paper.smk"
+
+else:
+
+    include: "workflow/rules/own_surfaces.smk"
+
+
 include: "workflow/rules/provenance.smk"
 
 
 onstart:
     start.hold_folders(PATTERNS.results, PATTERNS.store)
     start.lift_rate_limit(workflow)
+    start.say_left_out(STUDY)
 
 
 rule all:

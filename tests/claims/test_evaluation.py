@@ -94,6 +94,13 @@ def test_sets_give_interval_and_frequency():
     assert row.verdict == "undecided"
 
 
+def test_an_interval_beside_its_number_is_stretched_to_it():
+    numbers = np.linspace(6.2, 6.6, 101)
+    row = judge_one("range_of_adhesion", make_datasets(), sets_of("range_of_adhesion", numbers))
+    assert row.low == row.computed == 5.6 and row.high == pytest.approx(6.59)
+    assert (row.frequency, row.verdict) == (0.0, "undecided")
+
+
 def test_sets_that_are_alike_leave_the_number_its_own_interval():
     row = judge_one("range_of_adhesion", make_datasets(), sets_of("range_of_adhesion", [5.6] * 9))
     np.testing.assert_allclose([row.low, row.high], [0.99 * 5.6, 1.01 * 5.6])

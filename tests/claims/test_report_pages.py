@@ -165,6 +165,11 @@ def test_a_chapter_is_a_page_without_links_into_the_repository():
     ]
 
 
+def test_a_table_of_a_chapter_reads_on_a_narrow_screen():
+    labels = re.findall('<td data-label="(.*?)"', text_page(CHAPTER + "\n" + CHAPTER[2:]))
+    assert labels == ["surface", "made from"] * 2
+
+
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(text_page, text), "expected", "'# '", "found")

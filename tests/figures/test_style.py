@@ -59,6 +59,13 @@ def test_logarithmic_axes_have_plain_numbers():
     assert axes.xaxis.get_major_formatter()(0.5, None) == "0.5"
 
 
+def test_many_decades_are_labelled_at_decades_alone():
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=(1e-5, 1e5))
+    style.label_logarithmic(axes.xaxis)
+    assert np.allclose(np.log10(axes.get_xticks()) % 1, 0)
+
+
 def test_legend_entries_hold_each_label_once():
     panels = Figure().subplots(1, 2)
     for axes in panels:

@@ -58,7 +58,7 @@ def measured(spectrum, group, grid):
 )
 def test_scans_have_what_they_are_to_have(spectrum, numbers, names):
     moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
-    units = [scan_targets.UNITS[name] for name in names]
+    units = [scan_targets.OVER_MOMENTS[name] for name in names]
     targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
     group = conditioning.conditioned_group(spectrum, targets, generators(*numbers), GRID)
     found = measured(spectrum, group, GRID)

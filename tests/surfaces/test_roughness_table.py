@@ -118,6 +118,7 @@ def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
     assert seen[0, 0] == sphere[0, 0] and seen[-1, -1] == sphere[-1, -1]
     assert np.isin(seen, sphere).all()
     np.testing.assert_allclose(table.scan_size, [32 * PIXEL, 48 * PIXEL])
+    np.testing.assert_allclose(table.pixel_size, [PIXEL, PIXEL])
 
 
 def test_table_says_what_the_surfaces_are(table):

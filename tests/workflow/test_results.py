@@ -28,7 +28,7 @@ def results(finished):
 CONTENT = {
     "topography": {
         "nm": "rms_height rms_height_mean rms_height_std peak_to_valley example_heights "
-        "sphere_as_scanned scan_size all_scales_rms_height",
+        "sphere_as_scanned scan_size pixel_size all_scales_rms_height",
         "1": "rms_gradient rms_profile_slope skewness kurtosis all_scales_rms_gradient",
         "nm-1": "rms_half_laplacian rms_laplacian all_scales_rms_half_laplacian",
         "nm3": "psd_profile psd_profile_mean",

@@ -5,7 +5,7 @@ rule compute_pull_off:
     """Compute rigid and plastic pull-off of one pair of scans, at every contact and range."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        sphere=PATTERNS.stitched_sphere,
+        sphere=lambda w: FILES.sphere(int(w.sphere_scan)),
         code=code_inputs("compute_pull_off.py"),
     output:
         PATTERNS.pull_off,
@@ -19,7 +19,7 @@ rule compute_pull_off:
         canonical=canonical(
             {
                 "contact": STUDY["contact"],
-                "ranges": STUDY["adhesion"]["ranges"],
+                "ranges": RANGES,
                 "radius": STUDY["sphere"]["radius"],
             }
         ),
@@ -80,38 +80,8 @@ rule aggregate_adhesion:
         "../scripts/aggregate_adhesion.py"
 
 
-TRACED = STUDY["adhesion"]["traced_contact"]
-
-
-rule trace_contact:
-    """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
-    input:
-        substrate=FILES.stitched(TRACED["surface"], TRACED["scan"]),
-        sphere=FILES.stitched(SPHERE, TRACED["sphere_scan"]),
-        published_constants=PUBLISHED["published_constants"],
-        code=code_inputs("trace_contact.py"),
-    output:
-        PATTERNS.dataset("contact"),
-    log:
-        PATTERNS.log("trace_contact"),
-    benchmark:
-        PATTERNS.benchmark("trace_contact")
-    params:
-        canonical=canonical(
-            {
-                **TRACED,
-                "contacts": STUDY["contact"],
-                "radius": STUDY["sphere"]["radius"],
-                "label": SELECTION.labels[TRACED["surface"]],
-                "basis": SELECTION.basis[TRACED["surface"]],
-            }
-        ),
-    script:
-        "../scripts/trace_contact.py"
-
-
 rule adhesion:
-    """Make the pull-off forces of all pairs, and the traced contact."""
+    """Make the pull-off forces of all pairs, and the traced contact of the paper."""
     input:
         rules.aggregate_adhesion.output,
-        rules.trace_contact.output,
+        PATTERNS.dataset("contact") if COMPARED else [],

@@ -3,7 +3,12 @@
 from hardcontact.records.code import code_inputs
 from hardcontact.records.origin import canonical
 from hardcontact.study import start
+from hardcontact.study.configuration import computed_ranges
 from hardcontact.study.patterns import PUBLISHED, Patterns
+from hardcontact.study.stages import PAPER
 
+config.update(start.with_effort(config))
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = Patterns(f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"])
+RANGES = computed_ranges(STUDY)
+COMPARED = STUDY["published"] == PAPER

@@ -1,5 +1,7 @@
 # Provenance: the configuration kept with the results, the RO-Crate, and the check of both.
 
+from hardcontact.study.stages import made
+
 
 rule keep_configuration:
     """Keep the configuration and the table of surfaces with the results."""
@@ -23,18 +25,7 @@ rule keep_configuration:
 rule describe_crate:
     """Describe inputs, outputs, software, authors, licence and paper for an archive."""
     input:
-        rules.topography.input,
-        rules.adhesion.input,
-        rules.elastic.input,
-        rules.plasticity.input,
-        rules.asperities.input,
-        rules.scales.input,
-        rules.classical.input,
-        rules.sets.input,
-        rules.robustness.input,
-        rules.claims.input,
-        rules.figures.input,
-        rules.pages.input,
+        [getattr(rules, target).input for target in made(STUDY)],
         rules.keep_configuration.output,
         citation="CITATION.cff",
         environment="environment.txt",

@@ -25,7 +25,7 @@ rule vary_adhesion:
                 "loads": FILES.loads(PROBE),
                 "count": SIZE["count"],
                 "window": STUDY["contact"]["window"],
-                "ranges": STUDY["adhesion"]["ranges"],
+                "ranges": RANGES,
                 "radius": STUDY["sphere"]["radius"],
             }
         ),

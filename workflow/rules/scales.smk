@@ -136,7 +136,7 @@ rule find_critical_band:
 
 
 rule scales:
-    """Make the forces of filtered surfaces and the critical band."""
+    """Make the forces of filtered surfaces, and the critical band or the edges of own surfaces."""
     input:
         rules.aggregate_scales.output,
-        rules.find_critical_band.output,
+        PATTERNS.dataset("band" if COMPARED else "edges"),

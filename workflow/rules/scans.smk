@@ -31,21 +31,29 @@ rule calibrate_spectrum:
         "../scripts/calibrate_spectrum.py"
 
 
-rule extrapolate_spectrum:
-    """Make the spectrum of a measured surface from its own scans."""
+rule measure_spectrum:
+    """Join the spectra of all scans of a measured surface, each within its reliable band."""
     input:
-        scans=lambda w: FILES.topographies_of(w.surface),
-        code=code_inputs("extrapolate_spectrum.py"),
+        scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
+        code=code_inputs("measure_spectrum.py"),
     output:
-        PATTERNS.extrapolated_spectrum,
+        PATTERNS.measured_spectrum,
     log:
-        PATTERNS.log("extrapolate_spectrum", PATTERNS.extrapolated_spectrum),
+        PATTERNS.log("measure_spectrum", PATTERNS.measured_spectrum),
     benchmark:
-        PATTERNS.benchmark("extrapolate_spectrum", PATTERNS.extrapolated_spectrum)
+        PATTERNS.benchmark("measure_spectrum", PATTERNS.measured_spectrum)
     params:
-        canonical=canonical({}),
+        canonical=lambda w: canonical(
+            {
+                "datasets": [one.dataset for one in SELECTION.measured(w.surface)],
+                "tip_radii": [one.tip_radius for one in SELECTION.measured(w.surface)],
+                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "levelling": STUDY["scan"]["levelling"],
+                "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
+            }
+        ),
     script:
-        "../scripts/extrapolate_spectrum.py"
+        "../scripts/measure_spectrum.py"
 
 
 rule condition_scans:
@@ -126,7 +134,7 @@ rule prepare_scan:
                 "undefined_pixels": SELECTION.undefined_pixels(
                     w.surface, STUDY["scan"]["undefined_pixels"]
                 ),
-                "levelling": "plane",
+                "levelling": SELECTION.levelling(w.surface, STUDY["scan"]["levelling"]),
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }
         ),

@@ -27,7 +27,7 @@ rule compute_pool:
                 "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
                 "amplitudes": STUDY["sets"]["amplitudes"],
                 "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-                "ranges": STUDY["adhesion"]["ranges"],
+                "ranges": RANGES,
                 "radius": STUDY["sphere"]["radius"],
                 "seed": STUDY["seed"],
             }
@@ -57,7 +57,7 @@ rule compare_sphere:
                 "surface": w.surface,
                 "scans": SELECTION.scans(w.surface),
                 "contact": STUDY["contact"],
-                "ranges": STUDY["adhesion"]["ranges"],
+                "ranges": RANGES,
                 "radius": STUDY["sphere"]["radius"],
             }
         ),

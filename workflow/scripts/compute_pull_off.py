@@ -6,7 +6,7 @@ from hardcontact.study.job import job
 
 with job(snakemake) as this:
     contact, radius = this.parameters["contact"], this.parameters["radius"]
-    pair = read_bodies(this.input.substrate, this.input.sphere, radius, contact)
+    pair = read_bodies(this.input.substrate, this.input.sphere or None, radius, contact)
     this.write_arrays(
         pull_off_of_pair(pair, contact, this.parameters["ranges"]),
         title="pull-off forces of one pair of substrate and sphere scan",

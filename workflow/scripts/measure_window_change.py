@@ -6,9 +6,8 @@ from hardcontact.study.job import job
 
 with job(snakemake) as this:
     contact, radius = this.parameters["contact"], this.parameters["radius"]
-    pairs = (
-        read_bodies(this.input.substrate, sphere, radius, contact) for sphere in this.input.spheres
-    )
+    spheres = this.input.spheres or [None]
+    pairs = (read_bodies(this.input.substrate, sphere, radius, contact) for sphere in spheres)
     this.write_arrays(
         window_change(pairs, contact, this.parameters["reference_range"]),
         title="change of the pull-off force on one substrate scan with the window",

@@ -231,8 +231,10 @@ def _interval(
     """Return the ends of the interval of a number, NaN where none can be given.
 
     It is the spread of the sets where they vary; none if fewer of them than the confidence have a
-    number. Otherwise it is the number's own; of zero width if no scan enters it.
+    number. Otherwise it is the number's own; of zero width if no scan enters it. An interval that
+    lies beside the number is stretched to hold it: what is judged is what is printed.
     """
+    value = float(number["value"])
     known = replicas[np.isfinite(replicas)]
     if len(known) and np.ptp(known) > 0:
         enough = len(known) >= confidence * len(replicas)
@@ -240,5 +242,5 @@ def _interval(
     else:
         low, high = (float(end) for end in bounds(number, "value"))
     if claim.needs == NO_SCAN and np.isnan(low):
-        return float(number["value"]), float(number["value"])
-    return float(low), float(high)
+        return value, value
+    return min(float(low), value), max(float(high), value)

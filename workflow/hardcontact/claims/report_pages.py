@@ -3,16 +3,27 @@
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from html import escape
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pandas as pd
 import yaml
 from markdown_it import MarkdownIt
+from markdown_it.token import Token
 
+from hardcontact.claims.quantity_text import print_quantity
 from hardcontact.claims.verdicts import summary
 
-__all__ = ["claims_page", "pages", "parameters_page", "text_page"]
+__all__ = [
+    "chapter",
+    "claims_page",
+    "counts_table",
+    "pages",
+    "parameters_page",
+    "section_tables",
+    "text_page",
+]
 
 STYLE = """
 body { font: 15px/1.5 sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222 }
@@ -91,34 +102,86 @@ def claims_page(claims: pd.DataFrame, confidence: float) -> str:
     str
         HTML.
     """
-    counts = summary(claims)
-    independent = counts["independent"].sum()
-    verdicts = [
-        [(verdict, _kind(verdict)), (str(alone), ""), (str(rows), ""), (meaning, "")]
-        for (verdict, alone, rows), meaning in zip(
-            counts.itertuples(index=False), MEANINGS, strict=True
-        )
-    ]
-    header = ("statement", "paper", "computed", "holds in", "verdict")
+    independent = summary(claims)["independent"].sum()
     sections = (
-        f"<h2>{escape(str(name))}</h2>\n" + _table(header, map(_claim, rows.itertuples()))
-        for name, rows in claims.groupby("section", sort=False)
+        f"<h2>{escape(name)}</h2>\n{table}" for name, table in section_tables(claims).items()
     )
     return _page(
         f"Verdicts on {independent} findings in {len(claims)} statements of the paper",
         f"<p>Of {len(claims)} statements {independent} are independent findings; the others restate"
         " one of them, follow from it or hold by construction, and say so. Square brackets: "
         f"{100 * confidence:g} % interval. <em>Holds in</em>: the share of many equally good sets "
-        "of scans in which the statement holds.</p>\n"
-        + _table(("verdict", "independent findings", "all statements", "meaning"), verdicts)
-        + "\n".join(sections),
+        "of scans in which the statement holds.</p>\n" + counts_table(claims) + "\n".join(sections),
     )
+
+
+def counts_table(claims: pd.DataFrame) -> str:
+    """Write how often each verdict was reached, and what it means.
+
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        As from `verdicts.read_verdicts`.
+
+    Returns
+    -------
+    str
+        An HTML table.
+    """
+    rows = [
+        [(verdict, _kind(verdict)), (str(alone), ""), (str(every), ""), (meaning, "")]
+        for (verdict, alone, every), meaning in zip(
+            summary(claims).itertuples(index=False), MEANINGS, strict=True
+        )
+    ]
+    return _table(("verdict", "independent findings", "all statements", "meaning"), rows)
+
+
+def section_tables(claims: pd.DataFrame) -> dict[str, str]:
+    """Write the claims of each section of the paper, with their numbers and verdicts.
+
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        As from `verdicts.read_verdicts`.
+
+    Returns
+    -------
+    dict of str to str
+        An HTML table by the name of the section, in the order of the claims.
+    """
+    header = ("statement", "paper", "computed", "holds in", "verdict")
+    return {
+        str(name): _table(header, map(_claim, rows.itertuples()))
+        for name, rows in claims.groupby("section", sort=False)
+    }
 
 
 def text_page(text: str) -> str:
     """Write a chapter as a page.
 
-    Links into the repository are replaced by their text, because they do not work from the page.
+    Parameters
+    ----------
+    text : str
+        As `chapter` takes it.
+
+    Returns
+    -------
+    str
+        HTML.
+
+    Raises
+    ------
+    ValueError
+        As `chapter`.
+    """
+    return _page(*chapter(text))
+
+
+def chapter(text: str) -> tuple[str, str]:
+    """Return the title of a chapter and the rest of it as HTML.
+
+    Links into the repository are replaced by their text, because they do not work from a page.
 
     Parameters
     ----------
@@ -127,8 +190,10 @@ def text_page(text: str) -> str:
 
     Returns
     -------
-    str
-        HTML.
+    title : str
+        Plain text.
+    body : str
+        HTML; its headings begin with ``h2``.
 
     Raises
     ------
@@ -139,8 +204,26 @@ def text_page(text: str) -> str:
     if not first.startswith("# "):
         raise ValueError(f"expected a text that begins with '# ' and a title, found {first!r}")
     unlinked = re.sub(r"\[([^\]]+)\]\((?!https?:)[^)]+\)", r"\1", body)
-    html: str = MarkdownIt("commonmark").enable("table").render(unlinked)
-    return _page(first[2:], html)
+    markdown = MarkdownIt("commonmark").enable("table")
+    tokens = markdown.parse(unlinked)
+    _label_cells(tokens)
+    return first[2:], str(markdown.renderer.render(tokens, markdown.options, {}))
+
+
+def _label_cells(tokens: Sequence[Token]) -> None:
+    """Give each cell of a Markdown table its column's name, for a page too narrow for a header."""
+    labels: list[str] = []
+    column = 0
+    for token, content in pairwise(tokens):
+        if token.type == "table_open":
+            labels = []
+        elif token.type == "tr_open":
+            column = 0
+        elif token.type == "th_open":
+            labels.append(content.content)
+        elif token.type == "td_open":
+            token.attrSet("data-label", labels[column])
+            column += 1
 
 
 def parameters_page(configuration: Mapping[str, Any], versions: Mapping[str, str]) -> str:
@@ -187,7 +270,8 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[tuple[str, str]]]) -> 
         + "</tr>"
         for row in rows
     )
-    return f"<table><tr>{head}</tr>\n" + "\n".join(lines) + "</table>"
+    body = "\n".join(lines)
+    return f"<table><thead><tr>{head}</tr></thead><tbody>\n{body}</tbody></table>"
 
 
 def _claim(row: Any) -> list[tuple[str, str]]:
@@ -195,8 +279,8 @@ def _claim(row: Any) -> list[tuple[str, str]]:
     source = f"Follows from {row.follows_from}." if row.follows_from else ""
     return [
         (escape(row.statement) + _small(row.id) + _small(source) + _small(row.note), ""),
-        (_number(row.published), "number"),
-        (_computed(row), "number"),
+        (escape(print_quantity(row.published, row.unit)), "number"),
+        (escape(print_quantity(row.computed, row.unit, (row.low, row.high))), "number"),
         ("" if np.isnan(row.frequency) else f"{100 * row.frequency:.0f} %", "number"),
         (escape(row.verdict) + _small(row.basis), _kind(row.verdict)),
     ]
@@ -209,15 +293,3 @@ def _kind(verdict: str) -> str:
 
 def _small(text: str) -> str:
     return f"<small>{escape(text)}</small>" if text else ""
-
-
-def _number(value: float) -> str:
-    return "" if np.isnan(value) else f"{value:.3g}"
-
-
-def _computed(row: Any) -> str:
-    if np.isnan(row.computed):
-        return ""
-    interval = "" if np.isnan(row.low) else f" [{row.low:.3g}, {row.high:.3g}]"
-    unit = "" if row.unit == "1" else f" {escape(row.unit)}"
-    return _number(row.computed) + interval + unit

@@ -105,18 +105,17 @@ def verdict(
 ) -> str:
     """Judge one number and its interval, by the same logic whatever the rule.
 
-    The interval is stretched to hold the number itself. Reproduced: all of it is accepted.
-    Undecided: it holds accepted and rejected numbers. Not reproduced: all of it is rejected, or
-    there is no number. A number without an interval is consistent if it is accepted, else not
-    reproduced.
+    Reproduced: all of the interval is accepted. Undecided: it holds accepted and rejected numbers.
+    Not reproduced: all of it is rejected, or there is no number. A number without an interval is
+    consistent if it is accepted, else not reproduced.
 
     Parameters
     ----------
     rule : str
         As in `accepted_range`.
     computed, low, high : float
-        The number and the ends of its interval, in the unit of the limits; NaN ends mean no
-        interval, equal ends one that is known to be of zero width.
+        The number and the ends of the interval that holds it, in the unit of the limits; NaN ends
+        mean no interval, equal ends one that is known to be of zero width.
     published_low, published_high : float
         As in `accepted_range`.
 
@@ -135,7 +134,6 @@ def verdict(
         return "not reproduced"
     if np.isnan(low) or np.isnan(high):
         return "consistent" if accepts(rule, computed, *limits) else "not reproduced"
-    low, high = min(low, computed), max(high, computed)
     if accepts(rule, [low, high], *limits).all():
         return "reproduced"
     lower, upper = accepted_range(rule, *limits)

@@ -204,13 +204,15 @@ def bodies(
     return Bodies(substrate, roughness, geometry, stretch)
 
 
-def read_bodies(substrate: str, sphere: str, radius: float, array: ContactArray) -> Bodies:
+def read_bodies(substrate: str, sphere: str | None, radius: float, array: ContactArray) -> Bodies:
     """Read two height maps that the study wrote and bring them together.
 
     Parameters
     ----------
-    substrate, sphere : str
-        Files of the substrate and of the roughness of the sphere.
+    substrate : str
+        File of the substrate.
+    sphere : str or None
+        File of the roughness of the sphere; None of a smooth one.
     radius : float
         Of the sphere, in nm.
     array : ContactArray
@@ -221,7 +223,8 @@ def read_bodies(substrate: str, sphere: str, radius: float, array: ContactArray)
     Bodies
         Ready for contact.
     """
-    return bodies(read_height_map(substrate), read_height_map(sphere), radius, array)
+    roughness = None if sphere is None else read_height_map(sphere)
+    return bodies(read_height_map(substrate), roughness, radius, array)
 
 
 def _on_pixels(surface: HeightMap, pixel_size: float) -> tuple[HeightMap, float]:

@@ -6,11 +6,11 @@ from string import ascii_lowercase
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
+from hardcontact.figures.height_maps import draw_map
 from hardcontact.figures.tables import BY_CONSTRUCTION, rows_by_construction
 
 __all__ = ["draw", "table"]
@@ -79,7 +79,7 @@ def draw(topography: xr.Dataset) -> Figure:
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
-        _draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
+        draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
         axes.spines[:].set(edgecolor=colours[surface], linewidth=1.5)
         label = str(topography["label"].sel(surface=surface).item())
         name = f"{label}, {state}" if state else label
@@ -130,35 +130,3 @@ def _print_over_scans(of_surface: xr.Dataset) -> str:
     mark = BY_CONSTRUCTION if "afm_rms_height" in rows_by_construction(of_surface) else ""
     scatter = f" ± {deviation:.3g}" if math.isfinite(deviation) else ""
     return f"all: {mean:.3g}{scatter}{mark}"
-
-
-def _draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
-    """Draw heights (nm) of a square scan of the given size (nm), with colour bar and scale bar."""
-    image = axes.imshow(heights - heights.mean(), cmap="viridis", extent=(0, size, 0, size))
-    bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
-    bar.ax.set_title("nm", fontsize=7, loc="left", pad=3)
-    axes.set(xticks=[], yticks=[])
-    length = _round_length(size / 4)
-    start = 0.06 * size
-    # A white bar with a dark edge is visible on every colour of the map.
-    axes.plot([start, start + length], [start, start], color="black", lw=4, solid_capstyle="butt")
-    axes.plot([start, start + length], [start, start], color="white", lw=2, solid_capstyle="butt")
-    axes.text(
-        start + length / 2,
-        start + 0.03 * size,
-        _print_length(length),
-        fontsize=7,
-        ha="center",
-        va="bottom",
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 1},
-    )
-
-
-def _round_length(length: float) -> float:
-    """Return the largest 1, 2 or 5 times a power of ten that is not longer than `length`."""
-    decade = 10.0 ** math.floor(math.log10(length))
-    return max(step * decade for step in (1, 2, 5) if step * decade <= length)
-
-
-def _print_length(length: float) -> str:
-    return f"{length:g} nm" if length < 1000 else f"{length / 1000:g} µm"

@@ -8,14 +8,9 @@ from typing import Any, NamedTuple
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.study.patterns import STUDY_VARIANT, Patterns
 from hardcontact.study.selection import Selection
+from hardcontact.study.single_files import SingleFiles
 from hardcontact.study.units import token
-from hardcontact.study.variants import (
-    SurfaceVariant,
-    Variant,
-    named_load,
-    surface_variants,
-    variants,
-)
+from hardcontact.study.variants import Variant, variants
 
 __all__ = ["Chunk", "Files", "Master", "Pair"]
 
@@ -52,84 +47,16 @@ class Master(NamedTuple):
     probe: str
 
 
-class Files:
-    """The files of one study, one by one and in lists.
-
-    Parameters
-    ----------
-    configuration : dict
-        With its quantities as the texts that the user wrote: they stand in paths.
-    selection : Selection
-        Surfaces and scans of the study.
-    patterns : Patterns
-        Paths of the study.
-    """
+class Files(SingleFiles):
+    """The files of one study, one by one and in lists; parameters as those of `SingleFiles`."""
 
     def __init__(
         self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
     ) -> None:
+        super().__init__(configuration, selection, patterns)
         self._configuration = configuration
-        self._selection = selection
-        self._patterns = patterns
-        contact, scales = configuration["contact"], configuration["scales"]
-        self._swept = {
-            "radius": f"R{token(configuration['sphere']['radius'], 'um')}",
-            "load": named_load(contact["preload"], contact["hardness"])["name"],
-            "range": f"rho{token(scales['range'], 'nm')}",
-        }
-        self.realizations = range(1, scales["realizations"] + 1)
-        self.surface_variants: dict[str, SurfaceVariant] = surface_variants(configuration)
+        self.realizations = range(1, configuration["scales"]["realizations"] + 1)
         self.variants: list[Variant] = variants(configuration, selection)
-
-    # One file
-
-    def spectrum(self, surface: str, variant: str = STUDY_VARIANT) -> str:
-        """Return the spectrum of a surface at all scales."""
-        if self._selection.basis[surface] == "measured":
-            pattern = self._patterns.extrapolated_spectrum
-        else:
-            pattern = self._patterns.calibrated_spectrum
-        return self._of_surface(pattern, surface, self.surface_variants[variant].spectrum)
-
-    def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return what a substitute scan shares with the others of its group."""
-        group, made = self._selection.group(surface, scan), self.surface_variants[variant].spectrum
-        return self._of_surface(self._patterns.conditioning, surface, made, group=group)
-
-    def scan(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return the file that a scan is read from, measured or a substitute."""
-        if self._selection.basis[surface] == "measured":
-            return self._selection.path(surface, scan)
-        return self._of_surface(self._patterns.substitute, surface, variant, scan=scan)
-
-    def levelled(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return a levelled scan."""
-        return self._of_surface(self._patterns.levelled, surface, variant, scan=scan)
-
-    def stitched(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return a levelled scan with its mirror images."""
-        return self._of_surface(self._patterns.stitched, surface, variant, scan=scan)
-
-    def stitched_of_realization(self, surface: str, realization: int, variant: str) -> str:
-        """Return the scan that a realization builds on, in turn where there are fewer scans."""
-        scans = self._selection.scans(surface)
-        return self.stitched(surface, scans[(realization - 1) % len(scans)], variant)
-
-    def stitched_of_set_realization(self, surface: str, realization: int, variant: str) -> str:
-        """Return the scan that a realization of the sets builds on.
-
-        Of a substitute it is a scan of its own, beyond the study's where these are used up; of a
-        measured surface it is that of `stitched_of_realization`.
-        """
-        if self._selection.basis[surface] == "measured":
-            return self.stitched_of_realization(surface, realization, variant)
-        return self.stitched(surface, self._selection.own_scan(surface, realization), variant)
-
-    @property
-    def first_sphere(self) -> str:
-        """The scan of the sphere that roughens the sphere of all masters."""
-        sphere = self._selection.sphere
-        return self.stitched(sphere, self._selection.scans(sphere)[0])
 
     # Topography
 
@@ -182,7 +109,7 @@ class Files:
             Pair(surface, STUDY_VARIANT, scan, sphere_scan)
             for surface in self._selection.substrates
             for scan, sphere_scan in zip(
-                self._scans(surface), cycle(self._scans(self._selection.sphere)), strict=False
+                self._scans(surface), cycle(self._selection.sphere_scans), strict=False
             )
         ]
 
@@ -192,7 +119,7 @@ class Files:
 
     @property
     def stitched_spheres(self) -> list[str]:
-        """Every scan of the sphere with its mirror images."""
+        """Every scan of the sphere with its mirror images; none of a smooth one."""
         sphere = self._selection.sphere
         return [self.stitched(sphere, scan) for scan in self._scans(sphere)]
 
@@ -294,7 +221,7 @@ class Files:
     def varied_pairs(self) -> list[Pair]:
         """Every scan that some variant asks for, with the first scan of the sphere."""
         made = (item for variant in self.variants for item in variant.variant.items())
-        first = self._scans(self._selection.sphere)[0]
+        first = self._selection.sphere_scans[0]
         return [
             Pair(surface, variant, scan, first)
             for surface, variant in dict.fromkeys(made)
@@ -338,7 +265,7 @@ class Files:
             Pair(surface, variant, scan, sphere_scan)
             for surface, variant in surfaces
             for scan in self._scans(surface)
-            for sphere_scan in self._scans(self._selection.sphere)
+            for sphere_scan in self._selection.sphere_scans
         ]
 
     def _topography(self, surface: str, scan: int) -> str:
@@ -347,11 +274,3 @@ class Files:
     def _cutoffs(self, side: str) -> list[str]:
         """Return the cutoffs of a side as they stand in paths."""
         return [token(cutoff, "nm") for cutoff in self._configuration["scales"][side]["cutoffs"]]
-
-    def _of_surface(self, pattern: str, surface: str, variant: str, **wildcards: object) -> str:
-        """Return the path of a pattern for a surface and the swept values of the study."""
-        sphere = surface == self._selection.sphere
-        shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        return pattern.format(
-            surface=surface, variant=variant, shape=shape, **self._swept, **wildcards
-        )

@@ -1,11 +1,12 @@
 """Checks that the names and values of a study agree with each other, its tables and its scans.
 
-They refuse before any job starts what could only fail later. Every fault is a ValueError of one
-line: the key or row, what was expected, what was found.
+They refuse before any job starts what could only fail later. Every fault is one line: the key or
+row, what was expected, what was found.
 """
 
 import os
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
+from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
 from typing import Any
@@ -13,11 +14,21 @@ from typing import Any
 import pandas as pd
 
 from hardcontact import published
-from hardcontact.study.grids import surface_grid
+from hardcontact.study.faults import refuse_all
+from hardcontact.study.grids import Grid, surface_grid
 from hardcontact.study.master_limits import refuse_on_master
+from hardcontact.study.measured_forces import measured_forces
 from hardcontact.study.patterns import PUBLISHED
-from hardcontact.study.scan_limits import refuse_on_pair, refuse_on_scan
+from hardcontact.study.scan_limits import (
+    refuse_on_elastic_pair,
+    refuse_on_elastic_scan,
+    refuse_on_pair,
+    refuse_on_scan,
+)
+from hardcontact.study.stages import NONE, PAPER, SMOOTH
 from hardcontact.study.substitute_descriptions import refuse_description
+from hardcontact.study.surface_table import CONTACT
+from hardcontact.surfaces.scans import read_measurement
 
 __all__ = ["check"]
 
@@ -37,22 +48,69 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
     Raises
     ------
     ValueError
-        In one line, naming the key or the file: names of surfaces or scans that are not in the
-        table, values that contradict each other, unusable scans, wavelengths, windows and loads
-        that the pixels do not permit.
+        In one line a fault, naming the key or the file: names of surfaces or scans that are not in
+        the table, values that contradict each other, unusable scans, wavelengths, windows and
+        loads that the pixels do not permit. Scans are read once all names are known.
     """
-    _refuse_unknown_surfaces(config, table)
-    _refuse_disorder(config)
-    _refuse_contradictions(config, compared)
-    _refuse_names(config)
+    contacts = table[table.use == CONTACT]
+    of_the_paper = config["published"] == PAPER
+    refuse_all(
+        [
+            partial(_refuse_unknown_sphere, config, contacts),
+            partial(_refuse_disorder, config),
+            partial(_refuse_names, config),
+            *_descriptions(table),
+            *(_checks_of_paper(config, contacts, compared) if of_the_paper else []),
+            *([] if of_the_paper else _checks_of_own_surfaces(config, table)),
+        ]
+    )
+    _refuse_on_grids(config, contacts)
+
+
+def _checks_of_paper(
+    config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
+) -> list[Callable[[], None]]:
+    """Return the checks of a study that is compared with the paper."""
+    return [
+        partial(_refuse_unknown_surfaces, config, table),
+        partial(_refuse_contradictions, config),
+        partial(_refuse_unknown_reference, config, compared),
+        partial(_refuse_small_pool, config, table),
+    ]
+
+
+def _checks_of_own_surfaces(
+    config: dict[str, Any], table: pd.DataFrame
+) -> list[Callable[[], object]]:
+    """Return the checks of a study of own surfaces: its forces, scans that contacts do not use."""
+    others = table[table.use != CONTACT]
+    checks: list[Callable[[], object]] = [
+        partial(read_measurement, path, dataset, config["scan"]["undefined_pixels"])
+        for path, dataset in zip(others.path, others.dataset, strict=True)
+    ]
+    if config["forces"] != NONE:
+        checks.append(partial(measured_forces, config["forces"], list(table.surface.unique())))
+    return [partial(_refuse_substitutes, table), *checks]
+
+
+def _refuse_substitutes(table: pd.DataFrame) -> None:
+    """Refuse substitutes in a study of own surfaces: they stand for the paper's."""
+    substitutes = table.surface[table.source == "substitute"].unique()
+    if len(substitutes):
+        raise ValueError(
+            "config key published: expected paper in a study with substitutes "
+            f"({', '.join(substitutes)}), found {NONE}"
+        )
+
+
+def _descriptions(table: pd.DataFrame) -> Iterator[Callable[[], None]]:
+    """Yield the check of the description of each substitute."""
     rows_of_table1 = (
         published.table1(PUBLISHED["published_table1"]).groupby("surface").quantity.agg(set)
     )
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
     for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
-        refuse_description(path, rows_of_table1.get(surface, set()))
-    _refuse_small_pool(config, table)
-    _refuse_on_grids(config, table)
+        yield partial(refuse_description, path, rows_of_table1.get(surface, set()))
 
 
 def _refuse_small_pool(config: dict[str, Any], table: pd.DataFrame) -> None:
@@ -69,23 +127,57 @@ def _refuse_small_pool(config: dict[str, Any], table: pd.DataFrame) -> None:
 
 def _refuse_on_grids(config: dict[str, Any], table: pd.DataFrame) -> None:
     """Refuse what the pixels of the scans do not permit."""
-    grids = {
-        str(surface): surface_grid(config, str(surface), rows)
-        for surface, rows in table.groupby("surface", sort=False)
-    }
-    name, radius = config["sphere"]["surface"], config["sphere"]["radius"]
-    sphere = grids[name]
+    grids: dict[str, Grid] = {}
+
+    def read(surface: str, rows: pd.DataFrame) -> None:
+        grids[surface] = surface_grid(config, surface, rows)
+
+    refuse_all(
+        partial(read, str(surface), rows) for surface, rows in table.groupby("surface", sort=False)
+    )
+    name, of_the_paper = config["sphere"]["surface"], config["published"] == PAPER
+    if name in grids:
+        _refuse_small_sphere(config, grids[name])
+    on_scan = [refuse_on_scan, refuse_on_elastic_scan] if of_the_paper else [refuse_on_scan]
+    on_pair = [refuse_on_pair, refuse_on_elastic_pair] if of_the_paper else [refuse_on_pair]
+    sections = ("scales", "sets") if of_the_paper else ("scales",)
+    masters = list(product(sections, ("small", "large")))
+    checks = [partial(limit, config, *one) for one, limit in product(grids.items(), on_scan)]
+    for surface, grid in grids.items():
+        if surface != name:
+            sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
+            checks += [partial(limit, config, surface, grid, sphere) for limit in on_pair]
+            checks += [
+                partial(refuse_on_master, config, section, side, surface, grid, sphere)
+                for section, side in masters
+            ]
+    refuse_all(checks)
+
+
+def _refuse_small_sphere(config: dict[str, Any], sphere: Grid) -> None:
+    """Refuse a sphere that is smaller than its scans."""
+    radius = config["sphere"]["radius"]
     if radius < sphere.size:
         raise ValueError(
             "config key sphere.radius: expected at least the size of its scans "
             f"({sphere.size:.6g} nm), found {radius:.6g} nm"
         )
-    for surface, grid in grids.items():
-        refuse_on_scan(config, surface, grid)
-        if surface != name:
-            refuse_on_pair(config, surface, grid, sphere)
-            for section, side in product(("scales", "sets"), ("small", "large")):
-                refuse_on_master(config, section, side, surface, grid, sphere)
+
+
+def _refuse_unknown_sphere(config: dict[str, Any], table: pd.DataFrame) -> None:
+    """Refuse a sphere that the table does not have, and roughness of a smooth one."""
+    surfaces, sphere = list(table.surface.unique()), config["sphere"]["surface"]
+    if config["published"] != PAPER and sphere == SMOOTH:
+        if config["scales"]["sphere_roughness"]:
+            raise ValueError(
+                "config key scales.sphere_roughness: expected false with sphere.surface: "
+                f"{SMOOTH}, found true"
+            )
+    elif sphere not in surfaces:
+        raise ValueError(
+            f"config key sphere.surface: expected one of {', '.join(surfaces)}, "
+            f"surfaces of the table, found {sphere}"
+        )
 
 
 def _refuse_unknown_surfaces(config: dict[str, Any], table: pd.DataFrame) -> None:
@@ -94,7 +186,6 @@ def _refuse_unknown_surfaces(config: dict[str, Any], table: pd.DataFrame) -> Non
     surfaces = list(table.surface.unique())
     substrates = [surface for surface in surfaces if surface != sphere]
     for key, surface, known in (
-        ("sphere.surface", sphere, surfaces),
         ("reference_surface", config["reference_surface"], substrates),
         ("adhesion.traced_contact.surface", traced["surface"], substrates),
         ("indent.surface", config["indent"]["surface"], substrates),
@@ -138,14 +229,23 @@ def _refuse_descent(key: str, values: Sequence[float], unit: str) -> None:
             )
 
 
-def _refuse_contradictions(config: dict[str, Any], compared: Collection[str]) -> None:
-    """Refuse values that other values, or the published forces, do not permit."""
-    reference, count = config["reference_surface"], config["contact"]["count"]
+def _refuse_unknown_reference(config: dict[str, Any], compared: Collection[str]) -> None:
+    """Refuse a reference surface without a published force, and own forces beside published."""
+    reference = config["reference_surface"]
     if reference not in compared:
         raise ValueError(
             "config key reference_surface: expected a surface with a published "
             f"pull-off force ({', '.join(compared)}), found {reference}"
         )
+    if config["forces"] != NONE:
+        raise ValueError(
+            f"config key forces: expected {NONE} with published: {PAPER}, found {config['forces']}"
+        )
+
+
+def _refuse_contradictions(config: dict[str, Any]) -> None:
+    """Refuse values that other values do not permit."""
+    count = config["contact"]["count"]
     place = config["adhesion"]["traced_contact"]["contact"]
     if max(place) >= count:
         raise ValueError(

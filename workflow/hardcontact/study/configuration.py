@@ -11,7 +11,7 @@ import yaml
 from hardcontact.study.schema import Schema, plain, refuse, resolved
 from hardcontact.study.units import magnitude
 
-__all__ = ["configuration", "refuse_repeated_keys"]
+__all__ = ["computed_ranges", "configuration", "refuse_repeated_keys"]
 
 
 def refuse_repeated_keys(path: str | Path) -> None:
@@ -74,12 +74,17 @@ def configuration(config: Any, schema: Schema) -> dict[str, Any]:
     return numbers
 
 
+def computed_ranges(config: dict[str, Any]) -> list[float]:
+    """Return the ranges of adhesion (nm) of scans: those listed, and that of the masters."""
+    return sorted({*config["adhesion"]["ranges"], config["scales"]["range"]})
+
+
 def _numbers(value: Any, schema: Schema, root: Schema) -> Any:
     """Return the part of a configuration below one place of its schema, quantities as numbers."""
     schema = resolved(schema, root)
     if "unit" in schema:
         return magnitude(value, schema["unit"])
-    if isinstance(value, dict):
+    if isinstance(value, dict) and "properties" in schema:
         return {key: _numbers(item, schema["properties"][key], root) for key, item in value.items()}
     if isinstance(value, list) and "items" in schema:
         return [_numbers(item, schema["items"], root) for item in value]

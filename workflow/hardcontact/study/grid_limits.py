@@ -6,6 +6,7 @@ from typing import Any
 
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.study.grids import Grid
+from hardcontact.study.stages import PAPER
 
 __all__ = [
     "MAP_PIXELS",
@@ -13,6 +14,7 @@ __all__ = [
     "refuse_contact_pixels",
     "refuse_large_map",
     "refuse_short_range",
+    "sections_of_contacts",
 ]
 
 #: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
@@ -22,6 +24,11 @@ MAP_PIXELS = 16384
 CONTACT_PIXELS = 2**26
 #: Largest difference in height over the range of adhesion: exponentials overflow beyond 700.
 RELIEF_OVER_RANGE = 500.0
+
+
+def sections_of_contacts(config: dict[str, Any]) -> list[str]:
+    """Return the sections that contacts on scans come from; own surfaces have no sets."""
+    return ["contact", "sets"] if config["published"] == PAPER else ["contact"]
 
 
 def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
@@ -41,7 +48,7 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
     """
     preload, hardness = (config["contact"][key] for key in ("preload", "hardness"))
     yield "contact.preload", Load(preload=preload, hardness=hardness)
-    if section == "contact":
+    if section == "contact" and config["published"] == PAPER:
         largest = max(config["indent"]["preloads"])
         yield "indent.preloads", Load(preload=largest, hardness=hardness)
     if section == "sets":

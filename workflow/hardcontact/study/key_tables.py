@@ -110,12 +110,12 @@ def _values(schema: Schema) -> str:
         return f"{schema['minimum']} {most}{multiple}"
     if schema["type"] == "array":
         return f"a list: {_values(schema['items'])}"
-    return str(schema.get("title", schema["expects"]))
+    return str(schema["title"] if "title" in schema else schema["expects"])
 
 
 def _choices(schema: Schema) -> list[str]:
     if "oneOf" in schema:
-        return [_values(choice) for choice in schema["oneOf"]]
+        return [_values(choice) for choice in schema["oneOf"] if choice.get("const") != ""]
     if schema.get("type") == "boolean":
         return [_code(True), _code(False)]
     constants = [schema["const"]] if "const" in schema else []

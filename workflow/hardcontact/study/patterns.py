@@ -42,9 +42,7 @@ class Patterns:
         self.results, self.store = results, store
 
         self.calibrated_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/calibrated.nc"
-        self.extrapolated_spectrum = (
-            f"{store}/spectra/{{surface}}/{{variant}}/extrapolated-{{shape}}.nc"
-        )
+        self.measured_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/measured-{{shape}}.nc"
         self.conditioning = f"{store}/conditioning/{{surface}}/{{variant}}/group-{{group}}.nc"
         self.substitute = f"{store}/substitutes/{_SCAN}"
         self.levelled = f"{store}/scans/{_SCAN}"

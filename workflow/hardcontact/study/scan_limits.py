@@ -1,5 +1,6 @@
 """What the scans of a surface permit, alone and in a pair with those of the sphere."""
 
+from itertools import chain
 from typing import Any
 
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
@@ -11,10 +12,16 @@ from hardcontact.study.grid_limits import (
     refuse_contact_pixels,
     refuse_large_map,
     refuse_short_range,
+    sections_of_contacts,
 )
 from hardcontact.study.grids import Grid
 
-__all__ = ["refuse_on_pair", "refuse_on_scan"]
+__all__ = [
+    "refuse_on_elastic_pair",
+    "refuse_on_elastic_scan",
+    "refuse_on_pair",
+    "refuse_on_scan",
+]
 
 #: Contact pixels of one indent, which are compared with each other.
 INDENT_PIXELS = 2**12
@@ -43,18 +50,12 @@ def refuse_on_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
         In one line, naming the key.
     """
     _refuse_loads(config, surface, grid)
-    for section in ("contact", "sets"):
+    for section in sections_of_contacts(config):
         if config[section]["count"] > 2 * grid.pixels:
             raise ValueError(
                 f"config key {section}.count: expected at most the {2 * grid.pixels} pixels along "
                 f"the stitched scan of {surface}, found {config[section]['count']}"
             )
-    window = config["elastic"]["window"]
-    if int(window / grid.pixel_size) < ELASTIC_PIXELS:
-        raise ValueError(
-            f"config key elastic.window: expected at least {ELASTIC_PIXELS} pixels of "
-            f"{surface} ({ELASTIC_PIXELS * grid.pixel_size:.4g} nm), found {window:.4g} nm"
-        )
     for key, rho in (
         ("adhesion.ranges", config["adhesion"]["ranges"][0]),
         ("scales.range", config["scales"]["range"]),
@@ -62,11 +63,22 @@ def refuse_on_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
         refuse_short_range(config, key, rho, surface, grid)
 
 
+def refuse_on_elastic_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
+    """Refuse a window of elastic contacts that has too few pixels of a surface, as a ValueError."""
+    window = config["elastic"]["window"]
+    if int(window / grid.pixel_size) < ELASTIC_PIXELS:
+        raise ValueError(
+            f"config key elastic.window: expected at least {ELASTIC_PIXELS} pixels of "
+            f"{surface} ({ELASTIC_PIXELS * grid.pixel_size:.4g} nm), found {window:.4g} nm"
+        )
+
+
 def _refuse_loads(config: dict[str, Any], surface: str, grid: Grid) -> None:
     """Refuse loads that need more than a quarter of the pixels in the window."""
     window = window_pixels(config["contact"]["window"], grid.pixel_size)
     available = min(window, 2 * grid.pixels) ** 2 // 4
-    for key, load in (*loads(config, "contact"), *loads(config, "sets")):
+    sections = sections_of_contacts(config)
+    for key, load in chain.from_iterable(loads(config, section) for section in sections):
         needed = contact_pixel_count(load, grid.pixel_size)
         if needed > available:
             raise ValueError(
@@ -101,8 +113,13 @@ def refuse_on_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Gri
         )
     refuse_large_map(f"{surface} and the sphere", pixel_size, grid, sphere)
     images = max(1, contact["window"] / (2 * grid.size)) ** 2
-    for section in ("contact", "sets"):
+    for section in sections_of_contacts(config):
         refuse_contact_pixels(config, section, surface, pixel_size, images)
+
+
+def refuse_on_elastic_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> None:
+    """Refuse loads that elastic contacts and indents of a pair do not permit, as a ValueError."""
+    contact, pixel_size = config["contact"], min(grid.pixel_size, sphere.pixel_size)
     _refuse_pressure(config, surface, min(contact["window"], 2 * grid.size))
     largest = Load(preload=max(config["indent"]["preloads"]), hardness=contact["hardness"])
     contact_pixels = contact_pixel_count(largest, pixel_size)

@@ -1,4 +1,4 @@
-"""Values checked against a JSON schema: the first fault in one line, in words for users.
+"""Values checked against a JSON schema: a line for the fault of each key, in words for users.
 
 The schemas have keywords of their own. Of quantities: `unit`, and `between`, the least and the
 largest value in that unit. Of patterns: `expects`, which says in words what matches. `paper` and
@@ -43,11 +43,14 @@ TYPES = {
     "string": "text",
 }
 
+#: How many faults are told at once.
+FAULTS = 10
+
 Schema = Mapping[str, Any]
 
 
 def refuse(value: object, schema: Schema, where: str) -> None:
-    """Raise an error that says in one line what is wrong with a value, if anything is.
+    """Raise an error that says what is wrong with the keys of a value, if anything is.
 
     Parameters
     ----------
@@ -61,15 +64,17 @@ def refuse(value: object, schema: Schema, where: str) -> None:
     Raises
     ------
     ValueError
-        For the first fault: the key, what was expected, what was found.
+        A line each for the first FAULTS keys: the key, what was expected, what was found.
     """
     try:
-        fault = min(_Validator(schema).iter_errors(value), key=_key, default=None)
-        message = fault and f"{where}{_key(fault)}: {_sentence(fault)}"
+        faults: dict[str, jsonschema.ValidationError] = {}
+        for fault in _Validator(schema).iter_errors(value):
+            faults.setdefault(_key(fault), fault)
+        lines = [f"{where}{key}: {_sentence(faults[key])}" for key in sorted(faults)[:FAULTS]]
     except RecursionError:
-        message = f"{where}(top level): expected a few levels of keys and lists, found too many"
-    if message:
-        raise ValueError(message)
+        lines = [f"{where}(top level): expected a few levels of keys and lists, found too many"]
+    if lines:
+        raise ValueError("\n".join(lines))
 
 
 def resolved(schema: Schema, root: Schema) -> Schema:

@@ -1,15 +1,37 @@
 """The surfaces and scans that a study is about: the selected rows of its table of surfaces."""
 
 from pathlib import Path
+from typing import NamedTuple
 
 import pandas as pd
 
 from hardcontact.study.patterns import PUBLISHED
+from hardcontact.study.surface_table import CONTACT
+from hardcontact.study.units import magnitude
 from hardcontact.surfaces.substitute_spectra import CALIBRATED
 
-__all__ = ["Selection"]
+__all__ = ["NO_SCAN", "Measured", "Selection"]
+
+#: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
+NO_SCAN = 0
 
 HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
+
+
+class Measured(NamedTuple):
+    """One scan of a measured surface, as the table names it.
+
+    Attributes
+    ----------
+    path, dataset : str
+        File, and which scan of a container.
+    tip_radius : float or None
+        In nm, where the table states it.
+    """
+
+    path: str
+    dataset: str
+    tip_radius: float | None
 
 
 class Selection:
@@ -20,7 +42,7 @@ class Selection:
     rows : DataFrame
         One row a scan, as `surface_table.selected_scans` returns them.
     sphere : str
-        Name of the surface that is the sphere's.
+        Name of the surface that is the sphere's; one that the table lacks is smooth.
 
     Attributes
     ----------
@@ -31,7 +53,8 @@ class Selection:
     """
 
     def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
-        self._rows = rows
+        self._all_rows = rows
+        self._rows = rows[rows.use == CONTACT]
         self.sphere = sphere
         self.surfaces: list[str] = list(rows.surface.unique())
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
@@ -41,8 +64,19 @@ class Selection:
         self._skewness = dict(zip(table.description, table.skewness, strict=True))
 
     def scans(self, surface: str) -> list[int]:
-        """Return the numbers of the scans of a surface."""
+        """Return the numbers of the scans of a surface that contacts are made on."""
         return [int(scan) for scan in self._rows.scan[self._rows.surface == surface]]
+
+    @property
+    def sphere_scans(self) -> list[int]:
+        """Numbers of the scans of the sphere; of a smooth one NO_SCAN alone."""
+        return self.scans(self.sphere) or [NO_SCAN]
+
+    def measured(self, surface: str) -> list[Measured]:
+        """Return every scan of a measured surface, also those that only enter its spectrum."""
+        rows = self._all_rows[self._all_rows.surface == surface]
+        radii = [magnitude(text, "nm") if text else None for text in rows.tip_radius]
+        return [Measured(*names) for names in zip(rows.path, rows.dataset, radii, strict=True)]
 
     def own_scan(self, surface: str, realization: int) -> int:
         """Return the number of the substitute scan that belongs to one realization alone.
@@ -89,6 +123,10 @@ class Selection:
     def undefined_pixels(self, surface: str, choice: str) -> str:
         """Return what is done with undefined pixels of a surface: substitutes have none."""
         return choice if self.basis[surface] == "measured" else "refuse"
+
+    def levelling(self, surface: str, choice: str) -> str:
+        """Return how scans of a surface are levelled: substitutes have no scan lines."""
+        return choice if self.basis[surface] == "measured" else "plane"
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""

@@ -7,13 +7,16 @@ import logging
 import os
 import sys
 from collections.abc import Mapping
+from copy import deepcopy
+from functools import partial
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
 import yaml
+from snakemake.logging import logger
 from snakemake.settings.types import ExecMode
-from snakemake.utils import min_version
+from snakemake.utils import min_version, update_config
 
 from hardcontact import published
 from hardcontact.records.code import LIBRARY
@@ -21,8 +24,10 @@ from hardcontact.records.lock import hold
 from hardcontact.study.checks import check
 from hardcontact.study.configuration import configuration as numbers_of
 from hardcontact.study.configuration import refuse_repeated_keys
+from hardcontact.study.faults import refuse_all
 from hardcontact.study.patterns import PUBLISHED
 from hardcontact.study.selection import Selection
+from hardcontact.study.stages import left_out
 from hardcontact.study.surface_table import selected_scans, surface_table
 
 __all__ = [
@@ -32,6 +37,8 @@ __all__ = [
     "kept_configuration",
     "lift_rate_limit",
     "prepare",
+    "say_left_out",
+    "with_effort",
 ]
 
 #: The folder of the repository that the imported library belongs to.
@@ -44,8 +51,8 @@ RATE = (100, 1)
 
 
 def _refuse(message: object) -> NoReturn:
-    """End the run with one line."""
-    sys.exit(f"error: {message}")
+    """End the run with one line a fault."""
+    sys.exit("\n".join(f"error: {line}" for line in str(message).splitlines()))
 
 
 def prepare(workflow: Any) -> None:
@@ -110,6 +117,27 @@ def kept_configuration(config: Mapping[str, Any]) -> str:
     return kept
 
 
+def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the configuration; with `effort: quick` the keys under `quick` replace others.
+
+    Parameters
+    ----------
+    config : dict
+        As Snakemake merged it.
+    """
+    merged = deepcopy(dict(config))
+    quick = merged.get("quick")
+    if merged.get("effort") == "quick" and isinstance(quick, dict):
+        update_config(merged, deepcopy(quick))
+    return merged
+
+
+def say_left_out(configuration: Mapping[str, Any]) -> None:
+    """Say which targets the data of the study do not allow, and why."""
+    for target, reason in left_out(configuration).items():
+        logger.info(f"{target} is left out: {reason}")
+
+
 def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str, Any]:
     """Return the configuration with quantities as numbers, or refuse it.
 
@@ -122,8 +150,10 @@ def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str,
     """
     try:
         if _is_main(workflow):
-            for path in workflow.configfiles:
-                refuse_repeated_keys(os.path.relpath(path))
+            refuse_all(
+                partial(refuse_repeated_keys, os.path.relpath(path))
+                for path in workflow.configfiles
+            )
         return numbers_of(config, _schema("config.schema.yaml"))
     except ValueError as error:
         _refuse(error)

@@ -12,8 +12,10 @@ import pandas as pd
 
 from hardcontact.study.schema import Schema, plain, refuse
 
-__all__ = ["TABLE_LIMIT", "selected_scans", "surface_table"]
+__all__ = ["CONTACT", "TABLE_LIMIT", "selected_scans", "surface_table"]
 
+#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
+CONTACT = "contact"
 #: The largest table, or description of a surface, in bytes: some ten thousand rows.
 TABLE_LIMIT = 2**20
 
@@ -32,6 +34,7 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
     -------
     pandas.DataFrame
         One row a scan, indexed by the line of the file; columns as in the schema, `scan` as int.
+        An optional column that the file lacks is empty, an empty `use` is CONTACT.
 
     Raises
     ------
@@ -39,8 +42,9 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
         In one line, naming the file and the line or the surface.
     """
     (_, header), *rows = _cells(path) or [(1, [])]
-    columns = schema["required"]
-    if sorted(header) != sorted(columns) or not rows:
+    columns, known = schema["required"], schema["properties"]
+    complete = set(columns) <= set(header) <= set(known) and len(header) == len(set(header))
+    if not complete or not rows:
         raise ValueError(
             f"{path}: expected a table of surfaces, the columns {', '.join(columns)}, "
             "separated by tabs, and a row a scan; "
@@ -55,7 +59,9 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
         refuse(dict(zip(header, cells, strict=True)), schema, f"{path}: line {line}, ")
     lines, values = zip(*rows, strict=True)
     table = pd.DataFrame(values, columns=header, index=lines, dtype=str)
+    table = table.reindex(columns=[*known], fill_value="")
     table["scan"] = table["scan"].astype(int)
+    table["use"] = table["use"].replace("", CONTACT)
     _refuse_repeated(path, table, ["surface", "scan"])
     _refuse_repeated(path, table[table.source == "measured"], ["path", "dataset"])
     _refuse_disagreement(path, table)
@@ -125,6 +131,15 @@ def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
         columns = ["label", "source"]
         if rows.source.iloc[0] == "substitute":
             columns.append("path")
+        if rows.source.iloc[0] == "substitute" and (rows.use != CONTACT).any():
+            raise ValueError(
+                f"{path}: surface {surface}: expected the use {CONTACT} of substitutes, "
+                f"found {', '.join(rows.use.unique())}"
+            )
+        if not (rows.use == CONTACT).any():
+            raise ValueError(
+                f"{path}: surface {surface}: expected a scan with the use {CONTACT}, found none"
+            )
         for column in columns:
             if rows[column].nunique() > 1:
                 raise ValueError(

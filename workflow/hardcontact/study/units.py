@@ -11,7 +11,9 @@ __all__ = ["magnitude", "token"]
 _registry: pint.UnitRegistry[float] = pint.UnitRegistry(cache_folder=None)
 
 # A number and the name of a unit, and no expression: pint would evaluate 9**9**9 nm.
-_QUANTITY = re.compile(r"\s*([+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d{1,3})?)\s*([A-Za-zµμÅ]{1,20})\s*")
+_QUANTITY = re.compile(
+    r"\s*([+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d{1,3})?)\s*([A-Za-zµμÅ]{1,20}(?:/[a-z]{1,2}(?:\^?2|²)?)?)\s*"
+)
 
 
 def magnitude(text: object, unit: str) -> float:
@@ -22,7 +24,7 @@ def magnitude(text: object, unit: str) -> float:
     text : object
         The quantity as the configuration has it.
     unit : str
-        For example ``"N"``.
+        For example ``"N"`` or ``"J/m2"``.
 
     Returns
     -------
@@ -36,7 +38,10 @@ def magnitude(text: object, unit: str) -> float:
     """
     match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
     try:
-        value = float(_registry.Quantity(float(match[1]), match[2]).m_as(unit)) if match else None
+        value = None
+        if match:
+            quantity = _registry.Quantity(float(match[1]), _powered(match[2]))
+            value = float(quantity.m_as(_powered(unit)))
         if value is not None and math.isfinite(value):
             # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
             return float(f"{value:.12g}")
@@ -46,6 +51,11 @@ def magnitude(text: object, unit: str) -> float:
         f"expected a number with a unit convertible to {unit}, such as '1 {unit}', "
         f"found {reprlib.repr(text)}"
     )
+
+
+def _powered(unit: str) -> str:
+    """Return a unit as pint reads it, ``mJ/m**2`` for ``mJ/m2``, ``mJ/m^2`` and ``mJ/m²``."""
+    return re.sub(r"(?<=[a-z])(\^?2|²)$", "**2", unit)
 
 
 def token(text: str, unit: str) -> str:

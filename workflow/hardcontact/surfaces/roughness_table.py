@@ -113,7 +113,7 @@ def roughness_table(
     conditionings : mapping of str to xarray.Dataset
         Of `conditioning.conditioned_group`, by surface: that of the scans of each substitute.
     examples : mapping of str to xarray.Dataset
-        One levelled scan of each surface; that of the sphere with the variable `as_scanned`.
+        One levelled scan of each surface; that of a rough sphere with the variable `as_scanned`.
     settings : TableSettings
         Labels and conventions.
 
@@ -129,7 +129,8 @@ def roughness_table(
             stacked,
             averages(stacked, settings.confidence),
             _joined_spectra([spectra[name] for name in names], stacked["wavevector"].values),
-            _maps([examples[name] for name in names], examples[settings.sphere_surface]),
+            _maps([examples[name] for name in names]),
+            _sphere_as_scanned(examples),
         ],
         combine_attrs="override",
     )
@@ -170,17 +171,33 @@ def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) 
     )
 
 
-def _maps(examples: list[xr.Dataset], sphere: xr.Dataset) -> xr.Dataset:
-    """Return height maps for pictures, all on the pixels of the coarsest, and their sizes in nm."""
+def _sphere_as_scanned(examples: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return the scan of the sphere with its shape, for pictures; nothing of a smooth sphere."""
+    pixels = min(len(example["x"]) for example in examples.values())
+    return xr.Dataset(
+        {
+            "sphere_as_scanned": (
+                ("row", "column"),
+                _thinned(example["as_scanned"].values, pixels),
+                {"units": "nm"},
+            )
+            for example in examples.values()
+            if "as_scanned" in example
+        }
+    )
+
+
+def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
+    """Return maps for pictures, all on the pixels of the coarsest; sizes of scans and pixels."""
     pixels = min(len(example["x"]) for example in examples)
-    sizes = [len(example["x"]) * example["heights"].attrs["pixel_size"] for example in examples]
+    pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
+    sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
     maps = [_thinned(example["heights"].values, pixels) for example in examples]
-    as_scanned = _thinned(sphere["as_scanned"].values, pixels)
     return xr.Dataset(
         {
             "example_heights": (("surface", "row", "column"), np.array(maps), {"units": "nm"}),
-            "sphere_as_scanned": (("row", "column"), as_scanned, {"units": "nm"}),
             "scan_size": ("surface", sizes, {"units": "nm"}),
+            "pixel_size": ("surface", pixel_sizes, {"units": "nm"}),
         }
     )
 

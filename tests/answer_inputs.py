@@ -1,0 +1,259 @@
+"""Small datasets of own surfaces, as a study writes them: edges, forces, fits, spectra, maps."""
+
+import numpy as np
+import xarray as xr
+from intervals import between_multiples
+
+from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
+
+CONFIDENCE = 0.95
+SURFACES, LABELS = ["my_coating", "twin"], ["my coating", "twin"]
+MODELS = ["rigid", "plastic"]
+SIDES = ["small", "large"]
+RHOS = np.array([1.0, 2.0, 5.6, 10.0, 14.0])
+RANGE, WORK = 5.6, 0.0463
+CUTOFFS = {
+    "small": np.array([5.0, 10, 20, 40, 80, 160, 320]),
+    "large": np.array([160.0, 320, 640, 1280, 2560]),
+}
+EDGES = {"small": 37.0, "large": 1700.0}
+QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+SCANS, PIXELS, PIXEL_SIZE = 3, 64, 10.0
+SIZE = PIXELS * PIXEL_SIZE
+
+
+def generator():
+    """Return new random numbers, the same each time."""
+    return np.random.default_rng(1)
+
+
+def power_law(wavevector):
+    """Return C_iso (nm⁴) of a self-affine surface, H = 0.8, that rolls off at 2 µm."""
+    rolled = np.maximum(wavevector, 2 * np.pi / 2000)
+    return 1e-3 * rolled**-3.6
+
+
+def topography(count=1, basis="measured"):
+    """Return the roughness of surfaces with SCANS scans each."""
+    rng = generator()
+    surfaces = SURFACES[:count]
+    q = np.hypot(np.fft.fftfreq(PIXELS)[:, None], np.fft.rfftfreq(PIXELS))
+    q[0, 0] = np.inf
+    noise = np.fft.rfft2(rng.normal(size=(count, PIXELS, PIXELS))) * q**-1.8
+    maps = np.fft.irfft2(noise)
+    maps *= 4.0 / maps.std(axis=(1, 2), keepdims=True)
+    data = xr.Dataset(coords={"surface": surfaces, "scan": np.arange(1, SCANS + 1)})
+    values = {
+        "rms_height": 4.0, "rms_gradient": 0.31, "rms_half_laplacian": 0.021,
+        "skewness": -0.2, "kurtosis": 3.1, "peak_to_valley": 27.0,
+    }  # fmt: skip
+    factors = 1 + 0.1 * rng.normal(size=(count, SCANS))
+    for name, value in values.items():
+        data[name] = ("surface", "scan"), value * factors
+        mean = data[name].mean("scan").values
+        data = data.assign(
+            between_multiples(f"{name}_mean", "surface", mean, (0.9, 1.1), CONFIDENCE)
+        )
+    for name, value in {"height": 6.2, "gradient": 0.74, "half_laplacian": 0.55}.items():
+        data[f"all_scales_rms_{name}"] = "surface", np.full(count, value)
+    data["example_heights"] = ("surface", "row", "column"), maps
+    data["scan_size"] = "surface", np.full(count, SIZE)
+    data["pixel_size"] = "surface", np.full(count, PIXEL_SIZE)
+    data["label"] = "surface", LABELS[:count]
+    data["basis"] = "surface", [basis] * count
+    return data.assign_attrs(confidence=CONFIDENCE)
+
+
+#: Kind, size, pixel size, reliable band (all nm), why it ends, tip radius (nm), of each.
+MEASUREMENTS = {
+    "fine.spm": ("map", 640, 10, 55, 320, "tip of 10 nm", "size of the scan", 10),
+    "coarse.spm": ("map", 10_000, 40, 160, 5000, "noise floor below 160 nm", "size of the scan",
+                   np.nan),
+    "line.txt": ("profile", 50_000, 200, 800, 25_000, "pixels", "size of the scan", np.nan),
+}  # fmt: skip
+
+
+def spectra(count=1, measured=MEASUREMENTS):
+    """Return joined spectra; the last surface has one measurement less, as far as there are two."""
+    bins = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
+    parts = []
+    for place in range(count):
+        names = list(measured)[: len(measured) - (place > 0)]
+        parts.append(_spectra_of(bins, {name: measured[name] for name in names}))
+    # Where a surface has fewer measurements, numbers are padded by NaN and texts by "".
+    joined = xr.concat(parts, "surface", join="outer", fill_value={
+        name: "" if parts[0][name].dtype.kind == "U" else np.nan for name in parts[0].data_vars
+    })  # fmt: skip
+    return joined.assign_coords(surface=SURFACES[:count]).assign(label=("surface", LABELS[:count]))
+
+
+def _spectra_of(bins, measured):
+    rng = generator()
+    wavelength = 2 * np.pi / bins
+    columns = dict(zip(
+        ("kind", "size", "pixel_size", "shortest_reliable", "longest_reliable",
+         "shortest_reason", "longest_reason", "tip_radius"),
+        zip(*measured.values(), strict=True), strict=True,
+    ))  # fmt: skip
+    psd, reliable = [], []
+    for _, size, pixel, short, long, *_ in measured.values():
+        inside = (wavelength > 2 * pixel) & (wavelength < size)
+        noisy = power_law(bins) * np.exp(0.15 * rng.normal(size=bins.size)) + power_law(
+            2 * np.pi / short
+        ) * (wavelength < short)
+        psd.append(np.where(inside, noisy, np.nan))
+        reliable.append((inside & (wavelength >= short) & (wavelength <= long)).astype("int8"))
+    known = np.where(reliable, psd, np.nan)
+    logarithm = np.log(known)
+    count = np.isfinite(logarithm).sum(axis=0)
+    joined = np.exp(np.nansum(logarithm, axis=0) / np.where(count, count, np.nan))
+    texts = {name: [str(value) for value in columns.pop(name)]
+             for name in ("kind", "shortest_reason", "longest_reason")}  # fmt: skip
+    return xr.Dataset(
+        {
+            "spectrum": ("wavevector", np.where(WAVEVECTORS < 2 * np.pi / 0.3,
+                                                power_law(WAVEVECTORS), 0)),
+            "psd": (("measurement", "bin_wavevector"), psd),
+            "reliable": (("measurement", "bin_wavevector"), reliable),
+            "joined": ("bin_wavevector", joined),
+            **{name: ("measurement", np.array(values, float)) for name, values in columns.items()},
+            **{name: ("measurement", values) for name, values in texts.items()},
+            "path": ("measurement", [f"scans/{name}" for name in measured]),
+            "dataset": ("measurement", [""] * len(measured)),
+            "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(measured) - 1)),
+            "shortest_measured": min(columns["shortest_reliable"]),
+            "longest_measured": max(columns["longest_reliable"]),
+            "tail_note": "continued with H = 0.8 down to 0.3 nm, which adds a slope of at most 0.5",
+        },
+        {"measurement": np.arange(1, len(measured) + 1), "wavevector": WAVEVECTORS,
+         "bin_wavevector": bins},
+    )  # fmt: skip
+
+
+def edges(count=1):
+    """Return the edges of the band, all found, with intervals of three scans."""
+    surfaces = SURFACES[:count]
+    cutoffs = np.unique(np.concatenate(list(CUTOFFS.values())))
+    ratio = np.full((count, 2, cutoffs.size), np.nan)
+    for place, side in enumerate(SIDES):
+        known = np.isin(cutoffs, CUTOFFS[side])
+        # The change is a tenth at the edge and grows in proportion away from the unfiltered end.
+        share = cutoffs[known] / EDGES[side]
+        ratio[:, place, known] = 1 + 0.1 * (share if side == "small" else 1 / share)
+    edge = np.tile([EDGES[side] for side in SIDES], (count, 1))
+    data = xr.Dataset(
+        between_multiples("scale_ratio", ("surface", "side", "cutoff_wavelength"), ratio,
+                          (0.95, 1.05), CONFIDENCE)
+        | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
+        {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
+    )  # fmt: skip
+    texts = [["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]] * count
+    return data.assign(
+        edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
+        edge_status=(("surface", "side"), [["found"] * 2] * count),
+        interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
+        edge_text=(("surface", "side"), texts),
+        conditional=("surface", [0] * count),
+        interval_note=("surface", ["over 3 scans"] * count),
+    ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
+
+
+def open_edges(count=1):
+    """Return edges of which the long one lies beyond the cell; intervals of one scan's parts."""
+    data = edges(count)
+    at = {"side": "large"}
+    data["edge"].loc[at] = np.nan
+    data["edge_interval"].loc[at] = np.nan
+    data["edge_bound"].loc[at] = CUTOFFS["large"][-1]
+    for name, value in {
+        "edge_status": "beyond the cell",
+        "interval_status": "open",
+        "edge_text": "at least 2.56 µm: the scans end here",
+    }.items():
+        values = data[name].astype(object)
+        values.loc[at] = value
+        data[name] = values.astype(str)
+    ratio = data["scale_ratio"].sel(side="large")
+    data["scale_ratio"].loc[at] = ratio.where(ratio.isnull(), 1.2)
+    data["conditional"][:] = 1
+    note = "from the quarters of one scan: conditional on this scan"
+    return data.assign(interval_note=("surface", [note] * count))
+
+
+def force(count=1):
+    """Return predicted forces of plastic contacts, 0.64 µN at RANGE, and twice that of rigid."""
+    surfaces = SURFACES[:count]
+    mean = 0.64e-6 * (RHOS / RANGE) ** -0.5 * np.array([2.0, 1.0])[:, None]
+    mean = mean * np.arange(1, count + 1)[:, None, None]
+    axes = ("surface", "contact_model", "rho")
+    spread = np.array([0.4, 0.7, 0.95, 1.25, 1.8])
+    data = xr.Dataset(
+        between_multiples("force", axes, mean, (0.8, 1.25), CONFIDENCE, units="N"),
+        {"surface": surfaces, "contact_model": MODELS, "rho": RHOS, "quantile": QUANTILES},
+    )
+    data["force_quantile"] = (*axes, "quantile"), mean[..., None] * spread
+    data["label"] = "surface", LABELS[:count]
+    data["interval_note"] = "surface", ["over 3 scans"] * count
+    return data.assign_attrs(work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE)
+
+
+def without_interval(of_force):
+    """Return forces without an interval: one scan that is too small to be cut."""
+    note = "one scan too small to be cut into parts: no interval"
+    return of_force.assign(
+        force_interval=of_force["force_interval"] * np.nan,
+        interval_note=("surface", [note] * of_force.sizes["surface"]),
+    )
+
+
+def curve_fit():
+    """Return the work of adhesion over the range from one mean force of one surface."""
+    work = WORK * (RHOS / RANGE) ** 0.5 * np.array([0.5, 1.0])[:, None]
+    data = xr.Dataset(
+        between_multiples("work_of_adhesion", ("contact_model", "rho"), work, (0.7, 1.4),
+                          CONFIDENCE, units="J m-2"),
+        {"contact_model": MODELS, "rho": RHOS},
+    )  # fmt: skip
+    return _of_forces(data, 1)
+
+
+def pair_fit():
+    """Return range and work of adhesion from the forces of two surfaces."""
+    data = xr.Dataset(
+        between_multiples("range_of_adhesion", "contact_model", [3.0, RANGE], (0.8, 1.2),
+                          CONFIDENCE, units="nm")
+        | between_multiples("work_of_adhesion", "contact_model", [0.03, WORK], (0.75, 1.25),
+                            CONFIDENCE, units="J m-2"),
+        {"contact_model": MODELS},
+    )  # fmt: skip
+    region = ("contact_model", "bound")
+    data["region_range"] = region, [[2.0, 5.0], [4.0, 8.0]]
+    data["region_work"] = region, [[0.02, 0.05], [0.03, 0.07]]
+    data["best_error"] = "contact_model", [0.21, 0.054]
+    return _of_forces(data, 2)
+
+
+def _of_forces(data, count):
+    """Add the forces that a fit is of."""
+    return data.assign_coords(surface=SURFACES[:count]).assign(
+        measured_force=("surface", [0.64e-6, 1.3e-6][:count], {"units": "N"}),
+        measured_count=("surface", [40, 40][:count]),
+        label=("surface", LABELS[:count]),
+    ).assign_attrs(origin="measured", confidence=CONFIDENCE)  # fmt: skip
+
+
+def datasets(count=1, **others):
+    """Return all datasets of so many surfaces, without a fit; `others` replace some."""
+    made = {"topography": topography(count), "spectra": spectra(count), "edges": edges(count),
+            "force": force(count), "fit": None}  # fmt: skip
+    return Datasets(**made | others)
+
+
+def setting(left_out=()):
+    """Return the setting of a study."""
+    contact = {
+        "radius of the sphere": "250 µm", "sphere": "smooth", "hardness": "25 GPa",
+        "preload": "10 µN",
+    }  # fmt: skip
+    return Setting("my-coating", contact, list(left_out))

@@ -1,0 +1,87 @@
+"""Wavelengths at which no scan is reliable: roughness there is artificial."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+
+__all__ = ["ARTIFICIAL", "artificial_bands", "measurements", "shade", "share_inside"]
+
+#: How artificial wavelengths are shaded in every figure.
+ARTIFICIAL: dict[str, Any] = {
+    "facecolor": "#F7E9CF",
+    "edgecolor": "#D9B97C",
+    "hatch": "///",
+    "lw": 0.0,
+}
+
+#: Kinds of measurement; where a surface has fewer than another its datasets are padded.
+KINDS = ("map", "profile")
+
+
+def measurements(of_surface: xr.Dataset) -> xr.Dataset:
+    """Return the spectra of one surface without what only pads them along `measurement`."""
+    return of_surface.isel(measurement=np.isin(of_surface["kind"].values.astype(str), KINDS))
+
+
+def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
+    """Return the bands of wavelengths that no measurement of a surface reaches reliably.
+
+    Parameters
+    ----------
+    of_surface : xarray.Dataset
+        Part of spectra.nc: `shortest_reliable` and `longest_reliable` (measurement) in nm,
+        `shortest_measured` and `longest_measured` in nm.
+
+    Returns
+    -------
+    list of (float, float)
+        Shortest and longest wavelength (nm) of each, growing: from 0 to the shortest that is
+        measured, gaps between scans, and from the longest that is measured to infinity.
+    """
+    known = measurements(of_surface)
+    ends = zip(known["shortest_reliable"].values, known["longest_reliable"].values, strict=True)
+    reached = float(of_surface["shortest_measured"])
+    bands = [(0.0, reached)]
+    for shortest, longest in sorted((float(low), float(high)) for low, high in ends):
+        if shortest > reached:
+            bands.append((reached, shortest))
+        reached = max(reached, longest)
+    return [*bands, (float(of_surface["longest_measured"]), np.inf)]
+
+
+def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) -> float:
+    """Return how much of an interval of wavelengths lies in any of the bands, in the logarithm.
+
+    Parameters
+    ----------
+    low, high : float
+        Ends of the interval in nm, above zero; may be equal.
+    bands : iterable of (float, float)
+        Disjoint, in nm.
+
+    Returns
+    -------
+    float
+        From 0 to 1; of a single wavelength 0 or 1.
+    """
+    bands = list(bands)
+    if low == high:
+        return float(any(first < low < last for first, last in bands))
+    overlaps = (
+        np.log(min(high, last) / max(low, first))
+        for first, last in bands
+        if min(high, last) > max(low, first)
+    )
+    return float(sum(overlaps) / np.log(high / low))
+
+
+def shade(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
+    """Shade bands of wavelengths (nm) of logarithmic axes as far as their limits reach."""
+    left, right = axes.get_xlim()
+    for first, last in bands:
+        if last > left and first < right:
+            axes.axvspan(max(first, left), min(last, right), zorder=0, **ARTIFICIAL)
+    axes.set_xlim(left, right)

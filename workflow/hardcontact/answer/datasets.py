@@ -1,0 +1,48 @@
+"""What an answer is drawn from: the final datasets of a study, and what they do not say of it."""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import xarray as xr
+
+__all__ = ["Datasets", "Setting"]
+
+
+class Datasets(NamedTuple):
+    """The datasets that an answer is drawn from, all over the same surfaces.
+
+    Attributes
+    ----------
+    topography, spectra, edges, force : xarray.Dataset
+        As topography.nc, spectra.nc, edges.nc and force.nc.
+    fit : xarray.Dataset or None
+        As fit.nc, if the user has own forces.
+    """
+
+    topography: xr.Dataset
+    spectra: xr.Dataset
+    edges: xr.Dataset
+    force: xr.Dataset
+    fit: xr.Dataset | None = None
+
+    def of_surface(self, surface: str) -> "Datasets":
+        """Return the parts of one surface, without a fit, which is of all surfaces."""
+        return Datasets(*(part.sel(surface=surface) for part in self[:4]))
+
+
+class Setting(NamedTuple):
+    """What the datasets do not say of a study.
+
+    Attributes
+    ----------
+    study : str
+        Its name.
+    contact : mapping of str to str
+        What contacts were computed for, as printed: for example "radius of the sphere": "250 µm".
+    left_out : sequence of (str, str)
+        Parts that these data do not allow, and why.
+    """
+
+    study: str
+    contact: Mapping[str, str]
+    left_out: Sequence[tuple[str, str]]

@@ -1,0 +1,194 @@
+"""The numbers of an answer for machines: answer.json."""
+
+import math
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.answer.artificial import artificial_bands, measurements
+from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.limits import limits
+from hardcontact.answer.ratios import SIDES, computed_cutoffs
+from hardcontact.answer.sentences import one_sentence
+from hardcontact.statistics import bounds
+
+__all__ = ["METRICS", "answer_numbers"]
+
+#: Metrics of a scan that the answer shows, with their units.
+METRICS = {
+    "rms_height": "nm",
+    "rms_gradient": "1",
+    "rms_half_laplacian": "nm-1",
+    "peak_to_valley": "nm",
+    "skewness": "1",
+    "kurtosis": "1",
+}
+
+#: What answer.json says of each measurement, numbers with their units and texts.
+MEASUREMENT_NUMBERS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
+MEASUREMENT_TEXTS = ("path", "dataset", "kind", "shortest_reason", "longest_reason", "notes")
+
+
+def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
+    """Return the numbers of an answer, ready for JSON: what is not known is None.
+
+    Parameters
+    ----------
+    given : Datasets
+        Of the study.
+    setting : Setting
+        Of the study.
+
+    Returns
+    -------
+    dict
+        Every number is a mapping with its `unit`.
+    """
+    force = given.force
+    return {
+        "study": setting.study,
+        "contact": dict(setting.contact),
+        "range_of_adhesion": _number(force.attrs["range_of_adhesion"], "nm"),
+        "work_of_adhesion": _number(force.attrs["work_of_adhesion"], "J m-2"),
+        "tolerance": _number(given.edges.attrs["tolerance"], "1"),
+        "confidence": _number(given.edges.attrs["confidence"], "1"),
+        "surfaces": {
+            str(name): _of_surface(given.of_surface(str(name)))
+            for name in given.topography["surface"].values
+        },
+        "fit": None if given.fit is None else _fit(given.fit),
+        "left_out": [{"part": part, "reason": reason} for part, reason in setting.left_out],
+    }
+
+
+def _of_surface(given: Datasets) -> dict[str, Any]:
+    """Return the numbers of one surface from its parts of the datasets."""
+    label, basis = (str(given.topography[name].item()) for name in ("label", "basis"))
+    return {
+        "label": label,
+        "basis": basis,
+        "answer": one_sentence(label, given.edges, given.force),
+        "scan_size": _of(given.topography, "scan_size", "nm"),
+        "pixel_size": _of(given.topography, "pixel_size", "nm"),
+        "scans": _scans(given.topography),
+        "spectrum": _spectrum(given.spectra),
+        "band": {side: _edge(given.edges.sel(side=side)) for side in SIDES},
+        "force": _force(given.force),
+        "limits": limits(basis, given.spectra, given.edges, given.force),
+    }
+
+
+def _scans(of_surface: xr.Dataset) -> list[dict[str, Any]]:
+    """Return the metrics of each scan of a surface."""
+    known = of_surface.dropna("scan", subset=["rms_height"])
+    return [
+        {"scan": int(number)} | {name: _of(one, name, unit) for name, unit in METRICS.items()}
+        for number, one in ((n, known.sel(scan=n)) for n in known["scan"].values)
+    ]
+
+
+def _spectrum(of_surface: xr.Dataset) -> dict[str, Any]:
+    """Return the joined spectrum, its measurements, and the wavelengths that are artificial."""
+    known = measurements(of_surface)
+    singles = (known.isel(measurement=one) for one in range(known.sizes["measurement"]))
+    joined = of_surface["joined"].dropna("bin_wavevector")
+    return {
+        "measurements": [
+            {name: str(one[name].item()) for name in MEASUREMENT_TEXTS}
+            | {name: _of(one, name, "nm") for name in MEASUREMENT_NUMBERS}
+            for one in singles
+        ],
+        "artificial": [
+            {"from": _number(low, "nm"), "to": _number(high, "nm")}
+            for low, high in artificial_bands(of_surface)
+        ],
+        "tail": str(of_surface["tail_note"].item()),
+        "wavevector": _numbers(joined["bin_wavevector"], "rad nm-1"),
+        "joined_psd": _numbers(joined, "nm4"),
+    }
+
+
+def _edge(of_side: xr.Dataset) -> dict[str, Any]:
+    """Return one edge of a band, and the ratio curve that it follows from."""
+    ends = (of_side["interval_status"].sel(bound=bound).item() for bound in ("low", "high"))
+    curve = of_side.sel(cutoff_wavelength=computed_cutoffs(of_side))
+    return {
+        "text": str(of_side["edge_text"].item()),
+        "status": str(of_side["edge_status"].item()),
+        "edge": _of(of_side, "edge", "nm"),
+        "bound": _of(of_side, "edge_bound", "nm"),
+        "interval_status": [str(end) for end in ends],
+        "interval_note": str(of_side["interval_note"].item()),
+        "conditional": bool(of_side["conditional"].item()),
+        "cutoff_wavelength": _numbers(curve["cutoff_wavelength"], "nm"),
+        "force_ratio": _bounded_numbers(curve, "scale_ratio", "1"),
+    }
+
+
+def _force(force: xr.Dataset) -> dict[str, Any]:
+    """Return the force at the range asked for, its spread, and the force over the range."""
+    here = at_range(force)
+    return {
+        **_of(here, "force", "N"),
+        "contact_model": str(here["contact_model"].item()),
+        "interval_note": str(force["interval_note"].item()),
+        "quantiles_of_contacts": {
+            f"{share:g}": _number(value, "N")
+            for share, value in zip(
+                here["quantile"].values, here["force_quantile"].values, strict=True
+            )
+        },
+        "rho": _numbers(force["rho"], "nm"),
+        "over_rho": {
+            str(model): _bounded_numbers(force.sel(contact_model=model), "force", "N")
+            for model in force["contact_model"].values
+        },
+    }
+
+
+def _fit(fit: xr.Dataset) -> dict[str, Any]:
+    """Return all numbers of a fit to the user's own forces, each with its dimensions."""
+    return {
+        "origin": "measured",
+        "coordinates": {str(name): fit[name].values.tolist() for name in fit.coords},
+        **{
+            str(name): {"dimensions": list(map(str, values.dims))}
+            | _numbers(values, str(values.attrs.get("units", "1")))
+            for name, values in fit.data_vars.items()
+            if values.dtype.kind in "fiu"
+        },
+    }
+
+
+def _of(dataset: xr.Dataset, name: str, unit: str) -> dict[str, Any]:
+    """Return a variable without dimensions, with its interval if it has one."""
+    number = _number(dataset[name].item(), unit)
+    if f"{name}_interval" not in dataset:
+        return number
+    return number | {"interval": [_known(end.item()) for end in bounds(dataset, name)]}
+
+
+def _number(value: float, unit: str) -> dict[str, Any]:
+    return {"value": _known(value), "unit": unit}
+
+
+def _numbers(values: xr.DataArray, unit: str) -> dict[str, Any]:
+    return {"values": _listed(values.values), "unit": unit}
+
+
+def _bounded_numbers(dataset: xr.Dataset, name: str, unit: str) -> dict[str, Any]:
+    """Return a variable of one dimension, and the ends of its interval."""
+    low, high = (_listed(end.values) for end in bounds(dataset, name))
+    return _numbers(dataset[name], unit) | {"low": low, "high": high}
+
+
+def _listed(values: np.ndarray) -> Any:
+    """Return an array as nested lists."""
+    return [_listed(part) for part in values] if values.ndim else _known(values.item())
+
+
+def _known(value: float) -> float | None:
+    """Return a number, or None for what JSON cannot say and data cannot give."""
+    return float(value) if math.isfinite(value) else None

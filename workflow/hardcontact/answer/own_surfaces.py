@@ -1,0 +1,231 @@
+"""The page of own surfaces: which wavelengths decide how they stick, how strongly, how surely."""
+
+from collections.abc import Callable
+from html import escape
+from typing import Any, NamedTuple
+
+import xarray as xr
+
+from hardcontact.answer import fit_curve, force_curve, maps, psd, ratios
+from hardcontact.answer.canvas import png
+from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.force_curve import model_of
+from hardcontact.answer.html import figure_html, list_html, page, table_html
+from hardcontact.answer.limits import limits
+from hardcontact.answer.numbers import answer_numbers
+from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.answer.sentences import (
+    band_sentences,
+    fit_sentences,
+    force_sentences,
+    one_sentence,
+)
+from hardcontact.answer.tables import measurement_table, roughness_table
+from hardcontact.figures.style import print_share
+
+__all__ = ["Answer", "answer"]
+
+
+class Answer(NamedTuple):
+    """The answer of a study.
+
+    Attributes
+    ----------
+    page : str
+        HTML, for people.
+    numbers : dict
+        The same numbers, for machines, ready for JSON.
+    """
+
+    page: str
+    numbers: dict[str, Any]
+
+
+def answer(given: Datasets, setting: Setting) -> Answer:
+    """Return the answer of a study of own surfaces.
+
+    Parameters
+    ----------
+    given : Datasets
+        Of the study.
+    setting : Setting
+        Of the study.
+
+    Returns
+    -------
+    Answer
+        The page and its numbers.
+    """
+    sections = {
+        "The scans": _each(given, _map),
+        "Roughness": roughness_table(given.topography),
+        "The spectrum, and where it is reliable": _each(given, _spectrum)
+        + measurement_table(given.spectra, _labels(given)),
+        "The force without parts of the roughness": _each(given, _ratios),
+        "The band": _paragraphs(given, lambda label, of: band_sentences(label, of.edges)),
+        "The force": _force(given, setting),
+        "Fit to your own forces (measured)": "" if given.fit is None else _fit(given.fit),
+        "What limits this answer": _limits(given),
+        "What was left out": _left_out(setting),
+    }
+    body = _first_screen(given) + "".join(
+        f"<section><h2>{escape(title)}</h2>\n{content}</section>\n"
+        for title, content in sections.items()
+        if content
+    )
+    return Answer(
+        page(f"{setting.study}: which roughness decides how it sticks", body),
+        answer_numbers(given, setting),
+    )
+
+
+def _labels(given: Datasets) -> dict[str, str]:
+    """Return the printed name of each surface; a substitute is called so."""
+    return {
+        str(surface): f"{label} (substitute)" if basis == "substitute" else str(label)
+        for surface, label, basis in zip(
+            *(given.topography[name].values for name in ("surface", "label", "basis")), strict=True
+        )
+    }
+
+
+def _each(given: Datasets, draw: Callable[[str, Datasets], str]) -> str:
+    """Return a figure of each surface, side by side where the screen is wide."""
+    figures = "\n".join(
+        draw(label, given.of_surface(surface)) for surface, label in _labels(given).items()
+    )
+    return f'<div class="figures">{figures}</div>'
+
+
+def _paragraphs(given: Datasets, write: Callable[[str, Datasets], str]) -> str:
+    """Return a paragraph for each surface."""
+    return "\n".join(
+        f"<p>{escape(write(label, given.of_surface(surface)))}</p>"
+        for surface, label in _labels(given).items()
+    )
+
+
+def _first_screen(given: Datasets) -> str:
+    """Return the answer of each surface in a sentence, and what it means."""
+    sentences = _paragraphs(given, lambda label, of: one_sentence(label, of.edges, of.force))
+    tolerance = print_share(given.edges.attrs["tolerance"])
+    confidence = print_share(given.edges.attrs["confidence"])
+    meaning = (
+        f"Decided by: without all roughness of shorter, or of longer, wavelengths the force "
+        f"changes by less than {tolerance}. Brackets: {confidence} intervals."
+    )
+    opened = ""
+    if (given.edges["edge_status"] != "found").any():
+        opened = " An edge given as “at least” or “at most” is open: it was not found."
+    return (
+        f'<div class="answer">{sentences}<p><small>{escape(meaning + opened)}</small></p></div>\n'
+        + _notice(given)
+    )
+
+
+def _notice(given: Datasets) -> str:
+    """Return which surfaces are substitutes, if any."""
+    basis = given.topography["basis"].values == "substitute"
+    names = ", ".join(map(str, given.topography["label"].values[basis]))
+    if not names:
+        return ""
+    return (
+        f'<div class="notice"><p>Not measured: {escape(names)}. The scans are substitutes, '
+        "synthesised from published statistics.</p></div>\n"
+    )
+
+
+def _map(label: str, of: Datasets) -> str:
+    heights = maps.heights_shown(of.topography)
+    size = print_length(of.topography["scan_size"].item())
+    pixel = print_length(of.topography["pixel_size"].item())
+    ends = f"{heights.min():.3g} to {heights.max():.3g} nm about the mean"
+    return figure_html(
+        png(maps.draw(of.topography)),
+        f"Height map of {label}, {size} wide, heights from {ends}.",
+        f"{label}: the first scan, levelled, {size} wide, pixels of {pixel}; heights from {ends}.",
+    )
+
+
+def _spectrum(label: str, of: Datasets) -> str:
+    low, high = (
+        print_length(of.spectra[f"{name}_measured"].item()) for name in ("shortest", "longest")
+    )
+    return figure_html(
+        png(psd.draw(of.spectra)),
+        f"Power spectral density of {label} against wavelength; reliable from {low} to {high}.",
+        f"{label}: the isotropic power spectral density of each scan where it is reliable (colour) "
+        "and where it is not (dotted), and their logarithmic average (points). Contacts are "
+        f"computed with the line. Shaded: no scan is reliable below {low} or above {high}; "
+        "roughness there is artificial.",
+    )
+
+
+def _ratios(label: str, of: Datasets) -> str:
+    rho = print_length(of.force.attrs["range_of_adhesion"])
+    tolerance = print_share(of.edges.attrs["tolerance"])
+    edges = "; ".join(
+        f"{name}: {of.edges['edge_text'].sel(side=side).item()}"
+        for side, name in (("small", "short edge"), ("large", "long edge"))
+    )
+    return figure_html(
+        png(ratios.draw(of.edges, of.spectra)),
+        f"Pull-off force of {label} with roughness below or above a cutoff removed. {edges}.",
+        f"{label}: mean pull-off force with all roughness below (upper panel) or above (lower "
+        f"panel) a cutoff removed, over that with all, at ρ = {rho}. Grey: a change of {tolerance} "
+        f"that counts as none. {edges}.",
+    )
+
+
+def _force(given: Datasets, setting: Setting) -> str:
+    """Return the forces in words and as a curve, and what they were computed for."""
+    force = given.force
+    model, work = model_of(force), print_quantity(force.attrs["work_of_adhesion"], "J m-2")
+    contact = "; ".join(f"{name}: {value}" for name, value in setting.contact.items())
+    names = " and ".join(_labels(given).values())
+    figure = figure_html(
+        png(force_curve.draw(force)),
+        f"Mean pull-off force of {names} against the range of adhesion, at a work of {work}.",
+        f"Mean pull-off force against the range of adhesion, at a work of adhesion of {work}. "
+        f"Bands: {print_share(force.attrs['confidence'])} intervals of the mean, {model} contact. "
+        "Bars: single contacts at the range asked for.",
+    )
+    return (
+        _paragraphs(given, lambda label, of: force_sentences(label, of.force))
+        + (f"<p><small>Computed for {escape(contact)}.</small></p>\n" if contact else "")
+        + f'<div class="figures">{figure}</div>'
+    )
+
+
+def _fit(fit: xr.Dataset) -> str:
+    """Return the fit to the user's own forces, of the contact model of the answer."""
+    model = model_of(fit)
+    of_model = fit.sel(contact_model=model)
+    text = fit_sentences(of_model)
+    confidence = print_share(fit.attrs["confidence"])
+    drawn = (
+        f"The work of adhesion that gives the measured force, against the range. Band: "
+        f"{confidence} interval."
+        if fit_curve.is_curve(fit)
+        else f"Range and work of adhesion that fit the measured forces best (star, bars: "
+        f"{confidence} intervals), and the region of pairs that fit (shaded)."
+    )
+    figure = figure_html(png(fit_curve.draw(of_model)), text, f"{drawn} {model} contact.")
+    return f'<p>{escape(text)}</p>\n<div class="figures">{figure}</div>'
+
+
+def _limits(given: Datasets) -> str:
+    """Return what limits the answer of each surface."""
+    texts = []
+    for surface, label in _labels(given).items():
+        of = given.of_surface(surface)
+        found = limits(str(of.topography["basis"].item()), of.spectra, of.edges, of.force)
+        texts.append(f"<h3>{escape(label)}</h3>\n{list_html(found)}")
+    return "\n".join(texts)
+
+
+def _left_out(setting: Setting) -> str:
+    """Return what these data do not allow and why."""
+    if not setting.left_out:
+        return "<p>Nothing.</p>"
+    return table_html(("part", "why"), setting.left_out)

@@ -1,0 +1,148 @@
+"""What the study of the paper answers: its numbers, as they stand in claims and datasets."""
+
+import math
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.adhesion.critical_band import POOLED
+from hardcontact.claims.verdicts import summary
+
+__all__ = ["ANSWERS", "PaperAnswer", "as_plain", "paper_answer"]
+
+#: The claims that the answer is made of, by what the answer calls them.
+ANSWERS = {
+    "shortest_wavelength": "critical_wavelength_small_pooled",
+    "longest_wavelength": "critical_wavelength_large_pooled",
+    "range_of_adhesion": "range_of_adhesion",
+    "work_of_adhesion": "work_of_adhesion",
+    "fit_error": "plastic_fits",
+    "rigid_over_plastic_error": "plasticity_is_crucial",
+    "range_exceeds": "range_exceeds_5_nm",
+}
+#: Side of each edge of the band in the datasets, and what is known of one beyond the cutoffs.
+EDGES = {
+    "shortest_wavelength": ("small", "at least"),
+    "longest_wavelength": ("large", "at most"),
+}
+#: Sizes of the study that the paper prints too.
+GRIDS = ("scan_pixels", "scan_size", "contacts_per_side")
+
+
+class PaperAnswer(NamedTuple):
+    """What the page, and its numbers for machines, are made of.
+
+    Attributes
+    ----------
+    claims : pandas.DataFrame
+        As from `verdicts.read_verdicts`.
+    open_edges : dict of str to str
+        What the number of an edge is, "at least" or "at most", where the edge of the band lies
+        beyond the cutoffs; by its name in `ANSWERS`.
+    surfaces : pandas.DataFrame
+        Columns label and basis, indexed by name: the substrates, then the sphere.
+    settings : dict of str to float
+        `rho`, the range of adhesion (nm) that the band is computed at; `tolerance`, the relative
+        change of the force that ends it; `confidence` of the intervals; `sets`, the number of sets
+        of scans that frequencies are shares of; `realizations` of each surface; the `GRIDS`.
+    printed : dict of str to float
+        The `GRIDS` of the paper, sizes in nm.
+    """
+
+    claims: pd.DataFrame
+    open_edges: dict[str, str]
+    surfaces: pd.DataFrame
+    settings: dict[str, float]
+    printed: dict[str, float]
+
+    @property
+    def numbers(self) -> dict[str, Any]:
+        """Rows of those claims of `ANSWERS` that have a number, by what the answer calls them."""
+        known = self.claims.dropna(subset="computed")
+        rows: dict[Any, Any] = {row.id: row for row in known.itertuples()}
+        return {name: rows[claim] for name, claim in ANSWERS.items() if claim in rows}
+
+
+def paper_answer(
+    claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
+) -> PaperAnswer:
+    """Gather what the page shows.
+
+    Parameters
+    ----------
+    claims : pandas.DataFrame
+        As from `verdicts.read_verdicts`.
+    datasets : mapping of str to xarray.Dataset
+        `topography`, `scales`, `band` and `sets`, as in the final netCDF files.
+    constants : pandas.DataFrame
+        As from `published.constants`.
+
+    Returns
+    -------
+    PaperAnswer
+        Numbers in the units of the claims.
+    """
+    topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
+    critical = band["critical_wavelength"].sel(group=POOLED)
+    sphere = topography.attrs["sphere_surface"]
+    surfaces = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    return PaperAnswer(
+        claims,
+        {
+            name: bound
+            for name, (side, bound) in EDGES.items()
+            if np.isnan(critical.sel(side=side).item())
+        },
+        surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
+        {
+            "rho": float(scales.attrs["rho"]),
+            "tolerance": float(band.attrs["scale_tolerance"]),
+            "confidence": float(band.attrs["confidence"]),
+            "sets": datasets["sets"].sizes["set"],
+            "realizations": scales.sizes["realization"],
+            "scan_pixels": topography.sizes["row"],
+            "scan_size": float(topography["scan_size"].min()),
+            "contacts_per_side": scales.sizes["contact_y"],
+        },
+        {name: float(constants["value"][name]) for name in GRIDS},
+    )
+
+
+def as_plain(answer: PaperAnswer) -> dict[str, Any]:
+    """Return the answer in plain values, for JSON: None where there is no number.
+
+    Parameters
+    ----------
+    answer : PaperAnswer
+        Of the study.
+
+    Returns
+    -------
+    dict
+        `answer`: claims by what the answer calls them, each with its `bound`, None where its number
+        is none; `verdicts`: independent findings and all statements by verdict; `claims`: every
+        row of claims.csv; `surfaces`; `settings`.
+    """
+    rows = [_plain(row) for row in answer.claims.to_dict("records")]
+    by_claim = {row["id"]: row for row in rows}
+    return {
+        "answer": {
+            name: by_claim[row.id] | {"bound": answer.open_edges.get(name)}
+            for name, row in answer.numbers.items()
+        },
+        "verdicts": summary(answer.claims).set_index("verdict").to_dict("index"),
+        "claims": rows,
+        "surfaces": answer.surfaces.to_dict("index"),
+        "settings": answer.settings,
+    }
+
+
+def _plain(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """Return a row without NaN, which JSON does not have."""
+    return {
+        str(name): None if isinstance(value, float) and math.isnan(value) else value
+        for name, value in row.items()
+    }

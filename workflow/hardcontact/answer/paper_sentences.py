@@ -1,0 +1,153 @@
+"""The answer of the paper's study in sentences of plain text, each with its numbers."""
+
+import math
+from typing import Any
+
+from hardcontact.answer.paper_answer import PaperAnswer
+from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.verdicts import VERDICTS, summary
+
+__all__ = ["answer_sentences", "basis_sentences"]
+
+DIGITS = 2  # of computed numbers: their intervals are wider than what more digits would say
+
+
+def answer_sentences(answer: PaperAnswer) -> list[str]:
+    """Return the answer, the most important first.
+
+    A sentence whose numbers the study does not have is left out.
+
+    Parameters
+    ----------
+    answer : PaperAnswer
+        Of the study.
+
+    Returns
+    -------
+    list of str
+        Intervals are in brackets, with the numbers of the paper beside those computed.
+    """
+    said = (_band(answer), _fit(answer), _errors(answer), _verdicts(answer))
+    return [sentence for sentence in said if sentence]
+
+
+def basis_sentences(answer: PaperAnswer) -> list[str]:
+    """Return what the numbers stand on: substitutes, grids, intervals.
+
+    Parameters
+    ----------
+    answer : PaperAnswer
+        Of the study.
+
+    Returns
+    -------
+    list of str
+        The substitutes are named one by one.
+    """
+    return [_substitutes(answer), _grids(answer), _intervals(answer)]
+
+
+def _band(answer: PaperAnswer) -> str:
+    edges = ("shortest_wavelength", "longest_wavelength")
+    if not answer.numbers.keys() >= set(edges):
+        return ""
+    computed, printed = ([of(answer, name) for name in edges] for of in (_computed, _printed))
+    return (
+        f"The wavelengths that decide lie between {' and '.join(computed)} "
+        f"(paper: {' and '.join(printed)}): with all roughness below this band removed, or all "
+        f"above it, the mean pull-off force changes by less than "
+        f"{100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
+        f"{print_quantity(answer.settings['rho'], 'nm')}."
+    )
+
+
+def _fit(answer: PaperAnswer) -> str:
+    pair = ("range_of_adhesion", "work_of_adhesion")
+    if not answer.numbers.keys() >= set(pair):
+        return ""
+    reach, work = (_computed(answer, name) for name in pair)
+    printed = " and ".join(_printed(answer, name) for name in pair)
+    return (
+        f"The measured mean forces are fitted best by a range of adhesion of {reach} and a work of "
+        f"adhesion of {work} (paper: {printed}){_share_of_sets(answer)}."
+    )
+
+
+def _share_of_sets(answer: PaperAnswer) -> str:
+    """Return in how many of the sets the range exceeds the number that the paper names."""
+    row = answer.numbers.get("range_exceeds")
+    if row is None or math.isnan(row.frequency):
+        return ""
+    return (
+        f"; the range exceeds {_printed(answer, 'range_exceeds')} in {100 * row.frequency:.0f} % "
+        f"of {answer.settings['sets']} equally good sets of scans"
+    )
+
+
+def _errors(answer: PaperAnswer) -> str:
+    if "fit_error" not in answer.numbers:
+        return ""
+    rigid = ""
+    if "rigid_over_plastic_error" in answer.numbers:
+        ratio = _computed(answer, "rigid_over_plastic_error")
+        rigid = f"; with rigid contact it is {ratio} times that"
+    return (
+        "The mean relative error of this fit, with plastic contact, is "
+        f"{_computed(answer, 'fit_error')} (paper: below {_printed(answer, 'fit_error')}){rigid}."
+    )
+
+
+def _verdicts(answer: PaperAnswer) -> str:
+    counts = summary(answer.claims).set_index("verdict")["independent"]
+    reached = [f"{counts[name]} {name}" for name in VERDICTS if counts[name]]
+    return f"Of {counts.sum()} independent findings of the paper: {', '.join(reached)}."
+
+
+def _substitutes(answer: PaperAnswer) -> str:
+    labels = answer.surfaces["label"][answer.surfaces["basis"] == "substitute"]
+    if labels.empty:
+        return "All surfaces are measured."
+    return (
+        f"Substitutes stand for the surfaces {', '.join(labels)}: random surfaces that are "
+        "synthesised from published statistics, because no scan of them is at hand. Forces on them "
+        "also differ from the paper's because they are other surfaces."
+    )
+
+
+def _grids(answer: PaperAnswer) -> str:
+    settings, printed = answer.settings, answer.printed
+    coarser = any(settings[name] < printed[name] for name in ("scan_pixels", "contacts_per_side"))
+    return (
+        f"Scans of {_grid(settings)} of each pair, {settings['realizations']:g} realizations of "
+        "each surface with all scales."
+        + f" The paper has {_grid(printed)}: on coarser grids numbers and verdicts say little "
+        "about the paper." * coarser
+    )
+
+
+def _grid(sizes: dict[str, float]) -> str:
+    pixels, contacts = sizes["scan_pixels"], sizes["contacts_per_side"]
+    return (
+        f"{pixels:g} x {pixels:g} pixels over {print_quantity(sizes['scan_size'], 'nm')}, "
+        f"{contacts:g} x {contacts:g} contacts"
+    )
+
+
+def _intervals(answer: PaperAnswer) -> str:
+    return (
+        f"In brackets: {100 * answer.settings['confidence']:g} % intervals, over "
+        f"{answer.settings['sets']} equally good sets of scans where these give one."
+    )
+
+
+def _computed(answer: PaperAnswer, name: str) -> str:
+    """Return a computed number with its interval, or with the bound that it is."""
+    row: Any = answer.numbers[name]
+    if name in answer.open_edges:
+        return f"{answer.open_edges[name]} {print_quantity(row.computed, row.unit, digits=DIGITS)}"
+    return print_quantity(row.computed, row.unit, (row.low, row.high), DIGITS)
+
+
+def _printed(answer: PaperAnswer, name: str) -> str:
+    row: Any = answer.numbers[name]
+    return print_quantity(row.published, row.unit)

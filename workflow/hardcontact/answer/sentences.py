@@ -1,0 +1,192 @@
+"""The answer in words: the band and the force of a surface, the fit of its own forces."""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.answer.fit_curve import is_curve
+from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.quantities import print_bounded, print_length, print_quantity
+from hardcontact.answer.ratios import SIDES
+from hardcontact.figures.style import print_share
+
+__all__ = [
+    "band_sentences",
+    "fit_sentences",
+    "force_sentences",
+    "is_open",
+    "one_sentence",
+    "printed_force",
+    "printed_pair",
+]
+
+#: The end of the band at each side.
+ENDS = {"small": "shortest", "large": "longest"}
+
+
+def is_open(edges: xr.Dataset, side: str) -> bool:
+    """Return whether the edge at one side of a surface lies beyond what was computed."""
+    return bool(edges["edge_status"].sel(side=side).item() != "found")
+
+
+def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
+    """Return the answer of a surface in one sentence: its band and its force.
+
+    Parameters
+    ----------
+    label : str
+        Of the surface.
+    edges : xarray.Dataset
+        Part of edges.nc of the surface: `edge_text` (side).
+    force : xarray.Dataset
+        Part of force.nc of the surface.
+
+    Returns
+    -------
+    str
+        Plain text.
+    """
+    return (
+        f"How {label} sticks is decided by roughness with wavelengths {_from_to(edges)}; its "
+        f"predicted pull-off force is {printed_force(force)} {printed_pair(force)}."
+    )
+
+
+def band_sentences(label: str, edges: xr.Dataset) -> str:
+    """Return the band of a surface in words, what it means, and which of its ends are open.
+
+    Parameters
+    ----------
+    label : str
+        Of the surface.
+    edges : xarray.Dataset
+        Part of edges.nc of the surface: `edge_text` and `edge_status` (side), `interval_note`,
+        the attributes `tolerance` and `confidence`.
+
+    Returns
+    -------
+    str
+        Plain text.
+    """
+    tolerance = print_share(edges.attrs["tolerance"])
+    opened = [
+        f" The {name} of these wavelengths is open, not found: {_text(edges, side)}."
+        for side, name in ENDS.items()
+        if is_open(edges, side)
+    ]
+    remainder = (
+        f"If all roughness below this band, or all above it, is removed, the force changes by less "
+        f"than {tolerance}."
+        if not opened
+        else f"An end of the band is where the force begins to change by more than {tolerance} "
+        "when all roughness beyond it is removed."
+    )
+    intervals = print_share(edges.attrs["confidence"])
+    note = str(edges["interval_note"].item())
+    return (
+        f"The pull-off force of {label} is decided by roughness with wavelengths "
+        f"{_from_to(edges)}. {remainder}{''.join(opened)} Brackets are {intervals} intervals"
+        + (f" ({note})." if note else ".")
+    )
+
+
+def _text(edges: xr.Dataset, side: str) -> str:
+    return str(edges["edge_text"].sel(side=side).item())
+
+
+def _from_to(edges: xr.Dataset) -> str:
+    """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
+    clauses = []
+    for side in SIDES:
+        edge, _, reason = _text(edges, side).partition(": ")
+        clauses.append(f"{edge} ({reason})" if reason else edge)
+    return f"from {clauses[0]} to {clauses[1]}"
+
+
+def printed_force(force: xr.Dataset) -> str:
+    """Return the force of a surface at the range asked for, with its interval if it has one."""
+    return print_bounded(at_range(force), "force", "N")
+
+
+def printed_pair(force: xr.Dataset) -> str:
+    """Return the range and the work of adhesion that a force stands at."""
+    return (
+        f"at a range of adhesion of {print_length(force.attrs['range_of_adhesion'])} and a work "
+        f"of adhesion of {print_quantity(force.attrs['work_of_adhesion'], 'J m-2')}"
+    )
+
+
+def force_sentences(label: str, force: xr.Dataset) -> str:
+    """Return the predicted force of a surface, its uncertainty and its spread over contacts.
+
+    Parameters
+    ----------
+    label : str
+        Of the surface.
+    force : xarray.Dataset
+        Part of force.nc of the surface.
+
+    Returns
+    -------
+    str
+        Plain text.
+    """
+    here = at_range(force)
+    note = str(force["interval_note"].item())
+    if np.isfinite(here["force_interval"]).all():
+        interval = f"brackets: {print_share(force.attrs['confidence'])} interval of the mean"
+        certainty = f"{interval}, {note}" if note else interval
+    else:
+        certainty = note or "no interval can be given"
+    least, most = here["force_quantile"].isel(quantile=[0, -1]).values
+    share = print_share(float(np.ptp(here["quantile"].values)))
+    model = str(here["contact_model"].item())
+    return (
+        f"The mean pull-off force of {label} is {printed_force(force)} {printed_pair(force)}, for "
+        f"{model} contact ({certainty}). Single contacts differ more: {share} of them lie between "
+        f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}. The force is proportional "
+        "to the work of adhesion."
+    )
+
+
+def fit_sentences(fit: xr.Dataset) -> str:
+    """Return what the user's own forces say about range and work of adhesion.
+
+    Parameters
+    ----------
+    fit : xarray.Dataset
+        Part of fit.nc of one contact model, as `fit_curve.draw` takes it, with `rho` (nm), and
+        `measured_force` in N, `measured_count` and `label` (surface).
+
+    Returns
+    -------
+    str
+        Plain text.
+    """
+    forces = ", ".join(
+        f"{print_quantity(mean, 'N')} on {label} (mean of {count:.0f})"
+        for mean, label, count in zip(
+            *(fit[name].values for name in ("measured_force", "label", "measured_count")),
+            strict=True,
+        )
+    )
+    measured = f"Measured: {forces}. "
+    interval = f"{print_share(fit.attrs['confidence'])} intervals over tests and scans"
+    if is_curve(fit):
+        first, last = (fit.isel(rho=place) for place in (0, -1))
+        return (
+            f"{measured}One mean force cannot fix both range and work of adhesion: the work that "
+            f"fits runs from {_work_at_range(first)} to {_work_at_range(last)} "
+            f"(brackets: {interval})."
+        )
+    return (
+        f"{measured}They fit best at a range of adhesion of "
+        f"{print_bounded(fit, 'range_of_adhesion', 'nm')} and a work of adhesion of "
+        f"{print_bounded(fit, 'work_of_adhesion', 'J m-2')} (brackets: {interval}), with a mean "
+        f"relative error of {fit['best_error'].item():.2g}."
+    )
+
+
+def _work_at_range(fit: xr.Dataset) -> str:
+    """Return the work of adhesion that fits at one range, as printed."""
+    work = print_bounded(fit, "work_of_adhesion", "J m-2")
+    return f"{work} at a range of {print_length(fit['rho'].item())}"

@@ -1,0 +1,155 @@
+# Own surfaces: edges of the band, predicted force, fit to own forces, and the page that tells them.
+
+from hardcontact.study.stages import NONE, left_out
+
+
+rule aggregate_spectra:
+    """Gather the joined spectra of all measured surfaces: spectra.nc."""
+    input:
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.surfaces],
+        code=code_inputs("aggregate_spectra.py"),
+    output:
+        PATTERNS.dataset("spectra"),
+    log:
+        PATTERNS.log("aggregate_spectra"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_spectra")
+    params:
+        canonical=canonical({"labels": SELECTION.labels}),
+    script:
+        "../scripts/aggregate_spectra.py"
+
+
+rule find_band_edges:
+    """Find the wavelengths that decide the force, or the bounds that are known: edges.nc."""
+    input:
+        scales=rules.aggregate_scales.output[0],
+        code=code_inputs("find_band_edges.py"),
+    output:
+        PATTERNS.dataset("edges"),
+    log:
+        PATTERNS.log("find_band_edges"),
+    benchmark:
+        PATTERNS.benchmark("find_band_edges")
+    params:
+        canonical=canonical(
+            {
+                "scans": {name: SELECTION.scans(name) for name in SELECTION.substrates},
+                "tolerance": STUDY["scales"]["tolerance"],
+                "samples": STUDY["inference"]["samples"],
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/find_band_edges.py"
+
+
+rule predict_force:
+    """Predict the pull-off force at the range and work of adhesion that are asked for: force.nc."""
+    input:
+        adhesion=rules.aggregate_adhesion.output[0],
+        code=code_inputs("predict_force.py"),
+    output:
+        PATTERNS.dataset("force"),
+    log:
+        PATTERNS.log("predict_force"),
+    benchmark:
+        PATTERNS.benchmark("predict_force")
+    params:
+        canonical=canonical(
+            {
+                "work": STUDY["adhesion"]["work"],
+                "rho": STUDY["scales"]["range"],
+                "samples": STUDY["inference"]["samples"],
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/predict_force.py"
+
+
+rule fit_forces:
+    """Fit range and work of adhesion to own pull-off forces: fit.nc."""
+    input:
+        adhesion=rules.aggregate_adhesion.output[0],
+        forces=[] if STUDY["forces"] == NONE else STUDY["forces"],
+        code=code_inputs("fit_forces.py"),
+    output:
+        PATTERNS.dataset("fit"),
+    log:
+        PATTERNS.log("fit_forces"),
+    benchmark:
+        PATTERNS.benchmark("fit_forces")
+    resources:
+        mem_mb=2000,
+    params:
+        canonical=canonical(
+            {
+                "error_threshold": STUDY["inference"]["error_threshold"],
+                "samples": STUDY["inference"]["samples"],
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/fit_forces.py"
+
+
+rule answer_surfaces:
+    """Write the page that answers for own surfaces, and its numbers."""
+    input:
+        topography=rules.aggregate_topography.output[0],
+        spectra=rules.aggregate_spectra.output[0],
+        edges=rules.find_band_edges.output[0],
+        force=rules.predict_force.output[0],
+        fit=[] if STUDY["forces"] == NONE else rules.fit_forces.output[0],
+        code=code_inputs("answer_surfaces.py"),
+    output:
+        page=report(
+            PATTERNS.result("answer.html"),
+            caption="../report/answer.rst",
+            category="0. Answer",
+            labels={"page": "the answer"},
+        ),
+        json=PATTERNS.result("answer.json"),
+        record=PATTERNS.record("answer"),
+    log:
+        PATTERNS.log("answer_surfaces"),
+    benchmark:
+        PATTERNS.benchmark("answer_surfaces")
+    params:
+        canonical=canonical({"study": STUDY["study"], "left_out": left_out(STUDY)}),
+    script:
+        "../scripts/answer_surfaces.py"
+
+
+rule force:
+    """Make the predicted pull-off force of own surfaces."""
+    input:
+        rules.predict_force.output,
+
+
+if STUDY["forces"] != NONE:
+
+    rule fit:
+        """Make range and work of adhesion from own forces."""
+        input:
+            rules.fit_forces.output,
+
+
+rule answer:
+    """Make the page that answers."""
+    input:
+        rules.answer_surfaces.output,
+
+
+for target, reason in left_out(STUDY).items():
+
+    rule:
+        """Say why a target of the paper's study is left out."""
+        name:
+            target
+        message:
+            f"{target} is left out: {reason}"

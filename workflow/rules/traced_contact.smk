@@ -1,0 +1,30 @@
+# One contact of the study, drawn in Fig. 4a.
+
+TRACED = STUDY["adhesion"]["traced_contact"]
+
+
+rule trace_contact:
+    """Trace gap, adhesive pressure and force over separation of one contact: contact.nc."""
+    input:
+        substrate=FILES.stitched(TRACED["surface"], TRACED["scan"]),
+        sphere=FILES.stitched(SPHERE, TRACED["sphere_scan"]),
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("trace_contact.py"),
+    output:
+        PATTERNS.dataset("contact"),
+    log:
+        PATTERNS.log("trace_contact"),
+    benchmark:
+        PATTERNS.benchmark("trace_contact")
+    params:
+        canonical=canonical(
+            {
+                **TRACED,
+                "contacts": STUDY["contact"],
+                "radius": STUDY["sphere"]["radius"],
+                "label": SELECTION.labels[TRACED["surface"]],
+                "basis": SELECTION.basis[TRACED["surface"]],
+            }
+        ),
+    script:
+        "../scripts/trace_contact.py"

@@ -1,0 +1,33 @@
+"""The page of the paper's study, and its numbers for machines."""
+
+import json
+from pathlib import Path
+
+from hardcontact import published
+from hardcontact.answer.paper_answer import as_plain, paper_answer
+from hardcontact.answer.paper_page import paper_page
+from hardcontact.answer.web_image import web_png
+from hardcontact.claims.verdicts import read_verdicts
+from hardcontact.records.dataset import read
+from hardcontact.study.captions import caption_text
+from hardcontact.study.job import job
+
+WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
+
+with job(snakemake) as this:
+    answer = paper_answer(
+        read_verdicts(this.input.claims),
+        {name: read(this.input[name]) for name in ("topography", "scales", "band", "sets")},
+        published.constants(this.input.published_constants),
+    )
+    figures = {
+        path.stem: web_png(path.read_bytes(), WIDTH) for path in map(Path, this.input.figures)
+    }
+    captions = {
+        path.stem: caption_text(path.read_text("utf-8"), this.parameters)
+        for path in map(Path, this.input.captions)
+    }
+    departures = Path(this.input.departures).read_text("utf-8")
+    this.write_text(paper_page(answer, figures, captions, departures), "page")
+    this.write_text(json.dumps(as_plain(answer), ensure_ascii=False, indent=1) + "\n", "json")
+    this.record("page", "json")
