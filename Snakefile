@@ -37,6 +37,7 @@ if COMPARED:
 else:
 
     include: "workflow/rules/own_surfaces.smk"
+    include: "workflow/rules/answer_surfaces.smk"
 
 
 include: "workflow/rules/provenance.smk"

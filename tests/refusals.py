@@ -1,14 +1,14 @@
-"""Refusals of bad input: one line that says what was expected."""
+"""Refusals of bad input: one line a fault that says what was expected."""
 
 import pytest
 
 
 def refusal(call, *arguments):
-    """Return the one line with which a call refuses its input."""
+    """Return the lines with which a call refuses its input: each says what was expected."""
     with pytest.raises(ValueError) as caught:
         call(*arguments)
     message = str(caught.value)
-    assert len(message.splitlines()) == 1, message
+    assert message and all("expected" in line for line in message.splitlines()), message
     return message
 
 

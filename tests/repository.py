@@ -77,7 +77,7 @@ def run_snakemake(folder, *arguments, overlays=()):
 def leaves(tree, path=()):
     """Yield the keys of a configuration, with dots between their parts."""
     for key, value in tree.items():
-        if isinstance(value, dict):
+        if isinstance(value, dict) and value:
             yield from leaves(value, (*path, key))
         else:
             yield ".".join((*path, key))

@@ -5,6 +5,7 @@ import zipfile
 import numpy as np
 import yaml
 from SurfaceTopography import Topography
+from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
 
 
 def heights(*shape):
@@ -31,4 +32,67 @@ def cut(path, share):
     """Keep the first share of a file's bytes."""
     content = path.read_bytes()
     path.write_bytes(content[: int(share * len(content))])
+    return path
+
+
+def as_array(topography):
+    """Return heights with NaN where they are undefined; first axis x."""
+    return np.ma.filled(topography.heights().astype(float), np.nan)
+
+
+def write_coordinates(topography, path):
+    """Write a text of positions and heights, in the layout of Gwyddion."""
+    sizes, counts = topography.physical_sizes, topography.nb_grid_pts
+    if topography.dim == 1:
+        axes = [topography.positions()]
+    else:
+        spaced = [np.arange(n) * size / n for n, size in zip(counts, sizes, strict=True)]
+        axes = np.meshgrid(*spaced, indexing="ij")
+    columns = [axis.ravel() for axis in (*axes, as_array(topography))]
+    units = f"Lateral units: {topography.unit}\nValue units: {topography.unit}"
+    np.savetxt(path, np.column_stack(columns), header=units)
+
+
+def write_described_array(topography, path):
+    """Write a container of an array of numpy, whose size and unit the container states."""
+    array = path.with_suffix(".npy")
+    np.save(array, as_array(topography))
+    size = [float(size) for size in topography.physical_sizes]
+    entry = {"name": "one", "datafile": {"original": "a.npy"}, "size": size}
+    container(path, [entry | {"unit": topography.unit}], {"a.npy": array})
+
+
+#: Writers of a topography of SurfaceTopography, and what each can hold.
+MAPS_AND_LINES = {
+    "nc": lambda topography, path: topography.to_netcdf(str(path)),
+    "asc": lambda topography, path: topography.to_matrix(str(path)),
+    "xyz": write_coordinates,
+    "array.zip": write_described_array,
+    "zip": lambda topography, path: InMemorySurfaceContainer([topography]).to_zip(str(path)),
+}
+MAPS = MAPS_AND_LINES | {
+    "gwy": lambda topography, path: topography.to_gwy(str(path)),
+    "x3p": lambda topography, path: topography.to_x3p(str(path)),
+}
+UNEVEN_LINES = {name: MAPS_AND_LINES[name] for name in ("nc", "xyz", "zip")}
+
+
+def nanoscope(path, values, size, channels=("Height",)):
+    """Write a Nanoscope file: counts (y, x), of which each is 0.1 nm, in every channel.
+
+    The first line of `values` is the top of the scan. A channel Phase is in degrees.
+    """
+    rows, columns = values.shape
+    data = np.asarray(values, "<i2").tobytes()
+    head = [r"\*File list", r"\Version: 0x07200000", r"\*Scanner list"]
+    head += [r"\@Sens. Zsens: V 10 nm/V", r"\@Sens. Phase: V 1 deg/V"]
+    for number, channel in enumerate(channels):
+        sens = "Phase" if channel == "Phase" else "Zsens"
+        head += [r"\*Ciao image list", rf"\Samps/line: {columns}", rf"\Number of lines: {rows}"]
+        head += [rf"\Scan Size: {size[0]} {size[1]} nm", rf"\Data length: {len(data)}"]
+        head += [rf"\Data offset: {4096 + number * len(data)}", r"\Bytes/pixel: 2"]
+        head += [rf"\@2:Image Data: S [{channel}] \"{channel}\""]
+        head += [rf"\@2:Z scale: V [Sens. {sens}] (0.01 V/LSB) {0.01 * 2**16} V"]
+    text = "\r\n".join([*head, r"\*File list end", ""]).encode("latin-1")
+    path.write_bytes(text.ljust(4096, b"\0") + data * len(channels))
     return path

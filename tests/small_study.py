@@ -8,6 +8,7 @@ from repository import PAPER, ROOT
 from hardcontact.study.aggregate import Files
 from hardcontact.study.patterns import Patterns
 from hardcontact.study.selection import Selection
+from hardcontact.study.surface_table import CONTACT
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby")
 
@@ -15,6 +16,7 @@ PATTERNS = Patterns("results/paper", "results/store", "ruby")
 def selection(scans=(1, 2), measured=()):
     """Return the paper's surfaces with these scans; those that are measured have files."""
     table = pd.read_csv(ROOT / "config/surfaces.tsv", sep="\t", keep_default_na=False)
+    table = table.assign(use=CONTACT, tip_radius="")
     rows = table[table.scan.isin(scans)].copy()
     own = rows.surface.isin(measured)
     rows.loc[own, "source"] = "measured"

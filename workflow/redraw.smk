@@ -1,6 +1,7 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
 from hardcontact.study import start
+from hardcontact.study.stages import made
 
 start.prepare(workflow)
 
@@ -12,8 +13,21 @@ report: "report/workflow.rst"
 
 
 include: "rules/common.smk"
-include: "rules/figures.smk"
-include: "rules/report.smk"
+
+
+if COMPARED:
+
+    include: "rules/figures.smk"
+    include: "rules/report.smk"
+    include: "rules/answer_paper.smk"
+
+else:
+
+    include: "rules/answer_surfaces.smk"
+
+
+#: What is drawn from the final datasets alone.
+DRAWN = [target for target in made(STUDY) if target in ("figures", "pages", "answer")]
 
 
 onstart:
@@ -25,5 +39,4 @@ rule redraw:
     """Draw all figures and write all pages of a finished study again."""
     default_target: True
     input:
-        rules.figures.input,
-        rules.pages.input,
+        [getattr(rules, target).input for target in DRAWN],

@@ -57,7 +57,7 @@ def test_topography_is_of_all_scans_and_windows_of_those_of_substrates():
 def test_measured_scans_are_read_where_they_lie():
     study = files(measured=["mcd"])
     assert study.scan("mcd", 2) == "mcd-2.nc"
-    assert study.spectrum("mcd") == "results/store/spectra/mcd/study/extrapolated-flat.nc"
+    assert study.spectrum("mcd") == "results/store/spectra/mcd/study/measured-flat.nc"
     assert study.scan("uncd", 2) == "results/store/substitutes/uncd/study/scan-2-flat.nc"
     assert study.spectrum("uncd") == "results/store/spectra/uncd/study/calibrated.nc"
 

@@ -62,8 +62,9 @@ def test_the_default_is_that_of_the_configuration(key):
 
 
 def test_columns_of_the_table_of_surfaces_are_those_of_the_schema():
-    columns = ROWS.splitlines()[0].split("\t")
-    assert columns == list(SCHEMAS["surfaces"]["properties"])
+    columns, schema = ROWS.splitlines()[0].split("\t"), SCHEMAS["surfaces"]
+    assert columns == schema["required"]
+    assert [*columns, "use", "tip_radius"] == list(schema["properties"])
     assert all(part["description"] for part in SCHEMAS["surfaces"]["properties"].values())
 
 

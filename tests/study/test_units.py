@@ -14,6 +14,10 @@ from hardcontact.study import units
         ("2.5e3 nm", "um", 2.5),
         ("0.25 mm", "nm", 250e3),
         ("-3 nm", "nm", -3),
+        ("46.3 mJ/m2", "J/m2", 0.0463),
+        ("46.3 mJ/m^2", "J/m2", 0.0463),
+        ("46.3 mJ/m²", "J/m2", 0.0463),
+        ("50 mN/m", "J/m2", 0.05),
     ],
 )
 def test_magnitude(text, unit, value):

@@ -1,6 +1,7 @@
 """Hostile scans: nothing is executed or unpacked, and whatever a reader does ends in one line."""
 
 import io
+import json
 import multiprocessing
 import os
 import pickle
@@ -143,6 +144,12 @@ ALIASES = "a0: &a0 [x]\n" + "".join(
 )
 
 
+def aliased(key):
+    """A meta.yml with one scan, of which this key is a list of 9^11 letters."""
+    entry = f"{{name: one, datafile: {{original: a.txt}}, size: [320, 320], {key}: *a11}}"
+    return ALIASES + f"surfaces: [{{topographies: [{entry}]}}]\n"
+
+
 @pytest.mark.parametrize(
     ("content", "part"),
     [
@@ -160,14 +167,29 @@ ALIASES = "a0: &a0 [x]\n" + "".join(
         (meta("a.txt", height_scale=1e30), "pixels and differences of height"),
         (meta("a.txt", height_scale=1e6), "a mean slope of at most 10"),
         (meta("b\n\033[31m.txt"), "the data file b [31m.txt"),
-        (meta(["a.txt"]), "expected"),
-        (meta("a.txt", size="large"), "expected"),
-        (meta("a.txt", unit={"nm": 1}), "expected"),
+        (meta(["a.txt"]), "lists surfaces"),
+        (meta("a.txt", size="large"), "the size of a.txt"),
+        (meta("a.txt", size=["1", "1"]), "the size of a.txt"),
+        (meta("a.txt", unit={"nm": 1}), "the unit of a.txt"),
+        (aliased("unit"), "the unit of a.txt"),
+        (aliased("description"), "the description of a.txt"),
     ],
 )
 def test_descriptions_of_a_container_are_data(tmp_path, content, part):
     path = archive(tmp_path / "a.zip", {"meta.yml": content, "a.txt": text(heights(32, 32))})
     assert_says(refusal(scans.read_scan, path, "one"), "a.zip: expected", "found", part)
+
+
+def test_index_json_is_read_before_meta_yml(tmp_path):
+    index = json.dumps(yaml.safe_load(meta("b.txt")))
+    files = {"meta.yml": meta("a.txt"), "index.json": index, "b.txt": text(heights(32, 32))}
+    path = archive(tmp_path / "a.zip", files)
+    assert scans.list_measurements(path) == ["b.txt"]
+    np.testing.assert_allclose(scans.read_scan(path, "one").heights, heights(32, 32))
+    for damaged in ("", "[" * 100_000, "[1]", '{"surfaces": 1}'):
+        archive(path, files | {"index.json": damaged})
+        for read in (scans.list_measurements, scans.read_measurement):
+            assert_says(refusal(read, path), "a.zip: expected index.json that lists surfaces")
 
 
 def test_a_container_in_a_container_is_no_scan(tmp_path):

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from repository import ROOT, copy_repository, run_snakemake
 
-from hardcontact.surfaces.scans import read_scan
+from hardcontact.surfaces.scans import list_measurements, read_measurement, read_scan
 from hardcontact.surfaces.topography import level
 
 SCANS = ROOT / "../shared/scans"
@@ -33,6 +33,21 @@ def test_line_scans_of_the_container_are_refused():
     for member in ("80_Scale10.472_FIXEDv2p1.asc", "uncd_stylus_300um_5mar_3.txt"):
         with pytest.raises(ValueError, match=r"uncd-demo-container.*found a line scan$"):
             read_scan(CONTAINER, member)
+
+
+def test_the_whole_container():
+    measured = [read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)]
+    assert [one.kind for one in measured] == ["profile", "map", "profile"]
+    tem, afm, stylus = measured
+    assert [one.tip_radius for one in measured] == [None, 26.0, 5000.0]
+    assert [one.file_unit for one in measured] == ["nm", "nm", "mm"]
+    assert afm.channel == "Height" and afm.pixel_size == pytest.approx(100 / 512)
+    length = (len(tem.heights) - 1) * tem.pixel_size
+    assert length == pytest.approx(228.9, abs=tem.pixel_size)  # 76 uneven points
+    assert any("resampled" in note for note in tem.notes)
+    assert len(stylus.heights) == 3001 and stylus.pixel_size == pytest.approx(99.6, abs=0.05)
+    assert not any("resampled" in note for note in stylus.notes)
+    assert [one.undefined for one in measured] == [0, 0, 0]
 
 
 @pytest.mark.parametrize("share", [0.001, 0.5, 0.99])

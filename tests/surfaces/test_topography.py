@@ -8,6 +8,7 @@ from hardcontact.surfaces.topography import (
     DEFINITIONS,
     METRICS,
     level,
+    level_lines,
     metrics,
     mirror_stitch,
     prepared_scan,
@@ -51,6 +52,39 @@ def test_levelling_is_the_least_squares_plane():
     coefficients = np.linalg.lstsq(basis, heights.ravel(), rcond=None)[0]
     expected = heights - (basis @ coefficients).reshape(heights.shape)
     np.testing.assert_allclose(level(scan_of(heights)).heights, expected, atol=1e-12)
+
+
+def level_waves(pixels=64):
+    """Waves along x, of a phase of its own in every line; no line of them has a median or tilt."""
+    phases = np.pi * np.arange(pixels) / 7
+    x = np.arange(pixels) - (pixels - 1) / 2
+    waves = np.cos(2 * np.pi * 8 * np.arange(pixels) / pixels + phases[:, None])
+    tilts = (waves @ x) / (x @ x)
+    return waves - tilts[:, None] * x
+
+
+def test_levelling_by_lines_takes_offsets_and_tilts_of_lines():
+    waves, rng = level_waves(), np.random.default_rng(3)
+    waves = waves - np.median(waves, axis=1, keepdims=True)
+    drift = rng.normal(0, 5, (64, 1)) + rng.normal(0, 0.1, (64, 1)) * np.arange(64)
+    levelled = level_lines(scan_of(waves + drift)).heights
+    np.testing.assert_allclose(levelled, level(scan_of(waves)).heights, atol=1e-9)
+    assert np.abs(level(scan_of(waves + drift)).heights - waves).max() > 1  # a plane does not
+
+
+def test_lines_run_along_x():
+    along_x = np.sin(2 * np.pi * 5 * np.arange(64) / 64) * np.ones((64, 1))
+    np.testing.assert_allclose(level_lines(scan_of(along_x.T)).heights, 0, atol=1e-9)
+    assert level_lines(scan_of(along_x)).heights.std() > 0.9 * along_x.std()
+
+
+def test_levelling_by_lines_is_a_fit_and_a_median_of_each():
+    heights = np.random.default_rng(4).standard_normal((24, 24)).cumsum(axis=0).cumsum(axis=1)
+    x = np.arange(24)
+    lines = [line - np.polyval(np.polyfit(x, line, 1), x) for line in heights]
+    aligned = np.array([line - np.median(line) for line in lines])
+    expected = level(scan_of(aligned)).heights
+    np.testing.assert_allclose(level_lines(scan_of(heights)).heights, expected, atol=1e-9)
 
 
 def test_sphere_is_removed_wherever_its_apex_lies(sphere, roughness):
@@ -109,6 +143,18 @@ def test_a_prepared_scan_of_the_sphere_keeps_what_was_scanned(sphere):
     expected = subtract_sphere(sphere, RADIUS).heights
     np.testing.assert_allclose(levelled.variables["heights"][1], expected, atol=1e-6)
     assert list(stitched.variables) == ["heights"]
+
+
+@pytest.mark.parametrize("radius", [None, RADIUS])
+def test_a_prepared_scan_keeps_how_it_was_levelled_and_what_its_file_says(sphere, radius):
+    said = {"channel": "Height", "file_unit": "µm", "notes": "cropped; 3 undefined pixels"}
+    levelled, stitched = prepared_scan(sphere, radius, level_lines, said)
+    bare = sphere if radius is None else subtract_sphere(sphere, radius)
+    expected = level_lines(bare).heights
+    np.testing.assert_allclose(levelled.variables["heights"][1], expected, atol=1e-5)
+    np.testing.assert_allclose(stitched.variables["heights"][1][:64, :64], expected, atol=1e-5)
+    for arrays, periodic in ((levelled, 0), (stitched, 1)):
+        assert arrays.attributes == {"periodic": periodic, "basis": "measured"} | said
 
 
 def test_rows_of_table1_are_variables_of_the_topography():

@@ -17,6 +17,7 @@ from rule_graph import (
     MASTER_LARGE,
     MASTER_SMALL,
     MASTERS,
+    OF_MEASURED,
     POOLED,
     SCANS,
     SPECTRA,
@@ -38,6 +39,8 @@ KEYS = {
     "store": ("results/other", FROM_SCANS | SPECTRA),
     "surfaces": ("config/same.tsv", set()),
     "scans": ([1, 2, 3], FROM_SCANS | {"condition_scans"}),
+    "effort": ("quick", set()),
+    "quick": ({"seed": 3}, set()),
     "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer"}),
     "seed": (1, FROM_SCANS | {"condition_scans", *INFERRED}),
     "sphere.surface": ("mcd", FROM_SCANS - POOLED | {"condition_scans"}),
@@ -46,12 +49,14 @@ KEYS = {
     "scan.size": ("2400 nm", FROM_SCANS | {"condition_scans"}),
     "scan.realization_pixels": (256, FROM_SCANS | {"condition_scans"}),
     "scan.undefined_pixels": ("harmonic", set()),  # substitutes have none
+    "scan.levelling": ("lines", set()),
     "topography.slope": ("profile", FROM_SCANS | SPECTRA),
     "topography.curvature": ("laplacian", FROM_SCANS | SPECTRA),
     "contact.hardness": ("30 GPa", FORCES),
     "contact.preload": ("12 uN", FORCES - {"measure_indents"}),
     "contact.window": ("12000 nm", FORCES),
     "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales", "compute_pool"}),
+    "adhesion.work": ("50 mJ/m2", set()),  # of own surfaces alone
     "adhesion.ranges": (["1 nm", "3 nm", "5.6 nm"],
                         {"compute_pull_off", "vary_adhesion", *POOLED}),
     "adhesion.traced_contact.surface": ("ncd", {"trace_contact"}),
@@ -98,6 +103,9 @@ KEYS = {
     "sets.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
 }  # fmt: skip
 
+#: Keys that make another study of measured surfaces: tests/workflow/test_own_study.py changes them.
+KEYS_OF_OWN_SURFACES = {"published", "forces"}
+
 #: The same of keys that concern the variants of robustness alone, whose masters no set draws.
 KEYS_OF_VARIANTS = {
     "robustness.heights.surface": ("mcd", MADE_OTHERWISE),
@@ -118,7 +126,7 @@ COLUMNS = {
     "scan": ("6", OF_MCD - {"calibrate_spectrum", "compute_pool"}),
     "source": (
         "measured",
-        OF_MCD - {*SPECTRA, *POOLED, "synthesize_scan"} | {"extrapolate_spectrum"},
+        OF_MCD - {*SPECTRA, *POOLED, "synthesize_scan"} | {"measure_spectrum"},
     ),
     "path": ("resources/spectra/ncd-published.csv", OF_MCD),
 }
@@ -136,7 +144,7 @@ def rules_of(script):
 
 
 #: Rules that the quick study has no job for.
-IDLE = {"extrapolate_spectrum", "verify"}
+IDLE = OF_MEASURED | {"verify"}
 ALL = set().union(*map(rules_of, SCRIPTS)) - IDLE
 
 
@@ -155,13 +163,15 @@ FILES = {
     "README.md": set(),
     **{
         f"workflow/report/{chapter}.md": following({"describe_study"})
-        for chapter in ("departures", "methods", "performance", "cluster", "faults")
+        for chapter in ("methods", "performance", "cluster", "faults")
     },
+    "workflow/report/departures.md": following({"describe_study", "answer_paper"}),
+    "workflow/report/fig1.rst": following({"answer_paper"}),
     "CITATION.cff": {"describe_crate"},
     "config/surfaces.tsv": following({"keep_configuration"}),
     **published("published_table1", *SPECTRA, "compute_pool", "apply_classical_models"),
     **published("published_pull_off", *JUDGED_BY_FORCES),
-    **published("published_constants", *SPECTRA, "compute_pool", *JUDGED_BY_FORCES),
+    **published("published_constants", *SPECTRA, "compute_pool", *JUDGED_BY_FORCES, "answer_paper"),
     "resources/paper/claims.csv": following({"judge_sets", "evaluate_claims"}),
     "resources/spectra/polished_uncd.csv": following(OF_MCD),
     "resources/spectra/uncd.csv": following(SUBSTITUTE - {"measure_indents"}),

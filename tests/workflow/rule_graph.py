@@ -26,7 +26,12 @@ INFERRED = {
     "infer", "find_critical_band", "aggregate_robustness", "apply_classical_models",
 }  # fmt: skip
 #: What shows every value of the configuration.
-KEPT = {"keep_configuration", "describe_study"}
+KEPT = {"keep_configuration", "describe_study", "answer_paper"}
+#: What concerns measured surfaces alone.
+OF_MEASURED = {
+    "measure_spectrum", "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces",
+    "answer_surfaces",
+}  # fmt: skip
 
 DRAWN = {f"draw_{name}" for name in FIGURES}
 #: The rules that make what figures are drawn from.
@@ -55,18 +60,19 @@ FOLLOWS = {
     "vary_scales": {"aggregate_robustness", "judge_sets"},
     "compute_pool": {"judge_sets"},
     "compare_sphere": {"judge_sets"},
-    "judge_sets": {"evaluate_claims"},
+    "judge_sets": {"answer_paper", "evaluate_claims"},
     "measure_topography": {"aggregate_topography"},
-    "aggregate_topography": {"judge_sets", "evaluate_claims"},
+    "aggregate_topography": {"answer_paper", "judge_sets", "evaluate_claims"},
     "aggregate_adhesion": {"infer", "judge_sets", "evaluate_claims"},
     "aggregate_elastic": {"evaluate_claims"},
     "measure_indents": {"evaluate_claims"},
     "aggregate_asperities": {"evaluate_claims"},
-    "aggregate_scales": {"find_critical_band", "evaluate_claims"},
-    "find_critical_band": {"evaluate_claims"},
+    "aggregate_scales": {"answer_paper", "find_critical_band", "evaluate_claims"},
+    "find_critical_band": {"answer_paper", "evaluate_claims"},
     "infer": {"apply_classical_models", "evaluate_claims"},
     "apply_classical_models": {"evaluate_claims"},
-    "evaluate_claims": {"describe_study"},
+    "evaluate_claims": {"describe_study", "answer_paper"},
+    **{rule: {"answer_paper"} for rule in DRAWN},
 }
 for dataset, rule in DATASETS.items():
     FOLLOWS[rule] = FOLLOWS.get(rule, set()) | drawn_from(dataset)
@@ -82,7 +88,7 @@ INTERMEDIATE = {
         "aggregate_topography",
     },
     "condition_scans": {"synthesize_scan", "aggregate_topography"},
-    "extrapolate_spectrum": {*MASTERS, "vary_scales", "aggregate_topography"},
+    "measure_spectrum": {*MASTERS, "vary_scales", "aggregate_topography"},
     "synthesize_scan": {"prepare_scan"},
     "prepare_scan": {
         "measure_topography",

@@ -16,6 +16,7 @@ from changes import (
     FILES,
     IDLE,
     KEYS,
+    KEYS_OF_OWN_SURFACES,
     KEYS_OF_VARIANTS,
     MODULES,
     SCRIPTS,
@@ -128,7 +129,8 @@ def reruns(finished, tmp_path_factory):
 
 
 def test_every_key_is_in_the_matrix():
-    assert sorted([*KEYS, *KEYS_OF_VARIANTS]) == sorted(leaves(PAPER))
+    matrix = [*KEYS, *KEYS_OF_VARIANTS, *KEYS_OF_OWN_SURFACES]
+    assert sorted(matrix) == sorted(leaves(PAPER))
 
 
 def test_every_column_is_in_the_matrix():

@@ -1,4 +1,4 @@
-# Own surfaces: edges of the band, predicted force, fit to own forces, and the page that tells them.
+# Own surfaces: edges of the band, predicted force, fit to own forces.
 
 from hardcontact.study.stages import NONE, left_out
 
@@ -97,34 +97,6 @@ rule fit_forces:
         "../scripts/fit_forces.py"
 
 
-rule answer_surfaces:
-    """Write the page that answers for own surfaces, and its numbers."""
-    input:
-        topography=rules.aggregate_topography.output[0],
-        spectra=rules.aggregate_spectra.output[0],
-        edges=rules.find_band_edges.output[0],
-        force=rules.predict_force.output[0],
-        fit=[] if STUDY["forces"] == NONE else rules.fit_forces.output[0],
-        code=code_inputs("answer_surfaces.py"),
-    output:
-        page=report(
-            PATTERNS.result("answer.html"),
-            caption="../report/answer.rst",
-            category="0. Answer",
-            labels={"page": "the answer"},
-        ),
-        json=PATTERNS.result("answer.json"),
-        record=PATTERNS.record("answer"),
-    log:
-        PATTERNS.log("answer_surfaces"),
-    benchmark:
-        PATTERNS.benchmark("answer_surfaces")
-    params:
-        canonical=canonical({"study": STUDY["study"], "left_out": left_out(STUDY)}),
-    script:
-        "../scripts/answer_surfaces.py"
-
-
 rule force:
     """Make the predicted pull-off force of own surfaces."""
     input:
@@ -137,12 +109,6 @@ if STUDY["forces"] != NONE:
         """Make range and work of adhesion from own forces."""
         input:
             rules.fit_forces.output,
-
-
-rule answer:
-    """Make the page that answers."""
-    input:
-        rules.answer_surfaces.output,
 
 
 for target, reason in left_out(STUDY).items():

@@ -9,7 +9,7 @@ from hardcontact.answer.paper_page import paper_page
 from hardcontact.answer.web_image import web_png
 from hardcontact.claims.verdicts import read_verdicts
 from hardcontact.records.dataset import read
-from hardcontact.study.captions import caption_text
+from hardcontact.study.captions import caption
 from hardcontact.study.job import job
 
 WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
@@ -24,7 +24,7 @@ with job(snakemake) as this:
         path.stem: web_png(path.read_bytes(), WIDTH) for path in map(Path, this.input.figures)
     }
     captions = {
-        path.stem: caption_text(path.read_text("utf-8"), this.parameters)
+        path.stem: caption(path.read_text("utf-8"), this.parameters)
         for path in map(Path, this.input.captions)
     }
     departures = Path(this.input.departures).read_text("utf-8")

@@ -2,9 +2,7 @@
 
 from hardcontact.study.job import job
 from hardcontact.surfaces.scans import described, height_map, read_measurement
-from hardcontact.surfaces.topography import level, level_lines, prepared_scan
-
-LEVELLING = {"plane": level, "lines": level_lines}
+from hardcontact.surfaces.topography import LEVELLING, prepared_scan
 
 with job(snakemake) as this:
     measurement = read_measurement(

@@ -7,7 +7,14 @@ import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
-__all__ = ["ARTIFICIAL", "artificial_bands", "measurements", "shade", "share_inside"]
+__all__ = [
+    "ARTIFICIAL",
+    "artificial_bands",
+    "measurements",
+    "reliable_measurements",
+    "shade",
+    "share_inside",
+]
 
 #: How artificial wavelengths are shaded in every figure.
 ARTIFICIAL: dict[str, Any] = {
@@ -26,14 +33,20 @@ def measurements(of_surface: xr.Dataset) -> xr.Dataset:
     return of_surface.isel(measurement=np.isin(of_surface["kind"].values.astype(str), KINDS))
 
 
+def reliable_measurements(of_surface: xr.Dataset) -> xr.Dataset:
+    """Return the spectra of one surface without measurements that are reliable nowhere."""
+    known = measurements(of_surface)
+    return known.isel(measurement=(known["reliable"].values == 1).any(axis=1))
+
+
 def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
     """Return the bands of wavelengths that no measurement of a surface reaches reliably.
 
     Parameters
     ----------
     of_surface : xarray.Dataset
-        Part of spectra.nc: `shortest_reliable` and `longest_reliable` (measurement) in nm,
-        `shortest_measured` and `longest_measured` in nm.
+        Part of spectra.nc: `reliable` (measurement, bin_wavevector), `shortest_reliable` and
+        `longest_reliable` (measurement), `shortest_measured` and `longest_measured`, in nm.
 
     Returns
     -------
@@ -41,7 +54,7 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
         Shortest and longest wavelength (nm) of each, growing: from 0 to the shortest that is
         measured, gaps between scans, and from the longest that is measured to infinity.
     """
-    known = measurements(of_surface)
+    known = reliable_measurements(of_surface)
     ends = zip(known["shortest_reliable"].values, known["longest_reliable"].values, strict=True)
     reached = float(of_surface["shortest_measured"])
     bands = [(0.0, reached)]

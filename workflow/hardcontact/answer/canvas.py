@@ -42,6 +42,7 @@ def create(height: float) -> Figure:
 @canvas_style()
 def png(figure: Figure) -> bytes:
     """Return the picture of a figure as PNG, the same bytes each time."""
+    style.freeze_layout(figure)
     buffer = BytesIO()
     figure.savefig(buffer, format="png", dpi=RESOLUTION, metadata={"Software": None})
     return buffer.getvalue()

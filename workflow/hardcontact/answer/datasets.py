@@ -29,6 +29,14 @@ class Datasets(NamedTuple):
         """Return the parts of one surface, without a fit, which is of all surfaces."""
         return Datasets(*(part.sel(surface=surface) for part in self[:4]))
 
+    def labels(self) -> dict[str, str]:
+        """Return the printed name of each surface; a substitute is called so."""
+        names = (self.topography[name].values for name in ("surface", "label", "basis"))
+        return {
+            str(surface): f"{label} (substitute)" if basis == "substitute" else str(label)
+            for surface, label, basis in zip(*names, strict=True)
+        }
+
 
 class Setting(NamedTuple):
     """What the datasets do not say of a study.

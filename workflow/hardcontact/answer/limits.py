@@ -3,12 +3,15 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.artificial import artificial_bands, measurements, share_inside
+from hardcontact.answer.artificial import artificial_bands, reliable_measurements, share_inside
 from hardcontact.answer.quantities import print_length
 from hardcontact.answer.ratios import SIDES
 from hardcontact.answer.sentences import is_open
 
-__all__ = ["limits", "measurement_name"]
+__all__ = ["artificial_edges", "limits", "measurement_name"]
+
+#: Measurements that a sentence names.
+NAMED = 4
 
 EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
 
@@ -32,10 +35,31 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
     found = [*_of_basis(basis)]
     for side in SIDES:
         found += _of_edge(EDGES[side], edges.sel(side=side), is_open(edges, side))
-        found += _of_artificial_edge(EDGES[side], edges.sel(side=side), artificial_bands(spectra))
+    found += artificial_edges(spectra, edges)
     found += _of_scan_size(force)
     found += _of_intervals(edges, force)
     return [*found, *_of_spectrum(spectra)]
+
+
+def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
+    """Return which edges of the band of a surface, or their intervals, lie where no scan reaches.
+
+    Parameters
+    ----------
+    spectra, edges : xarray.Dataset
+        Parts of spectra.nc and edges.nc of the surface.
+
+    Returns
+    -------
+    list of str
+        A sentence each.
+    """
+    bands = artificial_bands(spectra)
+    return [
+        sentence
+        for side, name in EDGES.items()
+        for sentence in _of_artificial_edge(name, edges.sel(side=side), bands)
+    ]
 
 
 def _of_basis(basis: str) -> list[str]:
@@ -82,21 +106,19 @@ def _of_scan_size(force: xr.Dataset) -> list[str]:
 
 def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
     """Return that intervals are conditional on the scans at hand, or that there are none."""
-    found = []
-    note = str(edges["interval_note"].item())
-    if edges["conditional"].item():
-        found.append(f"The intervals of the band hold for these scans alone: {note}.")
-    of_force = str(force["interval_note"].item())
-    if not np.isfinite(force["force_interval"]).any():
-        found.append(f"The mean force has no interval: {of_force}.")
-    elif of_force != note and edges["conditional"].item():
-        found.append(f"The interval of the force holds for these scans alone: {of_force}.")
-    return found
+    return [
+        f"{name}: {part['interval_note'].item()}."
+        for name, part, interval in (
+            ("Intervals of the band", edges, "scale_ratio_interval"),
+            ("Interval of the mean force", force, "force_interval"),
+        )
+        if part["conditional"].item() or not np.isfinite(part[interval]).any()
+    ]
 
 
 def _of_spectrum(spectra: xr.Dataset) -> list[str]:
     """Return what bounds the reliable wavelengths, what lies beyond, and which tips are unknown."""
-    known = measurements(spectra)
+    known = reliable_measurements(spectra)
     finest = known.isel(measurement=int(known["shortest_reliable"].values.argmin()))
     widest = known.isel(measurement=int(known["longest_reliable"].values.argmax()))
     found = [
@@ -105,17 +127,19 @@ def _of_spectrum(spectra: xr.Dataset) -> list[str]:
         f"Roughness above {print_length(widest['longest_reliable'].item())} is artificial; this "
         f"limit is set by: {widest['longest_reason'].item()} ({measurement_name(widest)}).",
     ]
-    found += [
-        f"Between {print_length(low)} and {print_length(high)} no scan is reliable: the spectrum "
-        "is interpolated."
-        for low, high in artificial_bands(spectra)[1:-1]
-    ]
     note = str(spectra["tail_note"].item())
-    found += [f"Below the shortest reliable wavelength: {note}."] if note else []
-    blunt = known.isel(measurement=np.isnan(known["tip_radius"].values))
-    if blunt.sizes["measurement"]:
-        names = ", ".join(measurement_name(one) for _, one in blunt.groupby("measurement"))
-        found.append(f"What a blunt tip hides is not cut where no tip radius is known: {names}.")
+    found += [f"How the spectrum is continued where no scan is reliable: {note}."] if note else []
+    unknown = known.isel(measurement=np.isnan(known["tip_radius"].values))
+    names = [
+        measurement_name(unknown.isel(measurement=one))
+        for one in range(unknown.sizes["measurement"])
+    ]
+    if names:
+        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+        found.append(
+            "What a blunt tip hides is not known where no tip radius is stated: "
+            f"{', '.join(names[:NAMED])}{more}."
+        )
     return found
 
 

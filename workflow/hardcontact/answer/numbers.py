@@ -55,19 +55,20 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
         "tolerance": _number(given.edges.attrs["tolerance"], "1"),
         "confidence": _number(given.edges.attrs["confidence"], "1"),
         "surfaces": {
-            str(name): _of_surface(given.of_surface(str(name)))
-            for name in given.topography["surface"].values
+            surface: _of_surface(label, given.of_surface(surface))
+            for surface, label in given.labels().items()
         },
+        "pooled_band": _pooled(given.edges),
         "fit": None if given.fit is None else _fit(given.fit),
         "left_out": [{"part": part, "reason": reason} for part, reason in setting.left_out],
     }
 
 
-def _of_surface(given: Datasets) -> dict[str, Any]:
+def _of_surface(label: str, given: Datasets) -> dict[str, Any]:
     """Return the numbers of one surface from its parts of the datasets."""
-    label, basis = (str(given.topography[name].item()) for name in ("label", "basis"))
+    basis = str(given.topography["basis"].item())
     return {
-        "label": label,
+        "label": str(given.topography["label"].item()),
         "basis": basis,
         "answer": one_sentence(label, given.edges, given.force),
         "scan_size": _of(given.topography, "scan_size", "nm"),
@@ -127,6 +128,20 @@ def _edge(of_side: xr.Dataset) -> dict[str, Any]:
     }
 
 
+def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
+    """Return the band of the mean change over several surfaces, None of a single one."""
+    if "pooled_edge" not in edges:
+        return None
+    return {
+        side: _of(of_side, "pooled_edge", "nm")
+        | {
+            "text": str(of_side["pooled_edge_text"].item()),
+            "bound": _of(of_side, "pooled_edge_bound", "nm"),
+        }
+        for side, of_side in ((side, edges.sel(side=side)) for side in SIDES)
+    }
+
+
 def _force(force: xr.Dataset) -> dict[str, Any]:
     """Return the force at the range asked for, its spread, and the force over the range."""
     here = at_range(force)
@@ -153,6 +168,11 @@ def _fit(fit: xr.Dataset) -> dict[str, Any]:
     return {
         "origin": "measured",
         "coordinates": {str(name): fit[name].values.tolist() for name in fit.coords},
+        "texts": {
+            str(name): values.values.tolist()
+            for name, values in fit.data_vars.items()
+            if values.dtype.kind not in "fiu"
+        },
         **{
             str(name): {"dimensions": list(map(str, values.dims))}
             | _numbers(values, str(values.attrs.get("units", "1")))

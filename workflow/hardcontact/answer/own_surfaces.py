@@ -1,5 +1,6 @@
 """The page of own surfaces: which wavelengths decide how they stick, how strongly, how surely."""
 
+import re
 from collections.abc import Callable
 from html import escape
 from typing import Any, NamedTuple
@@ -10,8 +11,8 @@ from hardcontact.answer import fit_curve, force_curve, maps, psd, ratios
 from hardcontact.answer.canvas import png
 from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.force_curve import model_of
-from hardcontact.answer.html import figure_html, list_html, page, table_html
-from hardcontact.answer.limits import limits
+from hardcontact.answer.html import figure_html, list_html, page, table_html, text_html
+from hardcontact.answer.limits import artificial_edges, limits
 from hardcontact.answer.numbers import answer_numbers
 from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.sentences import (
@@ -19,11 +20,15 @@ from hardcontact.answer.sentences import (
     fit_sentences,
     force_sentences,
     one_sentence,
+    pooled_sentence,
 )
 from hardcontact.answer.tables import measurement_table, roughness_table
 from hardcontact.figures.style import print_share
 
 __all__ = ["Answer", "answer"]
+
+SUBSTITUTES = "The scans are substitutes, synthesised from published statistics."
+LIMITS = "What limits this answer"
 
 
 class Answer(NamedTuple):
@@ -58,18 +63,18 @@ def answer(given: Datasets, setting: Setting) -> Answer:
     """
     sections = {
         "The scans": _each(given, _map),
-        "Roughness": roughness_table(given.topography),
+        "Roughness": roughness_table(given.topography, given.labels()),
         "The spectrum, and where it is reliable": _each(given, _spectrum)
-        + measurement_table(given.spectra, _labels(given)),
+        + measurement_table(given.spectra, given.labels()),
         "The force without parts of the roughness": _each(given, _ratios),
-        "The band": _paragraphs(given, lambda label, of: band_sentences(label, of.edges)),
+        "The band": _band(given),
         "The force": _force(given, setting),
         "Fit to your own forces (measured)": "" if given.fit is None else _fit(given.fit),
-        "What limits this answer": _limits(given),
+        LIMITS: _limits(given),
         "What was left out": _left_out(setting),
     }
     body = _first_screen(given) + "".join(
-        f"<section><h2>{escape(title)}</h2>\n{content}</section>\n"
+        f'<section id="{_anchor(title)}"><h2>{escape(title)}</h2>\n{content}</section>\n'
         for title, content in sections.items()
         if content
     )
@@ -79,20 +84,15 @@ def answer(given: Datasets, setting: Setting) -> Answer:
     )
 
 
-def _labels(given: Datasets) -> dict[str, str]:
-    """Return the printed name of each surface; a substitute is called so."""
-    return {
-        str(surface): f"{label} (substitute)" if basis == "substitute" else str(label)
-        for surface, label, basis in zip(
-            *(given.topography[name].values for name in ("surface", "label", "basis")), strict=True
-        )
-    }
+def _anchor(title: str) -> str:
+    """Return the name by which links find a section."""
+    return "-".join(re.findall(r"[a-z]+", title.lower()))
 
 
 def _each(given: Datasets, draw: Callable[[str, Datasets], str]) -> str:
     """Return a figure of each surface, side by side where the screen is wide."""
     figures = "\n".join(
-        draw(label, given.of_surface(surface)) for surface, label in _labels(given).items()
+        draw(label, given.of_surface(surface)) for surface, label in given.labels().items()
     )
     return f'<div class="figures">{figures}</div>'
 
@@ -100,8 +100,8 @@ def _each(given: Datasets, draw: Callable[[str, Datasets], str]) -> str:
 def _paragraphs(given: Datasets, write: Callable[[str, Datasets], str]) -> str:
     """Return a paragraph for each surface."""
     return "\n".join(
-        f"<p>{escape(write(label, given.of_surface(surface)))}</p>"
-        for surface, label in _labels(given).items()
+        f"<p>{text_html(write(label, given.of_surface(surface)))}</p>"
+        for surface, label in given.labels().items()
     )
 
 
@@ -114,25 +114,28 @@ def _first_screen(given: Datasets) -> str:
         f"Decided by: without all roughness of shorter, or of longer, wavelengths the force "
         f"changes by less than {tolerance}. Brackets: {confidence} intervals."
     )
+    more = f'<a href="#{_anchor(LIMITS)}">{LIMITS}</a>.'
     opened = ""
     if (given.edges["edge_status"] != "found").any():
         opened = " An edge given as “at least” or “at most” is open: it was not found."
     return (
-        f'<div class="answer">{sentences}<p><small>{escape(meaning + opened)}</small></p></div>\n'
-        + _notice(given)
+        f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
+        "</div>\n" + _notice(given)
     )
 
 
 def _notice(given: Datasets) -> str:
-    """Return which surfaces are substitutes, if any."""
+    """Return which surfaces are substitutes, and which edges lie in artificial roughness."""
     basis = given.topography["basis"].values == "substitute"
     names = ", ".join(map(str, given.topography["label"].values[basis]))
-    if not names:
+    texts = [f"Not measured: {names}. {SUBSTITUTES}"] if names else []
+    for surface, label in given.labels().items():
+        of = given.of_surface(surface)
+        texts += [f"{label}: {text}" for text in artificial_edges(of.spectra, of.edges)]
+    if not texts:
         return ""
-    return (
-        f'<div class="notice"><p>Not measured: {escape(names)}. The scans are substitutes, '
-        "synthesised from published statistics.</p></div>\n"
-    )
+    paragraphs = "".join(f"<p>{text_html(text)}</p>" for text in texts)
+    return f'<div class="notice">{paragraphs}</div>\n'
 
 
 def _map(label: str, of: Datasets) -> str:
@@ -166,23 +169,32 @@ def _ratios(label: str, of: Datasets) -> str:
     tolerance = print_share(of.edges.attrs["tolerance"])
     edges = "; ".join(
         f"{name}: {of.edges['edge_text'].sel(side=side).item()}"
-        for side, name in (("small", "short edge"), ("large", "long edge"))
+        for side, name in (("small", "short"), ("large", "long"))
     )
     return figure_html(
         png(ratios.draw(of.edges, of.spectra)),
-        f"Pull-off force of {label} with roughness below or above a cutoff removed. {edges}.",
+        f"Pull-off force of {label} with roughness below or above a cutoff removed. Edges of the "
+        f"band: {edges}.",
         f"{label}: mean pull-off force with all roughness below (upper panel) or above (lower "
         f"panel) a cutoff removed, over that with all, at ρ = {rho}. Grey: a change of {tolerance} "
-        f"that counts as none. {edges}.",
+        f"that counts as none. Edges of the band: {edges}.",
     )
+
+
+def _band(given: Datasets) -> str:
+    """Return the band of each surface in words, and that of several together."""
+    texts = _paragraphs(given, lambda label, of: band_sentences(label, of.edges))
+    if "pooled_edge_text" in given.edges:
+        texts += f"\n<p>{text_html(pooled_sentence(given.edges))}</p>"
+    return texts
 
 
 def _force(given: Datasets, setting: Setting) -> str:
     """Return the forces in words and as a curve, and what they were computed for."""
-    force = given.force
+    force = given.force.assign(label=("surface", list(given.labels().values())))
     model, work = model_of(force), print_quantity(force.attrs["work_of_adhesion"], "J m-2")
     contact = "; ".join(f"{name}: {value}" for name, value in setting.contact.items())
-    names = " and ".join(_labels(given).values())
+    names = " and ".join(given.labels().values())
     figure = figure_html(
         png(force_curve.draw(force)),
         f"Mean pull-off force of {names} against the range of adhesion, at a work of {work}.",
@@ -192,32 +204,29 @@ def _force(given: Datasets, setting: Setting) -> str:
     )
     return (
         _paragraphs(given, lambda label, of: force_sentences(label, of.force))
-        + (f"<p><small>Computed for {escape(contact)}.</small></p>\n" if contact else "")
+        + (f"<p><small>Computed for {text_html(contact)}.</small></p>\n" if contact else "")
         + f'<div class="figures">{figure}</div>'
     )
 
 
 def _fit(fit: xr.Dataset) -> str:
     """Return the fit to the user's own forces, of the contact model of the answer."""
-    model = model_of(fit)
-    of_model = fit.sel(contact_model=model)
+    of_model = fit_curve.of_answer(fit)
     text = fit_sentences(of_model)
-    confidence = print_share(fit.attrs["confidence"])
-    drawn = (
-        f"The work of adhesion that gives the measured force, against the range. Band: "
-        f"{confidence} interval."
-        if fit_curve.is_curve(fit)
-        else f"Range and work of adhesion that fit the measured forces best (star, bars: "
-        f"{confidence} intervals), and the region of pairs that fit (shaded)."
+    figure = figure_html(
+        png(fit_curve.draw(of_model)),
+        text,
+        "Work of adhesion that gives the force measured on each surface, against the range, for "
+        f"{of_model['contact_model'].item()} contact. Bands: "
+        f"{print_share(fit.attrs['confidence'])} intervals, tests and scans resampled.",
     )
-    figure = figure_html(png(fit_curve.draw(of_model)), text, f"{drawn} {model} contact.")
-    return f'<p>{escape(text)}</p>\n<div class="figures">{figure}</div>'
+    return f'<p>{text_html(text)}</p>\n<div class="figures">{figure}</div>'
 
 
 def _limits(given: Datasets) -> str:
     """Return what limits the answer of each surface."""
     texts = []
-    for surface, label in _labels(given).items():
+    for surface, label in given.labels().items():
         of = given.of_surface(surface)
         found = limits(str(of.topography["basis"].item()), of.spectra, of.edges, of.force)
         texts.append(f"<h3>{escape(label)}</h3>\n{list_html(found)}")

@@ -23,10 +23,11 @@ ANSWERS = {
     "rigid_over_plastic_error": "plasticity_is_crucial",
     "range_exceeds": "range_exceeds_5_nm",
 }
-#: Side of each edge of the band in the datasets, and what is known of one beyond the cutoffs.
+#: Side of each edge of the band in the datasets, what is known of one beyond the cutoffs, and the
+#: end of its interval that may lie there.
 EDGES = {
-    "shortest_wavelength": ("small", "at least"),
-    "longest_wavelength": ("large", "at most"),
+    "shortest_wavelength": ("small", "at least", "high"),
+    "longest_wavelength": ("large", "at most", "low"),
 }
 #: Sizes of the study that the paper prints too.
 GRIDS = ("scan_pixels", "scan_size", "contacts_per_side")
@@ -42,6 +43,9 @@ class PaperAnswer(NamedTuple):
     open_edges : dict of str to str
         What the number of an edge is, "at least" or "at most", where the edge of the band lies
         beyond the cutoffs; by its name in `ANSWERS`.
+    open_ends : dict of str to str
+        Which end of the interval of an edge is the last cutoff, "high" or "low", and therefore
+        open; by the same names.
     surfaces : pandas.DataFrame
         Columns label and basis, indexed by name: the substrates, then the sphere.
     settings : dict of str to float
@@ -54,6 +58,7 @@ class PaperAnswer(NamedTuple):
 
     claims: pd.DataFrame
     open_edges: dict[str, str]
+    open_ends: dict[str, str]
     surfaces: pd.DataFrame
     settings: dict[str, float]
     printed: dict[str, float]
@@ -93,9 +98,10 @@ def paper_answer(
         claims,
         {
             name: bound
-            for name, (side, bound) in EDGES.items()
+            for name, (side, bound, _) in EDGES.items()
             if np.isnan(critical.sel(side=side).item())
         },
+        _open_ends(claims, [band, datasets["sets"]]),
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
         {
             "rho": float(scales.attrs["rho"]),
@@ -111,6 +117,25 @@ def paper_answer(
     )
 
 
+def _open_ends(claims: pd.DataFrame, bands: list[xr.Dataset]) -> dict[str, str]:
+    """Return the ends of intervals that are the last cutoff of their side in one of the bands."""
+    rows = claims.set_index("id")
+    found = {}
+    for name, (side, _, end) in EDGES.items():
+        if ANSWERS[name] in rows.index:
+            limits = [_last_cutoff(band["scale_change"].sel(side=side), end) for band in bands]
+            if np.isclose(rows[end][ANSWERS[name]], limits, rtol=1e-5).any():
+                found[name] = end
+    return found
+
+
+def _last_cutoff(changes: xr.DataArray, end: str) -> float:
+    """Return the cutoff of a side (nm) that removes most: the longest, "high", or the shortest."""
+    others = [dim for dim in changes.dims if dim != "cutoff_wavelength"]
+    cutoffs = changes["cutoff_wavelength"][changes.notnull().any(others)]
+    return float(cutoffs.max() if end == "high" else cutoffs.min())
+
+
 def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     """Return the answer in plain values, for JSON: None where there is no number.
 
@@ -122,15 +147,16 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     Returns
     -------
     dict
-        `answer`: claims by what the answer calls them, each with its `bound`, None where its number
-        is none; `verdicts`: independent findings and all statements by verdict; `claims`: every
-        row of claims.csv; `surfaces`; `settings`.
+        `answer`: claims by what the answer calls them, each with its `bound` and `open_end`, None
+        where its number and the ends of its interval are none; `verdicts`: independent findings
+        and all statements by verdict; `claims`: every row of claims.csv; `surfaces`; `settings`.
     """
     rows = [_plain(row) for row in answer.claims.to_dict("records")]
     by_claim = {row["id"]: row for row in rows}
     return {
         "answer": {
-            name: by_claim[row.id] | {"bound": answer.open_edges.get(name)}
+            name: by_claim[row.id]
+            | {"bound": answer.open_edges.get(name), "open_end": answer.open_ends.get(name)}
             for name, row in answer.numbers.items()
         },
         "verdicts": summary(answer.claims).set_index("verdict").to_dict("index"),

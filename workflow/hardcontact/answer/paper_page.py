@@ -12,6 +12,7 @@ from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
 from hardcontact.claims.report_pages import chapter, counts_table, section_tables
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import FIGURES
+from hardcontact.study.captions import Caption
 
 __all__ = ["STORY", "paper_page"]
 
@@ -38,7 +39,10 @@ CONTENTS = (
 
 
 def paper_page(
-    answer: PaperAnswer, figures: Mapping[str, bytes], captions: Mapping[str, str], departures: str
+    answer: PaperAnswer,
+    figures: Mapping[str, bytes],
+    captions: Mapping[str, Caption],
+    departures: str,
 ) -> str:
     """Write the page.
 
@@ -48,8 +52,8 @@ def paper_page(
         Of the study.
     figures : mapping of str to bytes
         PNG of each figure, by its name in the catalogue.
-    captions : mapping of str to str
-        Plain text, of the same figures.
+    captions : mapping of str to Caption
+        Of the same figures.
     departures : str
         The chapter of that name in Markdown, as `report_pages.chapter` takes it.
 
@@ -68,7 +72,7 @@ def paper_page(
     sections = (
         _opening(answer),
         CONTENTS,
-        '<h2 id="figures">The figures</h2>\n',
+        '<h2 id="figures">The figures</h2>\n<p>On a narrow screen they scroll sideways.</p>\n',
         *_chapters(figures, captions),
         '<h2 id="verdicts">The verdicts</h2>\n',
         *_verdicts(answer.claims),
@@ -88,19 +92,19 @@ def _opening(answer: PaperAnswer) -> str:
         f'(<a href="{PAPER}">2021</a>) pulled a sphere of {sphere} off diamond coatings '
         f"({', '.join(coatings)}). Here their numbers are computed again.</p>\n"
         f'<div class="answer"><p><strong>{first}</strong> {" ".join(others)}</p></div>\n'
-        f"<p><small>{escape(' '.join(basis_sentences(answer)))}</small></p>\n"
+        f'<div class="notice"><p>{escape(" ".join(basis_sentences(answer)))}</p></div>\n'
     )
 
 
-def _chapters(figures: Mapping[str, bytes], captions: Mapping[str, str]) -> Iterator[str]:
+def _chapters(figures: Mapping[str, bytes], captions: Mapping[str, Caption]) -> Iterator[str]:
     """Yield the figures chapter by chapter, in the order of the catalogue."""
     shown = [(name, figure) for name, figure in FIGURES.items() if name in figures]
     for heading, members in groupby(shown, key=lambda pair: pair[1].chapter):
         yield f"<h3>{escape(heading)}</h3>\n<p>{escape(STORY[heading])}</p>\n"
         for name, figure in members:
             alt = f"{figure.label}: {figure.title}"
-            picture = figure_html(figures[name], alt, captions[name])
-            yield f'<div class="print">{picture}</div>\n'
+            picture = figure_html(figures[name], alt, captions[name].text)
+            yield f'<h4>{escape(captions[name].title)}</h4>\n<div class="print">{picture}</div>\n'
 
 
 def _verdicts(claims: pd.DataFrame) -> Iterator[str]:

@@ -27,7 +27,7 @@ def answer_sentences(answer: PaperAnswer) -> list[str]:
     list of str
         Intervals are in brackets, with the numbers of the paper beside those computed.
     """
-    said = (_band(answer), _fit(answer), _errors(answer), _verdicts(answer))
+    said = (of(answer) for of in (_band, _meaning, _fit, _errors, _verdicts))
     return [sentence for sentence in said if sentence]
 
 
@@ -54,9 +54,16 @@ def _band(answer: PaperAnswer) -> str:
     computed, printed = ([of(answer, name) for name in edges] for of in (_computed, _printed))
     return (
         f"The wavelengths that decide lie between {' and '.join(computed)} "
-        f"(paper: {' and '.join(printed)}): with all roughness below this band removed, or all "
-        f"above it, the mean pull-off force changes by less than "
-        f"{100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
+        f"(paper: {' and '.join(printed)})."
+    )
+
+
+def _meaning(answer: PaperAnswer) -> str:
+    if not _band(answer):
+        return ""
+    return (
+        "With all roughness below this band removed, or all above it, the mean pull-off force "
+        f"changes by less than {100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
         f"{print_quantity(answer.settings['rho'], 'nm')}."
     )
 
@@ -108,9 +115,9 @@ def _substitutes(answer: PaperAnswer) -> str:
     if labels.empty:
         return "All surfaces are measured."
     return (
-        f"Substitutes stand for the surfaces {', '.join(labels)}: random surfaces that are "
-        "synthesised from published statistics, because no scan of them is at hand. Forces on them "
-        "also differ from the paper's because they are other surfaces."
+        f"Substitute surfaces: {', '.join(labels)}. No scan of them is at hand, so they are "
+        "synthesised from published statistics. Forces on them also differ from the paper's "
+        "because they are other surfaces."
     )
 
 
@@ -136,7 +143,8 @@ def _grid(sizes: dict[str, float]) -> str:
 def _intervals(answer: PaperAnswer) -> str:
     return (
         f"In brackets: {100 * answer.settings['confidence']:g} % intervals, over "
-        f"{answer.settings['sets']} equally good sets of scans where these give one."
+        f"{answer.settings['sets']} equally good sets of scans where these give one. One that does "
+        "not hold the number beside it is judged as if it did."
     )
 
 
@@ -145,7 +153,10 @@ def _computed(answer: PaperAnswer, name: str) -> str:
     row: Any = answer.numbers[name]
     if name in answer.open_edges:
         return f"{answer.open_edges[name]} {print_quantity(row.computed, row.unit, digits=DIGITS)}"
-    return print_quantity(row.computed, row.unit, (row.low, row.high), DIGITS)
+    computed = print_quantity(row.computed, row.unit, (row.low, row.high), DIGITS)
+    if name in answer.open_ends:
+        return f"{computed} (interval open: its {answer.open_ends[name]} end is the last cutoff)"
+    return computed
 
 
 def _printed(answer: PaperAnswer, name: str) -> str:

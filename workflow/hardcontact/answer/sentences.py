@@ -1,9 +1,10 @@
 """The answer in words: the band and the force of a surface, the fit of its own forces."""
 
+import re
+
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.fit_curve import is_curve
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.quantities import print_bounded, print_length, print_quantity
 from hardcontact.answer.ratios import SIDES
@@ -15,9 +16,13 @@ __all__ = [
     "force_sentences",
     "is_open",
     "one_sentence",
+    "pooled_sentence",
     "printed_force",
     "printed_pair",
 ]
+
+#: The text of an open edge: bound, reason, and what is said of its interval.
+OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\]|, no interval)?$")
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -60,6 +65,7 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
         Of the surface.
     edges : xarray.Dataset
         Part of edges.nc of the surface: `edge_text` and `edge_status` (side), `interval_note`,
+        `scale_ratio_interval`,
         the attributes `tolerance` and `confidence`.
 
     Returns
@@ -80,12 +86,22 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
         else f"An end of the band is where the force begins to change by more than {tolerance} "
         "when all roughness beyond it is removed."
     )
-    intervals = print_share(edges.attrs["confidence"])
     note = str(edges["interval_note"].item())
+    intervals = f"{_capital(note)}."
+    if np.isfinite(edges["scale_ratio_interval"]).any():
+        intervals = f"Brackets are {print_share(edges.attrs['confidence'])} intervals, {note}."
     return (
         f"The pull-off force of {label} is decided by roughness with wavelengths "
-        f"{_from_to(edges)}. {remainder}{''.join(opened)} Brackets are {intervals} intervals"
-        + (f" ({note})." if note else ".")
+        f"{_from_to(edges)}. {remainder}{''.join(opened)} {intervals}"
+    )
+
+
+def pooled_sentence(edges: xr.Dataset) -> str:
+    """Return the band of the mean change over all surfaces: edges.nc with `pooled_edge_text`."""
+    pooled = edges[["pooled_edge_text"]].rename(pooled_edge_text="edge_text")
+    return (
+        "The mean over all surfaces of the relative change of the force gives the band "
+        f"{_from_to(pooled)}."
     )
 
 
@@ -95,11 +111,8 @@ def _text(edges: xr.Dataset, side: str) -> str:
 
 def _from_to(edges: xr.Dataset) -> str:
     """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
-    clauses = []
-    for side in SIDES:
-        edge, _, reason = _text(edges, side).partition(": ")
-        clauses.append(f"{edge} ({reason})" if reason else edge)
-    return f"from {clauses[0]} to {clauses[1]}"
+    first, last = (OPEN_TEXT.sub(r"\1\3 (\2)", _text(edges, side)) for side in SIDES)
+    return f"from {first} to {last}"
 
 
 def printed_force(force: xr.Dataset) -> str:
@@ -131,12 +144,10 @@ def force_sentences(label: str, force: xr.Dataset) -> str:
         Plain text.
     """
     here = at_range(force)
-    note = str(force["interval_note"].item())
+    certainty = str(force["interval_note"].item())
     if np.isfinite(here["force_interval"]).all():
-        interval = f"brackets: {print_share(force.attrs['confidence'])} interval of the mean"
-        certainty = f"{interval}, {note}" if note else interval
-    else:
-        certainty = note or "no interval can be given"
+        share = print_share(force.attrs["confidence"])
+        certainty = f"brackets: {share} interval of the mean, {certainty}"
     least, most = here["force_quantile"].isel(quantile=[0, -1]).values
     share = print_share(float(np.ptp(here["quantile"].values)))
     model = str(here["contact_model"].item())
@@ -154,39 +165,33 @@ def fit_sentences(fit: xr.Dataset) -> str:
     Parameters
     ----------
     fit : xarray.Dataset
-        Part of fit.nc of one contact model, as `fit_curve.draw` takes it, with `rho` (nm), and
-        `measured_force` in N, `measured_count` and `label` (surface).
+        Part of fit.nc of one contact model: `measured_force` in N with its interval, `tests`,
+        `label` and `interval_note` (surface), `work_of_adhesion` (surface, rho), `fit_text`.
 
     Returns
     -------
     str
         Plain text.
     """
+    surfaces = [fit.sel(surface=surface) for surface in fit["surface"].values]
     forces = ", ".join(
-        f"{print_quantity(mean, 'N')} on {label} (mean of {count:.0f})"
-        for mean, label, count in zip(
-            *(fit[name].values for name in ("measured_force", "label", "measured_count")),
-            strict=True,
-        )
+        f"{print_bounded(one, 'measured_force', 'N')} on {one['label'].item()} "
+        f"({one['interval_note'].item()})"
+        for one in surfaces
     )
-    measured = f"Measured: {forces}. "
-    interval = f"{print_share(fit.attrs['confidence'])} intervals over tests and scans"
-    if is_curve(fit):
-        first, last = (fit.isel(rho=place) for place in (0, -1))
-        return (
-            f"{measured}One mean force cannot fix both range and work of adhesion: the work that "
-            f"fits runs from {_work_at_range(first)} to {_work_at_range(last)} "
-            f"(brackets: {interval})."
-        )
-    return (
-        f"{measured}They fit best at a range of adhesion of "
-        f"{print_bounded(fit, 'range_of_adhesion', 'nm')} and a work of adhesion of "
-        f"{print_bounded(fit, 'work_of_adhesion', 'J m-2')} (brackets: {interval}), with a mean "
-        f"relative error of {fit['best_error'].item():.2g}."
-    )
+    text = f"Measured: {forces}. {_capital(str(fit['fit_text'].item()))}."
+    if len(surfaces) == 1:
+        first, last = (_work_at_range(surfaces[0].isel(rho=place)) for place in (0, -1))
+        text += f" It runs from {first} to {last}."
+    return f"{text} Brackets: {print_share(fit.attrs['confidence'])} intervals."
 
 
 def _work_at_range(fit: xr.Dataset) -> str:
     """Return the work of adhesion that fits at one range, as printed."""
     work = print_bounded(fit, "work_of_adhesion", "J m-2")
     return f"{work} at a range of {print_length(fit['rho'].item())}"
+
+
+def _capital(text: str) -> str:
+    """Return a text that begins with a capital letter."""
+    return text[:1].upper() + text[1:]

@@ -21,13 +21,15 @@ ALL_SCALES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 MEASUREMENTS = ("scan", "kind", "size, pixel", "reliable", "ends at", "tip radius", "notes")
 
 
-def roughness_table(topography: xr.Dataset) -> str:
+def roughness_table(topography: xr.Dataset, labels: Mapping[str, str]) -> str:
     """Return the rms numbers of every scan and over all scales, in HTML.
 
     Parameters
     ----------
     topography : xarray.Dataset
         As topography.nc.
+    labels : mapping of str to str
+        Printed name of each surface.
 
     Returns
     -------
@@ -35,15 +37,14 @@ def roughness_table(topography: xr.Dataset) -> str:
         HTML.
     """
     rows = []
-    for surface in topography["surface"].values:
+    for surface, label in labels.items():
         of_surface = topography.sel(surface=surface)
-        label = str(of_surface["label"].item())
         grid = ", ".join(print_length(of_surface[f"{of}_size"].item()) for of in ("scan", "pixel"))
         for scan in of_surface["scan"].values[np.isfinite(of_surface["rms_height"].values)]:
             values = (of_surface[name].sel(scan=scan).item() for name in METRICS)
             rows.append([f"{label}, {scan}", grid, *map(_digits, values)])
         joined = (_digits(of_surface[f"all_scales_{name}"].item()) for name in ALL_SCALES)
-        rows.append([f"{label}, joined spectrum", "all, with artificial", *joined, "", ""])
+        rows.append([f"{label}, joined spectrum", "all scales, partly artificial", *joined, "", ""])
     note = (
         "Slope: rms gradient of the surface; curvature: half its rms Laplacian. Both grow as the "
         "pixels shrink, so they belong to the pixel size beside them."
@@ -83,11 +84,12 @@ def _measurement(one: xr.Dataset) -> list[str]:
         for name in ("size", "pixel_size", "shortest_reliable", "longest_reliable")
     }
     reasons = [str(one[f"{end}_reason"].item()) for end in ("shortest", "longest")]
+    reliable = f"{lengths['shortest_reliable']} to {lengths['longest_reliable']}"
     tip = one["tip_radius"].item()
     return [
         str(one["kind"].item()),
         f"{lengths['size']}, {lengths['pixel_size']}",
-        f"{lengths['shortest_reliable']} to {lengths['longest_reliable']}",
+        reliable if (one["reliable"] == 1).any() else "nowhere",
         "; ".join(reasons),
         print_length(tip) if np.isfinite(tip) else "not known",
         str(one["notes"].item()),

@@ -7,7 +7,6 @@ from contextlib import ExitStack
 import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.transforms import Bbox
 
 from hardcontact import published
 from hardcontact.figures import style
@@ -62,7 +61,7 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
     outputs : mapping of str to str
         Paths of the "pdf", "png" and "csv".
     """
-    _freeze_layout(figure)
+    style.freeze_layout(figure)
     with ExitStack() as stack:
         pdf, png, csv = (
             stack.enter_context(whole_file(outputs[kind])) for kind in ("pdf", "png", "csv")
@@ -74,15 +73,3 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
         figure.savefig(
             pdf, format="pdf", dpi=RESOLUTION, metadata={"Title": title, "CreationDate": None}
         )
-
-
-def _freeze_layout(figure: Figure) -> None:
-    """Lay the figure out once and keep the positions to a millionth of its size.
-
-    Beyond that the solver's digits differ from run to run, and with them the bytes of the PDF.
-    """
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
-    for axes in figure.axes:
-        bounds = axes.get_position(original=True).bounds
-        axes.set_position(Bbox.from_bounds(*(round(bound, 6) for bound in bounds)))

@@ -15,6 +15,7 @@ from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.transforms import Bbox
 
 __all__ = [
     "FOOTER",
@@ -24,6 +25,7 @@ __all__ = [
     "colours",
     "create",
     "draw_over_range",
+    "freeze_layout",
     "label_logarithmic",
     "label_panel",
     "legend_entries",
@@ -90,6 +92,18 @@ def create(height: float) -> Figure:
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
     return Figure(figsize=(WIDTH, height), layout=layout)
+
+
+def freeze_layout(figure: Figure) -> None:
+    """Lay the figure out once and keep the positions to a millionth of its size.
+
+    Beyond that the solver's digits differ from run to run, and with them the bytes of the file.
+    """
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    for axes in figure.axes:
+        bounds = axes.get_position(original=True).bounds
+        axes.set_position(Bbox.from_bounds(*(round(bound, 6) for bound in bounds)))
 
 
 def label_panel(axes: Axes, letter: str, title: str = "") -> None:

@@ -56,7 +56,11 @@ class Files(SingleFiles):
         super().__init__(configuration, selection, patterns)
         self._configuration = configuration
         self.realizations = range(1, configuration["scales"]["realizations"] + 1)
-        self.variants: list[Variant] = variants(configuration, selection)
+
+    @cached_property
+    def variants(self) -> list[Variant]:
+        """The variants of robustness, the study itself first."""
+        return variants(self._configuration, self._selection)
 
     # Topography
 

@@ -30,6 +30,16 @@ LIST_ERRORS = (
 #: its channel chosen and its heights scaled.
 DATA_FILES = ("original", "squeezed-netcdf")
 OF_ORIGINAL = {"data_source", "height_scale"}
+#: What else is used of a scan, by kind. Anything but these is refused unread: written out, the
+#: aliases of a short list make texts without end.
+KINDS: dict[str, type | tuple[type, ...]] = {
+    "size": list,
+    "unit": str,
+    "height_scale": (int, float),
+    "data_source": int,
+    "description": str,
+    "instrument": dict,
+}
 
 
 class _ListLoader(yaml.SafeLoader):
@@ -84,7 +94,7 @@ def members(container: zipfile.ZipFile) -> list[dict[str, Any]]:
     text = container.read(name)
     try:
         surfaces = LISTS[name](text)["surfaces"]
-        return [_named(entry) for surface in surfaces for entry in surface["topographies"]]
+        return [_member(entry) for surface in surfaces for entry in surface["topographies"]]
     except LIST_ERRORS as error:
         raise RefusedScan(
             f"expected {name} that lists surfaces, their topographies and the data file of "
@@ -92,9 +102,14 @@ def members(container: zipfile.ZipFile) -> list[dict[str, Any]]:
         ) from None
 
 
-def _named(entry: dict[str, Any]) -> dict[str, Any]:
+def _member(entry: dict[str, Any]) -> dict[str, Any]:
     """Return what is said of a scan, with its name, or that of its data file if it has none."""
     file, name = data_file(entry), entry.get("name")
+    for key, kind in KINDS.items():
+        if entry.get(key) is not None and not isinstance(entry[key], kind):
+            raise TypeError(f"the {key} of {file} is of another kind")
+    if not all(isinstance(length, int | float) for length in entry.get("size") or ()):
+        raise TypeError(f"the size of {file} is no list of numbers")
     processed = set() if file == entry["datafile"].get("original") else OF_ORIGINAL
     named = {key: value for key, value in entry.items() if key not in processed}
     return named | {"name": name if name and isinstance(name, str) else file}

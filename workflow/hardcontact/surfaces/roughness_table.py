@@ -173,18 +173,10 @@ def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) 
 
 def _sphere_as_scanned(examples: Mapping[str, xr.Dataset]) -> xr.Dataset:
     """Return the scan of the sphere with its shape, for pictures; nothing of a smooth sphere."""
+    scanned = [example["as_scanned"] for example in examples.values() if "as_scanned" in example]
     pixels = min(len(example["x"]) for example in examples.values())
-    return xr.Dataset(
-        {
-            "sphere_as_scanned": (
-                ("row", "column"),
-                _thinned(example["as_scanned"].values, pixels),
-                {"units": "nm"},
-            )
-            for example in examples.values()
-            if "as_scanned" in example
-        }
-    )
+    maps = [(("row", "column"), _thinned(one.values, pixels), {"units": "nm"}) for one in scanned]
+    return xr.Dataset(dict(zip(["sphere_as_scanned"], maps, strict=False)))
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:

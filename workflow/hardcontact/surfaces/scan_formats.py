@@ -141,6 +141,8 @@ def _height_channel(source: _Source) -> tuple[Any, list[str]]:
     voltages are channels of heights too, with a pair of units: of pixels and of values.
     """
     channels = source.reader.channels
+    if not channels:
+        raise RefusedScan("expected a file with heights, found no channel of them")
     number = source.entry.get("data_source")
     known = number in range(len(channels))
     wanted = channels[number] if known else source.reader.default_channel
@@ -158,9 +160,10 @@ def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
     Metadata of a container count only if its data file has none: its height scale would calibrate
     a calibrated file twice.
     """
-    size = tuple(entry.get("size") or ()) or None
+    has_positions = channel.dim == 1 and channel.is_uniform is False
+    size = None if has_positions else tuple(entry.get("size") or ()) or None
     check_points(channel.nb_grid_pts)
-    if channel.physical_sizes is None and size is None:
+    if channel.physical_sizes is None and size is None and not has_positions:
         raise RefusedScan(
             "expected a file that states the physical size of the scan, found none: "
             "the file is damaged, or its format has none"

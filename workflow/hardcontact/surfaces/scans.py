@@ -14,6 +14,7 @@ import sys
 import tempfile
 import warnings
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import IO, Any
 
@@ -22,7 +23,14 @@ import numpy as np
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measurement import Measurement
 
-__all__ = ["described", "height_map", "list_measurements", "read_measurement", "read_scan"]
+__all__ = [
+    "described",
+    "flattened",
+    "height_map",
+    "list_measurements",
+    "read_measurement",
+    "read_scan",
+]
 
 #: What reading one scan may take: bytes beyond those of this process, and seconds of computing.
 MEMORY_LIMIT = 4 * 2**30
@@ -96,6 +104,13 @@ def height_map(measurement: Measurement, basis: str) -> HeightMap:
     if measurement.kind != "map":
         raise ValueError(f"{measurement.path}: expected a height map, found a line scan")
     return HeightMap(measurement.heights, measurement.pixel_size, False, basis)
+
+
+def flattened(measurement: Measurement, flat: Callable[[HeightMap], HeightMap]) -> Measurement:
+    """Return a measured map as `flat` makes it of a height map; a line scan stays as it is."""
+    if measurement.kind != "map":
+        return measurement
+    return replace(measurement, heights=flat(height_map(measurement, "measured")).heights)
 
 
 def described(measurement: Measurement) -> dict[str, str]:

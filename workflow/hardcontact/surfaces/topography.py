@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 
 __all__ = [
     "DEFINITIONS",
+    "LEVELLING",
     "METRICS",
+    "flat_map",
     "level",
     "level_lines",
     "library_map",
@@ -103,6 +105,21 @@ def subtract_sphere(
     return levelled(replace(scan, heights=scan.heights + (y[:, None] ** 2 + x**2) / (2 * radius)))
 
 
+#: Ways to level a scan, by their names in the configuration.
+LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {"plane": level, "lines": level_lines}
+
+
+def flat_map(
+    scan: HeightMap,
+    sphere_radius: float | None = None,
+    levelled: Callable[[HeightMap], HeightMap] = level,
+) -> HeightMap:
+    """Return a scan levelled, the sphere of this radius (nm) subtracted unless it is None."""
+    if sphere_radius is None:
+        return levelled(scan)
+    return subtract_sphere(scan, sphere_radius, levelled)
+
+
 def _centred(count: int) -> NDArray[np.float64]:
     return np.arange(count, dtype=float) - (count - 1) / 2
 
@@ -140,12 +157,9 @@ def prepared_scan(
     levelled, stitched : Arrays
         That of the sphere also keeps the scan as it was read, in the variable `as_scanned`.
     """
-    if sphere_radius is None:
-        flat = levelled(scan)
-        stored = flat.arrays()
-    else:
-        flat = subtract_sphere(scan, sphere_radius, levelled)
-        stored = flat.arrays()
+    flat = flat_map(scan, sphere_radius, levelled)
+    stored = flat.arrays()
+    if sphere_radius is not None:
         attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
         stored.variables["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
     stitched = mirror_stitch(flat).arrays()

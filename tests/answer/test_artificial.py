@@ -1,0 +1,62 @@
+"""Artificial wavelengths: what no scan reaches, between scans too."""
+
+import numpy as np
+import pytest
+from answer_inputs import MEASUREMENTS, SURFACES, spectra
+from matplotlib.figure import Figure
+
+from hardcontact.answer.artificial import (
+    artificial_bands,
+    measurements,
+    reliable_measurements,
+    shade,
+    share_inside,
+)
+
+
+def of_first(data):
+    return data.sel(surface=SURFACES[0])
+
+
+def test_all_beyond_the_scans_is_artificial():
+    assert artificial_bands(of_first(spectra())) == [(0.0, 55.0), (25_000.0, np.inf)]
+
+
+def test_so_is_a_gap_between_them():
+    apart = {name: MEASUREMENTS[name] for name in ("fine.spm", "line.txt")}
+    assert artificial_bands(of_first(spectra(measured=apart))) == [
+        (0.0, 55.0), (320.0, 800.0), (25_000.0, np.inf),
+    ]  # fmt: skip
+
+
+def test_what_is_reliable_nowhere_closes_no_gap():
+    data = of_first(spectra())
+    coarse = data["path"].values == "scans/coarse.spm"
+    data["reliable"] = data["reliable"].where(~coarse[:, None], 0)
+    assert (320.0, 800.0) in artificial_bands(data)
+    assert reliable_measurements(data).sizes["measurement"] == len(MEASUREMENTS) - 1
+
+
+def test_padding_is_no_measurement():
+    of_second = spectra(2).sel(surface=SURFACES[1])
+    assert of_second.sizes["measurement"] == 3
+    assert measurements(of_second)["path"].values.tolist() == ["scans/fine.spm", "scans/coarse.spm"]
+    assert artificial_bands(of_second)[-1] == (5000.0, np.inf)
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "share"),
+    [(1, 5, 1), (5, 20, 0.5), (10, 20, 0), (10, 1000, 0.5), (50, 50, 0), (5, 5, 1), (500, 500, 1)],
+)
+def test_share_of_an_interval_is_one_of_its_logarithm(low, high, share):
+    bands = [(0.0, 10.0), (100.0, np.inf)]
+    assert share_inside(low, high, bands) == pytest.approx(share)
+
+
+def test_shades_end_with_the_axes():
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=(10, 1000))
+    shade(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
+    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
+    assert np.allclose(spans, [(10, 20), (500, 1000)])
+    assert axes.get_xlim() == (10, 1000)

@@ -1,0 +1,122 @@
+"""What limits an answer: each limit is named where it holds, and only there."""
+
+import numpy as np
+import pytest
+from answer_inputs import (
+    MEASUREMENTS,
+    SURFACES,
+    edges,
+    force,
+    open_edges,
+    spectra,
+    without_interval,
+)  # fmt: skip
+
+from hardcontact.answer.limits import artificial_edges, limits, measurement_name
+
+
+def of_first(data):
+    return data.sel(surface=SURFACES[0])
+
+
+def said(basis="measured", of_spectra=None, of_edges=None, of_force=None):
+    """All limits in one text."""
+    found = limits(
+        basis,
+        of_first(spectra() if of_spectra is None else of_spectra),
+        of_first(edges() if of_edges is None else of_edges),
+        of_first(force() if of_force is None else of_force),
+    )
+    assert len(set(found)) == len(found) and all(text.endswith(".") for text in found)
+    return " ".join(found)
+
+
+def with_edge(edge, low, high, side="small"):
+    data = edges()
+    at = {"side": side}
+    data["edge"].loc[at] = edge
+    data["edge_interval"].loc[{**at, "bound": "low"}] = low
+    data["edge_interval"].loc[{**at, "bound": "high"}] = high
+    return data
+
+
+def test_substitutes_are_named():
+    assert "substitute" in said("substitute") and "substitute" not in said()
+
+
+def test_open_edges_are_named_with_their_bound():
+    assert "The long edge of the band is open: at least 2.56 µm" in said(of_edges=open_edges())
+    assert "is open" not in said()
+
+
+@pytest.mark.parametrize(("bound", "words"), [("low", "shorter"), ("high", "longer")])
+def test_open_ends_of_intervals_are_named(bound, words):
+    data = edges()
+    status = data["interval_status"].astype(object)
+    status.loc[{"side": "small", "bound": bound}] = "open"
+    text = said(of_edges=data.assign(interval_status=status.astype(str)))
+    assert f"The short edge of the band may lie at {words} wavelengths" in text
+    assert text.count("may lie") == 1
+
+
+def test_edges_in_artificial_roughness_are_named():
+    assert "The short edge of the band lies at wavelengths where roughness is artificial" in said()
+    clear = said(of_edges=with_edge(100.0, 80.0, 130.0))
+    assert "artificial, as no scan" not in clear and "reaches into" not in clear
+    partly = said(of_edges=with_edge(70.0, 40.0, 90.0))
+    assert "The interval of the short edge of the band reaches into artificial roughness" in partly
+
+
+def test_an_open_bound_in_artificial_roughness_is_named():
+    data = open_edges()
+    data["edge_bound"].loc[{"side": "large"}] = 30_000.0
+    texts = artificial_edges(of_first(spectra()), of_first(data))
+    assert [text.startswith("The long edge") for text in texts] == [False, True]
+
+
+def test_edges_without_interval_are_judged_by_themselves():
+    clear = with_edge(100.0, np.nan, np.nan)
+    assert artificial_edges(of_first(spectra()), of_first(clear)) == []
+
+
+def test_finite_scans_have_their_number():
+    note = "the scan is 0.6 µm wide, contacts draw from 5 µm: forces may be 1.7 times too high."
+    text = said(of_force=force().assign(finite_scan_note=("surface", [note])))
+    assert note in text and note not in said()
+    assert said(of_force=force().assign(finite_scan_note=("surface", [""]))) == said()
+
+
+def test_intervals_of_few_scans_are_conditional():
+    assert "Intervals of the band: conditional on this scan" in said(of_edges=open_edges())
+    assert "conditional" not in said()
+    data = force().assign(conditional=("surface", [1]))
+    assert "Interval of the mean force: from 3 scans." in said(of_force=data)
+
+
+def test_a_force_without_interval_says_so():
+    assert "Interval of the mean force: no interval: every contact" in said(
+        of_force=without_interval(force())
+    )
+
+
+def test_ends_of_the_reliable_wavelengths_have_their_reason():
+    text, set_by = said(), "is artificial; this limit is set by"
+    assert f"Roughness below 55 nm {set_by}: tip of 10 nm (scans/fine.spm)." in text
+    assert f"Roughness above 25 µm {set_by}: size of the scan (scans/line.txt)." in text
+    noisy = {"coarse.spm": MEASUREMENTS["coarse.spm"]}
+    assert "noise floor below 160 nm" in said(of_spectra=spectra(measured=noisy))
+    assert "continued with H = 0.8" in text
+
+
+def test_unknown_tips_are_named_and_counted():
+    assert "scans/coarse.spm, scans/line.txt." in said()
+    many = {f"{n}.spm": MEASUREMENTS["coarse.spm"] for n in range(7)}
+    assert "scans/3.spm and 3 more." in said(of_spectra=spectra(measured=many))
+    sharp = {"fine.spm": MEASUREMENTS["fine.spm"]}
+    assert "blunt tip" not in said(of_spectra=spectra(measured=sharp))
+
+
+def test_measurements_of_containers_have_both_names():
+    data = of_first(spectra()).isel(measurement=0)
+    assert measurement_name(data) == "scans/fine.spm"
+    assert measurement_name(data.assign(dataset=((), "map-1"))) == "scans/fine.spm: map-1"

@@ -1,0 +1,164 @@
+"""The answer of the paper's study: its numbers are those of the claims and of the datasets."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from figure_inputs.scales import band
+from paper_study import answer, claims, datasets
+from refusals import assert_says
+
+from hardcontact.answer.paper_answer import ANSWERS, as_plain
+from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
+from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.verdicts import VERDICTS, summary
+
+#: How many sentences there are not without a number of the answer.
+LOST = {
+    "shortest_wavelength": 2,
+    "longest_wavelength": 2,
+    "range_of_adhesion": 1,
+    "work_of_adhesion": 1,
+    "fit_error": 1,
+}
+
+
+def said(of):
+    return " ".join(answer_sentences(of))
+
+
+def changed(name, **values):
+    """The claims with other values of one of them."""
+    table = claims()
+    for column, value in values.items():
+        table.loc[table["id"] == ANSWERS[name], column] = value
+    return table
+
+
+def with_critical(side, wavelength):
+    """A band whose edge of all substrates is at a wavelength."""
+    of_all = band()
+    of_all["critical_wavelength"].loc[{"side": side, "group": "pooled"}] = wavelength
+    return of_all
+
+
+def test_numbers_for_machines_are_those_of_the_claims():
+    plain = json.loads(json.dumps(as_plain(answer()), allow_nan=False))
+    table = claims()
+    assert [row["id"] for row in plain["claims"]] == list(table["id"])
+    for row, claim in zip(plain["claims"], table.to_dict("records"), strict=True):
+        for column, value in claim.items():
+            missing = isinstance(value, float) and math.isnan(value)
+            assert row[column] == (None if missing else value), (claim["id"], column)
+    assert {name: row["id"] for name, row in plain["answer"].items()} == ANSWERS
+    rows = {row["id"]: row for row in plain["claims"]}
+    for row in plain["answer"].values():
+        assert row == rows[row["id"]] | {"bound": None, "open_end": None}
+
+
+def test_counts_for_machines_are_those_of_the_summary():
+    counts = as_plain(answer())["verdicts"]
+    assert list(counts) == list(VERDICTS)
+    for row in summary(claims()).itertuples():
+        assert counts[row.verdict] == {"independent": row.independent, "claims": row.claims}
+
+
+def test_settings_for_machines_are_those_of_the_datasets():
+    assert as_plain(answer())["settings"] == {
+        "rho": 5.6, "tolerance": 0.1, "confidence": 0.9, "sets": 100, "realizations": 5,
+        "scan_pixels": 512, "scan_size": 2500.0, "contacts_per_side": 20,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ANSWERS.keys() - {"range_exceeds"})
+def test_the_answer_prints_the_number_computed(name):
+    rows = changed(name, computed=0.0377, low=0.0311, high=0.0433)
+    unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
+    printed = print_quantity(0.0377, unit, (0.0311, 0.0433), 2)
+    assert printed in said(answer(rows)) and printed not in said(answer())
+
+
+@pytest.mark.parametrize("name", ANSWERS.keys() - {"rigid_over_plastic_error"})
+def test_the_answer_prints_the_number_of_the_paper(name):
+    rows = changed(name, published=0.0721)
+    unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
+    assert print_quantity(0.0721, unit) in said(answer(rows))
+
+
+def test_the_answer_says_in_how_many_sets_the_range_is_large():
+    assert "37 % of 100 equally good sets" in said(answer(changed("range_exceeds", frequency=0.37)))
+    assert "sets" not in said(answer(changed("range_exceeds", frequency=np.nan)))
+
+
+def test_the_answer_counts_independent_findings():
+    counts = summary(claims()).set_index("verdict")["independent"]
+    last = answer_sentences(answer())[-1]
+    assert_says(last, f"Of {counts.sum()} independent", f"{counts['undecided']} undecided")
+    reproduced = answer(claims().assign(verdict="reproduced"))
+    assert "undecided" not in said(reproduced)
+
+
+@pytest.mark.parametrize(
+    ("side", "name", "bound"),
+    [
+        ("small", "shortest_wavelength", "at least"),
+        ("large", "longest_wavelength", "at most"),
+    ],
+)
+def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
+    rows = changed(name, computed=432.0, low=321.0, high=432.0)
+    beyond = answer(rows, band=with_critical(side, np.nan))
+    assert f"{bound} 430 nm" in said(beyond) and "[320" not in said(beyond)
+    assert as_plain(beyond)["answer"][name]["bound"] == bound
+    assert "at least" not in said(answer(rows)) and "at most" not in said(answer(rows))
+
+
+@pytest.mark.parametrize(
+    ("name", "end", "last", "inside"),
+    [
+        ("shortest_wavelength", "high", 250.0, 249.0),  # of the band
+        ("shortest_wavelength", "high", 120.0, 500.0),  # of the sets, whose cutoffs are fewer
+        ("longest_wavelength", "low", 500.0, 501.0),
+        ("longest_wavelength", "low", 800.0, 250.0),
+    ],
+)
+def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
+    sets = datasets()["sets"]
+    fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
+    at_end = answer(changed(name, **{end: last}), sets=fewer)
+    assert f"its {end} end is the last cutoff" in said(at_end)
+    assert as_plain(at_end)["answer"][name]["open_end"] == end
+    assert "open" not in said(answer(changed(name, **{end: inside}), sets=fewer))
+
+
+@pytest.mark.parametrize("name", ANSWERS)
+def test_a_sentence_without_its_number_is_left_out(name):
+    for rows in (claims()[claims()["id"] != ANSWERS[name]], changed(name, computed=np.nan)):
+        text = said(answer(rows))
+        assert "nan" not in text and "  " not in text
+        assert name not in as_plain(answer(rows))["answer"]
+        lost = LOST.get(name, 0)
+        assert len(answer_sentences(answer(rows))) == len(answer_sentences(answer())) - lost
+
+
+def test_substitutes_are_named_and_only_they():
+    topography = datasets()["topography"]
+    one = ["measured", "substitute", "measured", "measured", "measured"]
+    some = basis_sentences(answer(topography=topography.assign(basis=("surface", one))))[0]
+    assert "Substitute surfaces: UNCD." in some
+    measured = topography.assign(basis=("surface", ["measured"] * 5))
+    assert basis_sentences(answer(topography=measured))[0] == "All surfaces are measured."
+
+
+def test_grids_coarser_than_the_papers_are_said_to_be():
+    assert "coarser" not in " ".join(basis_sentences(answer()))
+    for coarse in (datasets(contacts=6), datasets(pixels=128)):
+        assert_says(
+            " ".join(basis_sentences(answer(**coarse))),
+            "coarser", "512 x 512 pixels over 2.5 µm, 20 x 20 contacts",
+        )  # fmt: skip
+
+
+def test_intervals_are_named_by_their_confidence():
+    assert_says(basis_sentences(answer())[-1], "90 %", "100 equally good sets")

@@ -1,0 +1,47 @@
+"""Numbers with units as they are printed."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from intervals import between_multiples
+
+from hardcontact.answer.quantities import best_unit, print_bounded, print_length, print_quantity
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "printed"),
+    [
+        (37.04, "nm", "37 nm"),
+        (0.3, "nm", "0.3 nm"),
+        (999.4, "nm", "999 nm"),
+        (999.9, "nm", "1 µm"),
+        (1736.0, "nm", "1.74 µm"),
+        (2.5e6, "nm", "2.5 mm"),
+        (6.4e-7, "N", "640 nN"),
+        (1.28e-6, "N", "1.28 µN"),
+        (3e-13, "N", "0.3 pN"),
+        (0.0463, "J m-2", "46.3 mJ/m²"),
+        (1.2, "J m-2", "1.2 J/m²"),
+    ],
+)
+def test_quantities_have_three_digits_and_the_fitting_unit(value, unit, printed):
+    assert print_quantity(value, unit) == printed
+
+
+def test_an_interval_has_the_unit_of_its_value():
+    assert print_quantity(900.0, "nm", 450.0, 1800.0) == "900 nm [450, 1800]"
+
+
+@pytest.mark.parametrize("ends", [(np.nan, 3.0), (3.0, np.nan), (np.nan, np.nan), (3.0, np.inf)])
+def test_an_interval_without_an_end_is_none(ends):
+    assert print_quantity(3.0, "nm", *ends) == "3 nm"
+
+
+def test_variables_are_printed_with_their_interval():
+    data = xr.Dataset(between_multiples("force", (), 2e-6, (0.5, 2), 0.95))
+    assert print_bounded(data, "force", "N") == "2 µN [1, 4]"
+
+
+def test_units_have_their_size_in_that_of_the_dataset():
+    assert best_unit(2500.0, "nm") == ("µm", 1000.0)
+    assert print_length(0.0) == "0 nm"

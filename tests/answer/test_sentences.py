@@ -1,0 +1,114 @@
+"""The answer in words: every number with its unit, open edges as words, no invented interval."""
+
+import numpy as np
+import pytest
+from answer_inputs import SURFACES, edges, fit, force, open_edges, without_interval
+from refusals import assert_says
+
+from hardcontact.answer import fit_curve
+from hardcontact.answer.sentences import (
+    band_sentences,
+    fit_sentences,
+    force_sentences,
+    is_open,
+    one_sentence,
+    pooled_sentence,
+)
+
+
+def of_first(data):
+    return data.sel(surface=SURFACES[0])
+
+
+def with_text(text, side="large"):
+    data = of_first(open_edges())
+    texts = data["edge_text"].astype(object)
+    texts.loc[{"side": side}] = text
+    return data.assign(edge_text=texts.astype(str))
+
+
+def test_one_sentence_holds_band_force_range_and_work():
+    assert one_sentence("my coating", of_first(edges()), of_first(force())) == (
+        "How my coating sticks is decided by roughness with wavelengths from 37 nm [29.6, 46.2] to "
+        "1.7 µm [1.36, 2.12]; its predicted pull-off force is 640 nN [512, 800] at a range of "
+        "adhesion of 5.6 nm and a work of adhesion of 46.3 mJ/m²."
+    )
+
+
+@pytest.mark.parametrize(
+    ("text", "clause"),
+    [
+        ("at least 5 µm: the scans end here", "at least 5 µm (the scans end here)"),
+        ("at least 5 µm: the scans end here [1.2, open]",
+         "at least 5 µm [1.2, open] (the scans end here)"),
+        ("at most 5 nm: no shorter cutoff was computed, no interval",
+         "at most 5 nm, no interval (no shorter cutoff was computed)"),
+        ("1.7 µm, no interval", "1.7 µm, no interval"),
+    ],
+)  # fmt: skip
+def test_an_open_edge_says_why_within_the_sentence(text, clause):
+    sentence = one_sentence("x", with_text(text), of_first(force()))
+    assert f"from 37 nm [29.6, 46.2] to {clause}; its predicted" in sentence
+
+
+def test_a_band_says_which_end_is_open():
+    data = of_first(open_edges())
+    assert is_open(data, "large") and not is_open(data, "small")
+    text = band_sentences("my coating", data)
+    assert_says(text, "The longest of these wavelengths is open, not found: at least 2.56 µm")
+    assert "shortest" not in text and "conditional on this scan" in text
+    assert "changes by less than 10 %" not in text  # which nobody has computed
+
+
+def test_a_band_that_is_found_says_what_it_means():
+    text = band_sentences("my coating", of_first(edges()))
+    assert_says(text, "changes by less than 10 %", "95 % intervals, from 3 scans.")
+    assert "open" not in text
+
+
+def test_force_has_its_spread_and_where_its_interval_comes_from():
+    text = force_sentences("my coating", of_first(force()))
+    assert_says(
+        text, "640 nN [512, 800] at a range of adhesion of 5.6 nm", "plastic contact",
+        "95 % interval of the mean, from 3 scans", "90 % of them", "256 nN and 1.15 µN",
+    )  # fmt: skip
+
+
+def test_force_without_interval_says_why():
+    text = force_sentences("x", of_first(without_interval(force())))
+    assert_says(text, "is 640 nN at a range", "(no interval: every contact feels all of this scan)")
+    assert "[" not in text and "nan" not in text
+
+
+def test_a_band_without_interval_says_why():
+    data = of_first(edges())
+    data["scale_ratio_interval"] = data["scale_ratio_interval"] * np.nan
+    text = band_sentences("x", data.assign(interval_note="no interval: a single quarter"))
+    assert text.endswith(" No interval: a single quarter.") and "95 %" not in text
+
+
+def test_one_force_gives_the_work_at_each_range():
+    text = fit_sentences(fit_curve.of_answer(fit()))
+    assert_says(
+        text, "Measured: 640 nN [576, 704] on my coating (40 tests; scans: from 3 scans)",
+        "One mean force: every range", "19.6 mJ/m² [15.7, 24.5] at a range of 1 nm",
+        "73.2 mJ/m² [58.6, 91.5] at a range of 14 nm", "95 % intervals",
+    )  # fmt: skip
+    assert "published" not in text.lower()
+
+
+def test_several_forces_give_range_and_work():
+    text = fit_sentences(fit_curve.of_answer(fit(2)))
+    assert_says(text, "1.3 µN [1.17, 1.43] on twin", "Range 5.6 nm, work 46 mJ/m²", "region:")
+    assert "It runs" not in text
+
+
+def test_a_fit_without_intervals_has_none():
+    data = fit_curve.of_answer(fit())
+    for name in ("measured_force", "work_of_adhesion"):
+        data[f"{name}_interval"] = data[f"{name}_interval"] * np.nan
+    assert "[" not in fit_sentences(data)
+
+
+def test_pooled_band_is_in_words():
+    assert_says(pooled_sentence(edges(2)), "from 45 nm [36, 56.2] to 1.5 µm [1.2, 1.88]")

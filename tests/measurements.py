@@ -1,0 +1,49 @@
+"""Measurements as a reader hands them over: maps and line scans of known surfaces."""
+
+from functools import cache
+
+import numpy as np
+from random_scans import uncd
+
+from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.synthesis import random_surface
+
+
+def measurement(heights, pixel_size, tip_radius=None, path="a.spm"):
+    """A map or a line scan, by the dimensions of its heights in nm."""
+    kind = "map" if heights.ndim == 2 else "profile"
+    return Measurement(path, "", "Height", "nm", kind, heights, pixel_size, tip_radius, (), 0)
+
+
+def map_of(rng, pixels, pixel_size, density=uncd, **stated):
+    """A map, cut out of a random surface of twice its size."""
+    surface = random_surface(rng, 2 * pixels, pixel_size, density)
+    return measurement(surface.heights[:pixels, :pixels].astype(float), pixel_size, **stated)
+
+
+def line_of(rng, points, spacing, density=uncd, **stated):
+    """A line scan of a surface that has waves below and above what the scan resolves.
+
+    A sum of waves of random phases on a profile of four times the length, with the C_1D of the
+    surface.
+    """
+    count, length = 4 * points, 4 * points * spacing
+    profile = periodic_profile(density, count, spacing)
+    amplitudes = rng.normal(size=(2, len(profile))) / np.sqrt(2)
+    waves = (amplitudes[0] + 1j * amplitudes[1]) * np.sqrt(profile * length) / spacing
+    orders = np.append(0, waves)
+    return measurement(np.fft.irfft(orders, count)[:points], spacing, **stated)
+
+
+@cache
+def periodic_profile(density, count, spacing):
+    """C_1D in nm³ at the wavevectors of a periodic profile, without zero."""
+    return profile_of(density, 2 * np.pi * np.fft.rfftfreq(count, spacing)[1:])
+
+
+def profile_of(density, wavevector):
+    """C_1D in nm³ by numerical integration of (1/pi) ∫ C_iso dq_y."""
+    ratio = np.logspace(-5, 4, 1001)
+    across = wavevector[:, None] * ratio
+    values = density(np.hypot(wavevector[:, None], across)) * across
+    return np.trapezoid(values, np.log(ratio), axis=1) / np.pi

@@ -1,0 +1,165 @@
+"""Spectra joined of several measurements of one surface, and stacked over surfaces."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from measurements import line_of, map_of, measurement
+from random_scans import uncd
+from refusals import assert_says, refusal
+
+from hardcontact.random import generator
+from hardcontact.records import dataset
+from hardcontact.surfaces.joined_spectrum import joined_spectrum, stacked_spectra
+from hardcontact.surfaces.measured_spectrum import bias_of_log, independent_waves, measured_psd
+from hardcontact.surfaces.reliable_band import reliable_band
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import WAVEVECTORS, read_spectrum
+
+
+def gentle(q):
+    return 0.05 * uncd(q)
+
+
+def two_sizes_and_a_line(seed):
+    """A map of 10 µm, one of 1 µm and a line of 40 µm of one surface."""
+    return [
+        map_of(generator(seed, 0), 256, 40.0, gentle, path="large.spm"),
+        map_of(generator(seed, 1), 256, 4.0, gentle, path="small.spm"),
+        line_of(generator(seed, 2), 2000, 20.0, gentle, path="line.txt"),
+    ]
+
+
+def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scatter():
+    errors = []
+    for seed in range(8):
+        joined = joined_spectrum(two_sizes_and_a_line(seed), [None] * 3)
+        wavevector = joined["bin_wavevector"].values
+        errors.append(np.log(joined["joined"].values / gentle(wavevector)))
+    errors = np.array(errors)
+    wavelength = 2 * np.pi / wavevector
+    seen = (wavelength > 16) & (wavelength < 40_000 / 3)
+    known = np.isfinite(errors[:, seen])
+    assert known.mean() > 0.95
+    # The line alone reaches beyond 3 µm, with one wave in a bin, whose logarithm scatters by 1.3.
+    assert np.abs(np.nanmean(errors[:, wavelength > 3000])) < 0.4
+    few, many = ((wavelength > a) & (wavelength < b) for a, b in ((1300, 3000), (16, 1300)))
+    assert np.sqrt(np.nanmean(errors[:, few] ** 2)) < 0.45
+    assert np.sqrt(np.nanmean(errors[:, many] ** 2)) < 0.15
+    assert np.abs(np.nanmean(errors[:, many], axis=0)).max() < 0.15
+    assert not np.isfinite(errors[:, (wavelength < 15) | (wavelength > 14_000)]).any()
+
+
+def test_the_joined_spectrum_is_the_table_that_masters_are_made_with(tmp_path):
+    joined = joined_spectrum(two_sizes_and_a_line(9), [None] * 3)
+    dataset.write(joined, tmp_path / "a.nc")
+    spectrum = read_spectrum(str(tmp_path / "a.nc"))
+    np.testing.assert_array_equal(spectrum.wavevector, WAVEVECTORS)
+    known = np.isfinite(joined["joined"].values)
+    wavevector = joined["bin_wavevector"].values[known]
+    np.testing.assert_allclose(spectrum(wavevector), joined["joined"].values[known], rtol=1e-6)
+    assert joined.attrs["basis"] == "measured" and joined.attrs["calibrated_to_table1"] == ""
+    assert joined.attrs["shortest_measured"] == 16 and joined.attrs["longest_measured"] == (
+        pytest.approx(40_000 / 3)
+    )
+    assert "H = 0.8" in joined.attrs["tail_note"] or "H = 0.7" in joined.attrs["tail_note"]
+
+
+def test_only_what_is_reliable_is_joined():
+    scans = two_sizes_and_a_line(10)
+    noise = generator(11).normal(0, 10.0, scans[0].heights.shape)
+    scans[0] = measurement(scans[0].heights + noise, scans[0].pixel_size)
+    joined = joined_spectrum(scans, [None] * 3)
+    wavelength = 2 * np.pi / joined["bin_wavevector"].values
+    for place, scan in enumerate(scans):
+        band, one = reliable_band(scan, None), joined.isel(measurement=place)
+        within = (wavelength >= band.shortest) & (wavelength <= band.longest)
+        np.testing.assert_array_equal(one["reliable"] == 1, within & np.isfinite(one["psd"]))
+        np.testing.assert_array_equal(one["psd"], measured_psd(scan)[1])
+        assert (one["shortest_reliable"], one["longest_reliable"]) == (band.shortest, band.longest)
+        assert one["shortest_reason"].item() == band.shortest_reason
+    assert "noise floor" in joined["shortest_reason"].values[0]
+    mean = joined["joined"].values
+    single = (joined["reliable"].values.sum(axis=0) == 1) & (joined["reliable"].values[1] == 1)
+    unbiased = np.exp(bias_of_log(independent_waves(scans[1])[single]))
+    expected = joined["psd"].values[1, single] * unbiased
+    np.testing.assert_allclose(mean[single], expected, rtol=1e-12)
+
+
+def test_a_mean_lies_between_and_nearer_to_the_measurement_of_more_waves():
+    large, _, line = two_sizes_and_a_line(12)
+    joined = joined_spectrum([large, line], [None, None])
+    both = joined["reliable"].values.all(axis=0) & (independent_waves(line) > 8)
+    assert both.sum() > 5
+    logs, mean = np.log(joined["psd"].values[:, both]), np.log(joined["joined"].values[both])
+    error = np.abs(mean - logs)
+    assert (error.sum(axis=0) < np.abs(logs[0] - logs[1]) + 0.14).all()
+    assert np.median(error[0] / error[1]) < 0.7
+
+
+def test_a_noise_floor_is_not_continued():
+    def self_affine(q):
+        return smooth_rolloff(q, 1e10, 10_000.0, 0.8)
+
+    scan = map_of(generator(13), 256, 10.0, self_affine)
+    noisy = measurement(scan.heights + generator(14).normal(0, 3.0, scan.heights.shape), 10.0)
+    joined = joined_spectrum([noisy], [None])
+    wavevector, density = measured_psd(noisy)
+    short = (2 * np.pi / wavevector < 40) & np.isfinite(density)
+    assert (density[short] / self_affine(wavevector[short]) > 2).all()
+    assert "noise floor" in joined["shortest_reason"].values[0]
+    shorter = (2 * np.pi / WAVEVECTORS < 50) & (2 * np.pi / WAVEVECTORS > 1)
+    ratio = joined["spectrum"].values[shorter] / self_affine(WAVEVECTORS[shorter])
+    assert (np.abs(np.log(ratio)) < 1.2).all()
+
+
+def test_the_radius_given_counts_before_that_of_the_file():
+    scan = map_of(generator(15), 128, 5.0, tip_radius=20.0)
+    radii = [joined_spectrum([scan], [given])["tip_radius"].item() for given in (None, 8.0)]
+    assert radii == [20.0, 8.0]
+    unknown = joined_spectrum([replace(scan, tip_radius=None)], [None])
+    assert np.isnan(unknown["tip_radius"].item())
+
+
+def test_wavelengths_between_two_bands_are_said_to_be_interpolated():
+    large, small, _ = two_sizes_and_a_line(16)
+    tiny = replace(small, heights=small.heights[:96, :96])
+    joined = joined_spectrum([large, tiny], [None, None])
+    assert "between 128 and 160 nm interpolated" in joined.attrs["tail_note"]
+    assert "between" not in joined_spectrum([large, small], [None, None]).attrs["tail_note"]
+
+
+def test_measurements_that_show_nothing_reliable_are_refused_in_one_line():
+    noise = measurement(generator(17).normal(size=(64, 64)), 10.0, path="noise.spm")
+    message = refusal(joined_spectrum, [noise], [None])
+    assert_says(message, "expected", "at least 3", "found 0", "noise.spm", "noise floor")
+
+
+def test_a_measurement_without_reliable_bins_does_not_set_the_limits():
+    noise = measurement(generator(18).normal(size=(64, 64)), 1.0)
+    scan = map_of(generator(18), 128, 10.0, gentle)
+    joined = joined_spectrum([noise, scan], [None, None])
+    assert joined.attrs["shortest_measured"] == 40
+    assert joined["reliable"].values[0].sum() == 0
+
+
+def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
+    one = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
+    other = joined_spectrum([map_of(generator(20), 128, 10.0)], [None])
+    labels = {"rough": "Rough", "coat": "My coat"}
+    dataset.write(stacked_spectra({"rough": other, "coat": one}, labels), tmp_path / "a.nc")
+    stacked = dataset.read(tmp_path / "a.nc")
+    assert list(stacked["surface"].values) == ["rough", "coat"]
+    assert list(stacked["label"].values) == ["Rough", "My coat"]
+    assert stacked["reliable"].dtype.kind == "i" and stacked["reliable"].values[0, 1:].sum() == 0
+    assert list(stacked["kind"].values[0]) == ["map", "", ""]
+    assert list(stacked["path"].values[1]) == ["large.spm", "small.spm", "line.txt"]
+    assert np.isnan(stacked["psd"].values[0, 1:]).all()
+    assert np.isnan(stacked["size"].values[0, 1:]).all()
+    for name, single in (("rough", other), ("coat", one)):
+        chosen = stacked.sel(surface=name)
+        np.testing.assert_array_equal(chosen["spectrum"], single["spectrum"])
+        np.testing.assert_array_equal(chosen["joined"], single["joined"])
+        for limit in ("shortest_measured", "longest_measured", "tail_note"):
+            assert chosen[limit].item() == single.attrs[limit]
+    assert stacked["shortest_measured"].attrs["units"] == "nm"

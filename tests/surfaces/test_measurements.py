@@ -1,0 +1,283 @@
+"""Measurements of every kind, in formats that can be written here: heights, spacing, notes."""
+
+import os
+
+import numpy as np
+import pytest
+from refusals import assert_says, refusal
+from scan_files import (
+    MAPS,
+    MAPS_AND_LINES,
+    UNEVEN_LINES,
+    container,
+    heights,
+    nanoscope,
+    scan,
+)
+from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
+
+from hardcontact.surfaces.scans import (
+    described,
+    height_map,
+    list_measurements,
+    read_measurement,
+    read_scan,
+)
+
+
+def written(write, path, topography):
+    """Write a topography; return its path and the name of the dataset."""
+    write(topography, path)
+    (dataset,) = list_measurements(path)
+    return path, dataset
+
+
+def map_of(values, pixel_size=10.0):
+    sizes = [count * pixel_size for count in values.shape]
+    return Topography(values, tuple(sizes), unit="nm")
+
+
+def line(positions, values, unit="nm"):
+    return NonuniformLineScan(np.asarray(positions, float), np.asarray(values, float), unit=unit)
+
+
+@pytest.mark.parametrize("form", MAPS)
+def test_map(tmp_path, form):
+    values = heights()
+    path, dataset = written(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    measured = read_measurement(path, dataset)
+    assert (measured.path, measured.dataset, measured.kind) == (str(path), dataset, "map")
+    assert (measured.undefined, measured.tip_radius) == (0, None)
+    assert measured.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measured.heights, values.T, atol=1e-12)
+
+
+@pytest.mark.parametrize("form", MAPS)
+@pytest.mark.parametrize(
+    ("shape", "note", "square"),
+    [
+        ((48, 32), "cropped from 48 x 32 to 32 x 32 pixels", np.s_[8:40, :]),
+        ((32, 51), "cropped from 32 x 51 to 32 x 32 pixels", np.s_[:, 9:41]),
+    ],
+)
+def test_rectangle_is_cropped_to_its_central_square(tmp_path, form, shape, note, square):
+    values = heights(*shape)
+    file = written(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    measured = read_measurement(*file)
+    np.testing.assert_allclose(measured.heights, values[square].T, atol=1e-12)
+    assert note in measured.notes
+    assert measured.pixel_size == pytest.approx(10.0)
+    scanned = read_scan(*file)
+    assert (scanned.pixels, scanned.size) == (32, pytest.approx(320.0))
+
+
+@pytest.mark.parametrize("form", MAPS)
+def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
+    x, y = np.mgrid[:32, :32]
+    plane = 0.3 * x - 0.2 * y + 0.01 * x * y  # harmonic, so that gaps are filled by itself
+    values = np.ma.masked_array(plane, False)
+    values[3, 4:9] = values[20:24, 20:24] = np.ma.masked
+    file = written(MAPS[form], tmp_path / f"a.{form}", map_of(values))
+    assert_says(refusal(read_measurement, *file), "found 21", "scan.undefined_pixels: harmonic")
+    measured = read_measurement(*file, "harmonic")
+    np.testing.assert_allclose(measured.heights, plane.T, atol=1e-9)
+    assert measured.undefined == 21
+    assert "21 undefined pixels of 1024 filled" in measured.notes
+
+
+def test_gaps_beside_the_square_do_not_count(tmp_path):
+    values = np.ma.masked_array(heights(48, 32), False)
+    values[:8] = values[40:] = np.ma.masked
+    assert read_measurement(scan(tmp_path / "a.nc", values, (480.0, 320.0))).undefined == 0
+
+
+@pytest.mark.parametrize("form", MAPS_AND_LINES)
+def test_line_scan(tmp_path, form):
+    values = heights(40)
+    profile = UniformLineScan(values, 400.0, unit="nm")
+    file = written(MAPS_AND_LINES[form], tmp_path / f"a.{form}", profile)
+    measured = read_measurement(*file)
+    assert (measured.kind, measured.file_unit, measured.undefined) == ("profile", "nm", 0)
+    assert measured.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measured.heights, values, atol=1e-12)
+    assert not any("resampled" in note for note in measured.notes)
+    message = refusal(read_scan, *file)
+    assert_says(message, f"a.{form}", "expected a height map, found a line scan")
+
+
+@pytest.mark.parametrize("form", UNEVEN_LINES)
+def test_uneven_line_scan_is_resampled_on_its_median_spacing(tmp_path, form):
+    positions = np.concatenate([np.arange(0, 300, 10), np.arange(300, 401, 20)])
+    corner = np.abs(positions - 200.0) / 50  # straight between points: interpolation is exact
+    file = written(UNEVEN_LINES[form], tmp_path / f"a.{form}", line(positions, corner))
+    measured = read_measurement(*file)
+    assert measured.pixel_size == pytest.approx(10.0)
+    expected = np.abs(np.arange(0, 401, 10) - 200.0) / 50
+    np.testing.assert_allclose(measured.heights, expected, atol=1e-9)
+    assert measured.notes == ("resampled from spacings of 10 to 20 nm to their median of 10 nm",)
+
+
+def test_gaps_of_a_line_scan_are_filled_linearly(tmp_path):
+    values = np.ma.masked_array(np.linspace(0, 8, 41), False)
+    values[5:9] = np.ma.masked
+    UniformLineScan(values, 410.0, unit="nm").to_matrix(str(tmp_path / "a.asc"))
+    assert_says(refusal(read_measurement, tmp_path / "a.asc"), "found 4", "undefined_pixels")
+    measured = read_measurement(tmp_path / "a.asc", "", "harmonic")
+    np.testing.assert_allclose(measured.heights, np.linspace(0, 8, 41), atol=1e-12)
+    assert measured.undefined == 4 and "4 undefined pixels of 41 filled" in measured.notes
+
+
+def coordinates(path, *columns, unit="nm"):
+    header = f"Lateral units: {unit}\nValue units: {unit}"
+    np.savetxt(path, np.column_stack(columns), fmt="%.9g", header=header)
+    return path
+
+
+def test_positions_in_metres_keep_their_spacing(tmp_path):
+    # 1e-6 of the unit, which the reader of text takes for nothing, is 1 um here.
+    positions = np.concatenate([np.arange(0, 30, 1), np.arange(30, 51, 2)]) * 1e-8
+    values = np.abs(positions - 2e-7)
+    measured = read_measurement(coordinates(tmp_path / "a.xyz", positions, values, unit="m"))
+    assert measured.pixel_size == pytest.approx(10.0)
+    np.testing.assert_allclose(measured.heights, np.abs(np.arange(51) * 10 - 200.0), atol=1e-6)
+    assert "resampled" in measured.notes[0]
+
+
+def test_rounded_positions_are_uniform(tmp_path):
+    positions = np.round(np.arange(200) * 0.09956, 4)
+    measured = read_measurement(
+        coordinates(tmp_path / "a.xyz", positions, heights(200) * 1e-3, unit="µm")
+    )
+    assert measured.pixel_size == pytest.approx(99.56, rel=1e-4)
+    np.testing.assert_allclose(measured.heights, heights(200), rtol=1e-6)
+    assert measured.notes == ()
+
+
+def test_line_scan_from_right_to_left(tmp_path):
+    positions, values = np.cumsum(np.linspace(5, 15, 30)), heights(30)
+    there = read_measurement(coordinates(tmp_path / "a.xyz", positions, values))
+    back = read_measurement(coordinates(tmp_path / "b.xyz", positions[::-1], values[::-1]))
+    np.testing.assert_allclose(back.heights, there.heights, atol=1e-9)
+    assert back.pixel_size == pytest.approx(there.pixel_size)
+
+
+@pytest.mark.parametrize("step", [-4.0, 0.0])
+def test_reentrant_line_scan(tmp_path, step):
+    positions = np.cumsum([0.0, *[10.0] * 20, step, *[10.0] * 20])
+    message = refusal(read_measurement, coordinates(tmp_path / "a.xyz", positions, heights(42)))
+    last = 200 + step
+    assert_says(
+        message,
+        "a.xyz: expected positions that increase along a line scan",
+        f"found a reentrant one: point 22 is at {last:g} nm, that before it at 200 nm",
+    )
+
+
+def test_line_scan_of_too_many_points_once_resampled(tmp_path):
+    positions = np.append(np.arange(40) * 1e-2, 1e6)
+    message = refusal(read_measurement, coordinates(tmp_path / "a.xyz", positions, heights(41)))
+    assert_says(message, "expected 16 to 1048576 points along a line scan", "found 10000000")
+
+
+def test_line_scan_of_too_few_points(tmp_path):
+    path = coordinates(tmp_path / "a.xyz", np.arange(9) * 10, heights(9))
+    assert_says(refusal(read_measurement, path), "16 to 1048576 points", "found 9")
+
+
+@pytest.mark.parametrize("shape", [(40, 40), (24, 40)])
+def test_nanoscope_file(tmp_path, shape):
+    counts = np.round(heights(*shape) * 100)
+    path = nanoscope(tmp_path / "a.001", counts, (400.0, shape[0] * 10.0))
+    measured = read_measurement(path)
+    assert (measured.channel, measured.file_unit, measured.kind) == ("Height", "nm", "map")
+    assert measured.pixel_size == pytest.approx(10.0)
+    left = (40 - shape[0]) // 2
+    expected = 0.1 * counts[::-1, left : left + shape[0]]  # y grows upwards
+    np.testing.assert_allclose(measured.heights, expected, atol=1e-9)
+
+
+def test_the_channel_of_heights_is_read(tmp_path):
+    counts = np.round(heights(40, 40) * 100)
+    path = nanoscope(tmp_path / "a.001", counts, (400.0, 400.0), ["Phase", "Height Sensor"])
+    measured = read_measurement(path)
+    assert measured.channel == "Height Sensor"
+    assert measured.notes == ("channel Height Sensor read: Phase holds no heights",)
+    nanoscope(path, counts, (400.0, 400.0), ["Phase"])
+    message = refusal(read_measurement, path)
+    assert_says(message, "a.001: expected a channel of heights, found only Phase")
+
+
+def test_the_channel_that_a_container_names_is_read(tmp_path):
+    counts = np.round(heights(40, 40) * 100)
+    file = nanoscope(tmp_path / "a.001", counts, (400.0, 400.0), ["Height", "Height Sensor"])
+    entry = {"name": "one", "datafile": {"original": "a.001"}, "data_source": 1}
+    path = container(tmp_path / "a.zip", [entry | {"height_scale": 0.5}], {"a.001": file})
+    measured = read_measurement(path, "one")
+    assert measured.channel == "Height Sensor" and measured.notes == ()
+    assert measured.heights.std() == pytest.approx(0.1 * counts.std())  # never scaled twice
+
+
+def test_what_a_container_states_is_noted(tmp_path):
+    values = heights()
+    file = tmp_path / "a.npy"
+    np.save(file, values)
+    entry = {"name": "one", "datafile": {"original": "a.npy"}, "size": [0.32, 0.32]}
+    entry |= {"unit": "µm", "height_scale": 1e-3}
+    path = container(tmp_path / "a.zip", [entry], {"a.npy": file})
+    measured = read_measurement(path, "a.npy")
+    np.testing.assert_allclose(measured.heights, values.T)
+    assert measured.notes == (
+        "size (0.32, 0.32), unit µm, height scale 0.001 as the container states",
+    )
+
+
+def test_datasets_of_a_container_are_its_data_files_in_order(tmp_path):
+    file = scan(tmp_path / "a.nc")
+    entries = [{"name": "x", "datafile": {"original": name}} for name in ("b.nc", "a.nc")]
+    entries.append({"name": "y", "datafile": {"squeezed-netcdf": "c.nc"}, "height_scale": 2.0})
+    files = dict.fromkeys(("a.nc", "b.nc", "c.nc"), file)
+    path = container(tmp_path / "a.zip", entries, files)
+    assert list_measurements(path) == ["b.nc", "a.nc", "c.nc"]
+    for dataset in list_measurements(path):
+        np.testing.assert_allclose(read_measurement(path, dataset).heights, heights().T)
+    assert list_measurements(file) == [""]
+
+
+def test_files_without_datasets(tmp_path):
+    message = refusal(list_measurements, tmp_path / "none.nc")
+    assert_says(message, "none.nc: expected a scan, found no such file")
+    path = container(tmp_path / "a.zip", [{"name": "one"}], {})
+    assert_says(refusal(list_measurements, path), "a.zip: expected meta.yml that lists surfaces")
+
+
+def test_a_scan_is_described_by_texts(tmp_path):
+    path = scan(tmp_path / "a.nc", heights(48, 32), (48.0, 32.0), "µm")
+    measured = read_measurement(path)
+    attributes = described(measured)
+    assert attributes == {
+        "channel": "Default",
+        "file_unit": "µm",
+        "notes": "cropped from 48 x 32 to 32 x 32 pixels",
+    }
+    assert height_map(measured, "substitute").basis == "substitute"
+
+
+WORDS = "\n".join(f"sample {k},good,{k}" for k in range(5000)).encode()
+
+
+@pytest.mark.parametrize(
+    ("name", "content"),
+    [
+        ("a.png", b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4096),
+        ("a.zip", b"PK\x03\x04" + bytes(range(256)) * 4096),
+        ("a.csv", WORDS),
+        ("a.txt", " ".join(map(str, range(5000))).encode()),
+    ],
+)
+def test_refusals_take_less_than_two_seconds(tmp_path, name, content):
+    read_measurement(scan(tmp_path / "a.nc"))  # imports what reading needs
+    (tmp_path / name).write_bytes(content)
+    before = os.times()
+    assert_says(refusal(read_measurement, tmp_path / name), name, "expected", "found")
+    after = os.times()
+    assert sum(after[:4]) - sum(before[:4]) < 2  # of this process and of its children

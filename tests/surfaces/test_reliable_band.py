@@ -1,0 +1,120 @@
+"""Where measurements of known surfaces stop to show them: pixels, tip, noise, smoothing, size."""
+
+import numpy as np
+import pytest
+from measurements import line_of, map_of, measurement
+from random_scans import uncd
+from scipy.ndimage import gaussian_filter, gaussian_filter1d
+
+from hardcontact.random import generator
+from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_psd
+from hardcontact.surfaces.reliable_band import reliable_band
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.tip import imaged_by_tip
+
+PIXEL = 10.0
+
+
+def steep(q):
+    """C_iso ~ q^-4.5: facets, or polished UNCD after Table 1."""
+    return smooth_rolloff(q, 1e6, 740.0, 1.25)
+
+
+@pytest.mark.parametrize("make", [map_of, line_of])
+@pytest.mark.parametrize("density", [uncd, steep])
+def test_a_surface_seen_as_it_is_ends_at_its_pixels_and_its_size(make, density):
+    for k in range(3):
+        scan = make(generator(1, k), 256, PIXEL, density)
+        band = reliable_band(scan, None)
+        assert band.shortest == 4 * PIXEL and band.shortest_reason == "4 pixels of 10 nm"
+        assert band.longest == pytest.approx(256 * PIXEL / 3)
+        assert "a third of the size of the" in band.longest_reason
+
+
+def test_a_tip_ends_the_band_where_its_image_leaves_the_surface():
+    pixel, radius = 2.5, 40.0
+    surface = random_surface(generator(2), 384, pixel, uncd)
+    true, imaged = (
+        measurement(np.asarray(one.heights[32:-32, 32:-32], float), pixel)
+        for one in (surface, imaged_by_tip(surface, radius))
+    )
+    band = reliable_band(imaged, radius)
+    cutoff = levelled_topography(imaged).scanning_probe_reliability_cutoff(radius)
+    assert band.shortest == pytest.approx(cutoff, rel=0.01)
+    assert band.shortest_reason == "tip of 40 nm"
+    wavevector, density = measured_psd(imaged)
+    ratio = density / measured_psd(true)[1]
+    wavelength = 2 * np.pi / wavevector
+    within = (wavelength > band.shortest) & (wavelength < band.longest)
+    below = (wavelength > 4 * pixel) & (wavelength < band.shortest / 3)
+    assert within.sum() >= 3 and below.sum() >= 3
+    assert (np.abs(np.log(ratio[within])) < 0.35).all() and (ratio[below] < 0.6).all()
+
+
+def test_a_tip_that_leaves_no_trace_ends_nothing():
+    smooth = map_of(generator(3), 128, PIXEL, lambda q: 1e-4 * uncd(q))
+    assert reliable_band(smooth, 10.0) == reliable_band(smooth, None)
+
+
+@pytest.mark.parametrize(("make", "pixels"), [(map_of, 256), (line_of, 2000)])
+def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, pixels):
+    scan = make(generator(4), pixels, PIXEL)
+    noisy = measurement(scan.heights + generator(5).normal(0, 10.0, scan.heights.shape), PIXEL)
+    band = reliable_band(noisy, None)
+    wavevector, density = measured_psd(noisy)
+    wavelength = 2 * np.pi / wavevector
+    excess = density / measured_psd(scan)[1]
+    assert band.shortest_reason == f"noise floor below {band.shortest:.3g} nm"
+    within = (wavelength > band.shortest) & (wavelength < band.longest)
+    assert (excess[within & np.isfinite(excess)] < 2).all()
+    # What is lost is at most half a decade of wavelengths at which noise is less than the surface.
+    passed = wavelength[np.argmax(excess > 2)]
+    assert passed < band.shortest < 3.2 * passed
+
+
+def test_a_plateau_before_the_rolloff_is_no_floor():
+    early = map_of(generator(6), 256, PIXEL, lambda q: smooth_rolloff(q, 1e6, 150.0, 0.9))
+    assert reliable_band(early, None).shortest == 4 * PIXEL
+
+
+def test_white_noise_alone_is_nowhere_reliable():
+    band = reliable_band(measurement(generator(7).normal(size=(128, 128)), PIXEL), None)
+    assert band.shortest > band.longest and "noise floor" in band.shortest_reason
+
+
+@pytest.mark.parametrize("along_lines", [True, False])
+def test_smoothing_is_cut_before_it_takes_much(along_lines):
+    surface = random_surface(generator(8), 512, PIXEL, uncd).heights.astype(float)
+    if along_lines:  # a feedback that lags
+        smoothed = gaussian_filter1d(surface, 3.0, axis=1, mode="wrap")
+    else:
+        smoothed = gaussian_filter(surface, 3.0, mode="wrap")
+    true, scan = (measurement(one[:256, :256], PIXEL) for one in (surface, smoothed))
+    band = reliable_band(scan, None)
+    assert band.shortest_reason == f"smoothed by the microscope below {band.shortest:.3g} nm"
+    wavevector, density = measured_psd(scan)
+    kept = density / measured_psd(true)[1]
+    wavelength = 2 * np.pi / wavevector
+    within = (wavelength > band.shortest) & (wavelength < band.longest)
+    assert within.sum() >= 5 and (kept[within] > 0.4).all()
+    assert (kept[(wavelength > 4 * PIXEL) & (wavelength < band.shortest / 2)] < 0.4).all()
+
+
+def test_noise_beyond_smoothing_does_not_hide_it():
+    surface = random_surface(generator(9), 512, PIXEL, uncd).heights.astype(float)
+    smoothed = gaussian_filter(surface, 4.0, mode="wrap")[:256, :256]
+    noisy = measurement(smoothed + generator(10).normal(0, 0.3, smoothed.shape), PIXEL)
+    clean = reliable_band(measurement(smoothed, PIXEL), None)
+    assert reliable_band(noisy, None).shortest == pytest.approx(clean.shortest, rel=0.3)
+
+
+def test_the_shorter_edge_is_the_size():
+    heights = map_of(generator(11), 128, PIXEL).heights
+    assert reliable_band(measurement(heights[:64], PIXEL), None).longest == 640 / 3
+
+
+def test_a_map_on_other_scales_is_judged_alike():
+    scan = map_of(generator(12), 128, PIXEL)
+    shrunk = measurement(scan.heights / 10, PIXEL / 10)
+    assert reliable_band(shrunk, None).shortest == pytest.approx(4 * PIXEL / 10)

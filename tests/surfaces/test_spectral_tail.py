@@ -1,0 +1,86 @@
+"""Measured spectra beyond their band: exponents held in bounds, slope and curvature bounded."""
+
+import numpy as np
+import pytest
+from random_scans import uncd
+
+from hardcontact.surfaces.spectral_tail import (
+    ATOMIC,
+    GRADIENT,
+    HALF_LAPLACIAN,
+    continued_spectrum,
+)
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
+
+BINS = 2 * np.pi * 10 ** (-3.45 + np.arange(19) / 10)  # 2.8 µm to 45 nm
+
+
+def continued(density, wavevector=BINS):
+    values = density(wavevector) if callable(density) else density
+    return continued_spectrum(wavevector, values, np.full(wavevector.shape, 0.05))
+
+
+def test_a_power_law_goes_on_to_the_atoms_and_is_constant_above():
+    def gentle(q):
+        return 1e-3 * uncd(q)
+
+    spectrum, note = continued(gentle)
+    wavelength = 2 * np.pi / WAVEVECTORS
+    measured = (wavelength > 45) & (wavelength < 2500)
+    np.testing.assert_allclose(spectrum[measured] / gentle(WAVEVECTORS[measured]), 1, atol=0.02)
+    # The last decade still bends from the roll-off: a tenth too little of H, twice C at the atoms.
+    beyond = (wavelength > ATOMIC * 1.1) & (wavelength < 45)
+    np.testing.assert_allclose(np.log(spectrum[beyond] / gentle(WAVEVECTORS[beyond])), 0, atol=0.75)
+    assert (spectrum[wavelength < ATOMIC * 0.9] == 0).all()
+    assert np.ptp(spectrum[wavelength > 2900]) == 0
+    assert "H = 0.7" in note and "0.3 nm" in note and "atoms" in note
+
+
+def test_the_rolloff_is_not_taken_for_the_exponent():
+    def late(q):
+        return 1e4 * (1 + (q * 200 / 2 / np.pi) ** 4) ** -0.9
+
+    _, note = continued(late)
+    assert 0.6 < float(note.split("H = ")[1].split(",")[0]) < 0.8
+
+
+@pytest.mark.parametrize(("slope", "hurst"), [(-1.2, 0.0), (-2.6, 0.3), (-4.7, 1.0)])
+def test_the_exponent_is_one_of_a_self_affine_surface(slope, hurst):
+    spectrum, note = continued(lambda q: 1e-6 * q**slope)
+    assert f"H = {hurst:.2f}" in note
+    tail = (WAVEVECTORS > BINS[-1] * 1.1) & (spectrum > 0)
+    fitted = np.polyfit(np.log(WAVEVECTORS[tail][:-1]), np.log(spectrum[tail][:-1]), 1)[0]
+    assert fitted == pytest.approx(-2 - 2 * hurst, abs=0.05)
+
+
+@pytest.mark.parametrize("slope", [-1.0, -2.0, -3.0, -4.0])
+@pytest.mark.parametrize("level", [1e2, 1e4])
+def test_no_tail_takes_slope_and_curvature_beyond_those_of_known_surfaces(slope, level):
+    spectrum, note = continued(lambda q: level * (q / 0.02) ** slope)
+    _, gradient, half_laplacian = all_scales_moments(Spectrum(WAVEVECTORS, spectrum))
+    assert gradient < GRADIENT * 1.06 and half_laplacian < HALF_LAPLACIAN * 1.06
+    assert (spectrum[2 * np.pi / WAVEVECTORS < ATOMIC * 0.9] == 0).all()
+    ends = {"gradient": gradient / GRADIENT, "curvature": half_laplacian / HALF_LAPLACIAN}
+    reached = max(ends, key=ends.get)
+    assert ("atoms" in note) or (reached in note and ends[reached] > 0.85)
+
+
+def test_a_surface_that_is_measured_to_be_steeper_gets_no_tail():
+    steep = 1e8 * (BINS / 0.02) ** -2.0
+    spectrum, note = continued(steep)
+    assert (spectrum[WAVEVECTORS > BINS[-1] * 1.001] == 0).all()
+    assert "no roughness was added" in note
+    points = Spectrum(WAVEVECTORS, spectrum)(np.minimum(BINS, WAVEVECTORS[174]))
+    np.testing.assert_allclose(points, steep, rtol=1e-6)
+
+
+def test_three_points_are_enough_and_measured_ones_stay():
+    points = np.array([0.01, 0.0126, 0.0158])
+    spectrum, _ = continued(points**-3.0, points)
+    np.testing.assert_allclose(Spectrum(WAVEVECTORS, spectrum)(points[1]), points[1] ** -3.0, 0.01)
+
+
+def test_points_below_the_distance_of_atoms_are_kept():
+    points = 2 * np.pi / np.array([1.0, 0.5, 0.2, 0.1])
+    spectrum, note = continued(1e-9 * points**-3.0, points)
+    assert spectrum[-1] > 0 and "no roughness was added" in note

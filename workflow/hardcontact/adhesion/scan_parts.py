@@ -1,0 +1,217 @@
+"""Parts of scans that vary by themselves: what the interval of a few scans comes from.
+
+With three scans of a surface or more, the parts are the scans. With fewer, they are the quarters
+of each scan: contacts of a mirrored scan are grouped by the quarter in which they lie. Quarters are
+not independent: a contact feels the surface around it with the weight exp(-r²/(2 R rho)), with
+which the paraboloid r²/2R enters Eq. 3 of the paper, so that contacts of different quarters feel
+the same peaks. How much is known from R, rho and the size of the scan, and corrects the variance.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+__all__ = [
+    "Parts",
+    "half_width_of_logarithm",
+    "parts_of_scans",
+    "quarters_of_contacts",
+    "sampled_deviations",
+]
+
+#: Fewer scans than these are divided into quarters.
+ENOUGH_SCANS = 3
+
+#: Half widths of logarithms: what is less is rounding, what is more as good as infinite.
+ROUNDING, ENDLESS = 1e-9, 50.0
+
+#: Parts that correlate more are the same.
+SAME = 1 - 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Parts:
+    """Parts of the scans of one surface.
+
+    Attributes
+    ----------
+    of_contact : numpy.ndarray
+        (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
+    correlation : numpy.ndarray
+        (part, part), of mean forces of parts.
+    scans : int
+        The scans they are parts of.
+    """
+
+    of_contact: np.ndarray
+    correlation: np.ndarray
+    scans: int
+
+    @property
+    def conditional(self) -> bool:
+        """Whether the parts are quarters, so that an interval is conditional on these scans."""
+        return self.scans < ENOUGH_SCANS
+
+    @property
+    def shared(self) -> float:
+        """Mean correlation of two parts."""
+        count = len(self.correlation)
+        return float((self.correlation.sum() - count) / max(count * (count - 1), 1))
+
+    def note(self) -> str:
+        """Return in words where an interval comes from."""
+        if not self.conditional:
+            return f"from {self.scans} scans"
+        scans = "this scan" if self.scans == 1 else "these two scans"
+        count = len(self.correlation)
+        if count < 2 or self.shared > SAME:
+            return f"no interval: every contact feels all of {scans}"
+        return (
+            f"conditional on {scans}: from {count} quarters, whose forces correlate by "
+            f"{self.shared:.2f} because their contacts feel the same peaks"
+        )
+
+
+def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
+    """Return the quarter of the scan in which each contact lies.
+
+    A map is a mirrored scan, repeated `tiles` times; contacts lie as `contact_positions` says.
+
+    Parameters
+    ----------
+    count : int
+        Contacts along an edge of the array.
+    tiles : int
+        Mirrored scans along an edge of the map.
+
+    Returns
+    -------
+    numpy.ndarray
+        (count, count) of 0 to 3: 2 in the second half along y, plus 1 in the second half along x.
+    """
+    unfolded = 2 * tiles * (np.arange(count) + 0.25) / count % 2  # in edges of the scan
+    half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
+    return np.asarray(2 * half[:, None] + half)
+
+
+def parts_of_scans(
+    scan_of_map: np.ndarray, quarters: np.ndarray, size: float, reach: float
+) -> Parts:
+    """Return the parts of the scans of one surface.
+
+    Parameters
+    ----------
+    scan_of_map : numpy.ndarray
+        (map,) number of the scan that each map is made of.
+    quarters : numpy.ndarray
+        (contact_y, contact_x), as from `quarters_of_contacts`.
+    size : float
+        Edge of a scan in nm.
+    reach : float
+        sqrt(R rho) in nm, the deviation of the weight with which a contact feels the surface.
+
+    Returns
+    -------
+    Parts
+        Scans where there are three, otherwise quarters that hold contacts.
+    """
+    scans, scan = np.unique(scan_of_map, return_inverse=True)
+    if len(scans) >= ENOUGH_SCANS:
+        of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
+        return Parts(of_contact, np.eye(len(scans)), len(scans))
+    found, quarter = np.unique(quarters, return_inverse=True)
+    of_contact = scan[:, None, None] * len(found) + quarter.reshape(quarters.shape)
+    of_scan = _correlation_of_quarters(size, reach)[np.ix_(found, found)]
+    return Parts(of_contact, np.kron(np.eye(len(scans)), of_scan), len(scans))
+
+
+def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
+    """Return the correlation (4, 4) of mean forces of the quarters of a mirrored scan.
+
+    Along one axis contacts of one half together feel its indicator, smoothed by a Gaussian of the
+    deviation s = `reach`: 1/2 ± sum_k a_k cos(k pi x/L) exp(-(k pi s/L)²/2) over odd k, where
+    a_k = ±2/(k pi) are the Fourier coefficients of a step. Roughness without correlation of its own
+    gives the covariances 1/4 ± sum_k a_k² exp(-(k pi s/L)²)/2 of a half with itself and the other.
+    """
+    order = np.arange(1, 2000, 2)
+    step = 2 / (np.pi * order) ** 2 * np.exp(-((np.pi * order * reach / size) ** 2))
+    other = (0.25 - step.sum()) / (0.25 + step.sum())
+    halves = np.array([[1.0, other], [other, 1.0]])
+    return np.kron(halves, halves)
+
+
+def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: float) -> np.ndarray:
+    """Return the half width of the interval of the logarithm of a statistic.
+
+    Student's t with the variance of the delete-one jackknife, corrected as `_widening` says.
+
+    Parameters
+    ----------
+    left_out : numpy.ndarray
+        (part, ...) logarithms of the statistic of all parts but one.
+    parts : Parts
+        As many.
+    confidence : float
+        Probability that the interval holds the logarithm.
+
+    Returns
+    -------
+    numpy.ndarray
+        (...), NaN of fewer than two parts, and of parts that are the same.
+    """
+    from scipy import stats
+
+    widened, freedom = _widening(parts)
+    error = np.sqrt((len(left_out) - 1) * left_out.var(axis=0) * widened)
+    half = np.minimum(stats.t.ppf((1 + confidence) / 2, freedom) * error, ENDLESS)
+    return np.where(half > ROUNDING, half, np.nan)
+
+
+def sampled_deviations(
+    rng: np.random.Generator, left_out: np.ndarray, parts: Parts, samples: int
+) -> np.ndarray:
+    """Draw deviations of the logarithm of a statistic, of Student's t at every place.
+
+    Their distribution is that of `half_width_of_logarithm`. With the same generator, parts that
+    differ in their correlation alone share their random numbers.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Source of the samples.
+    left_out : numpy.ndarray
+        (part, ...) logarithms of the statistic of all parts but one.
+    parts : Parts
+        As many.
+    samples : int
+        How many are drawn.
+
+    Returns
+    -------
+    numpy.ndarray
+        (samples, ...), NaN of fewer than two parts.
+    """
+    from scipy import stats
+
+    count = len(left_out)
+    widened, freedom = _widening(parts)
+    normal, level = rng.standard_normal((samples, count)), rng.uniform(size=samples)
+    scale = np.sqrt(widened * (count - 1) / count * freedom / stats.chi2.ppf(level, freedom))
+    drawn = np.tensordot(scale[:, None] * normal, left_out - left_out.mean(axis=0), axes=1)
+    return np.asarray(np.clip(drawn, -ENDLESS, ENDLESS))
+
+
+def _widening(parts: Parts) -> tuple[float, float]:
+    """Return the factor on the variance of the delete-one jackknife, and degrees of freedom.
+
+    The variance is (n - 1)/n sum (l_i - l)². Parts of the mean correlation c lower it by the factor
+    1 - c and raise the variance of their mean by 1 + (n - 1) c, which is corrected. The degrees of
+    freedom are those of Satterthwaite for the correlation matrix C: (tr HC)²/tr (HC)², with
+    H = 1 - 1/n; they are n - 1 without correlation. NaN where the parts are one or the same.
+    """
+    count, shared = len(parts.correlation), parts.shared
+    if count < 2 or shared > SAME:
+        return np.nan, np.nan
+    centred = (np.eye(count) - 1 / count) @ parts.correlation
+    freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
+    return (1 + (count - 1) * shared) / (1 - shared), float(freedom)

@@ -1,0 +1,230 @@
+"""One spectrum of a surface from all its measurements: maps of several sizes, line scans.
+
+xarray is imported where it is used.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.surfaces.measured_spectrum import (
+    bias_of_log,
+    independent_waves,
+    measured_psd,
+    size_of,
+    variance_of_log,
+)
+from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.reliable_band import ReliableBand, band_of_psd
+from hardcontact.surfaces.spectral_tail import continued_spectrum
+from hardcontact.surfaces.spectrum import spectrum_dataset
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+__all__ = ["joined_spectrum", "stacked_spectra"]
+
+#: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
+#: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many
+#: waves from silencing the others.
+CALIBRATION = 0.2
+#: Bins that a joined spectrum has at least.
+FEWEST = 3
+
+
+class _Part(NamedTuple):
+    """What one measurement gives: its radius of tip (nm), band, C_iso in nm⁴, waves, reliability.
+
+    The last three are over (bins,).
+    """
+
+    measurement: Measurement
+    tip_radius: float | None
+    band: ReliableBand
+    density: NDArray[np.float64]
+    waves: NDArray[np.float64]
+    reliable: NDArray[np.bool_]
+
+
+def joined_spectrum(
+    measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
+) -> "xr.Dataset":
+    """Return the spectrum of a surface, joined of its measurements within their reliable bands.
+
+    Parameters
+    ----------
+    measurements : sequence of Measurement
+        All of one surface.
+    tip_radii : sequence of float or None
+        In nm, of each measurement; None: that which its file states, if any.
+
+    Returns
+    -------
+    xarray.Dataset
+        `spectrum` (wavevector) in nm⁴ over all scales; `joined` (bin_wavevector) in nm⁴, the mean
+        logarithm of what is reliable, weighted by independent waves and freed of the bias of the
+        logarithm, NaN where nothing is; `psd` and `reliable` (measurement, bin_wavevector), and
+        what is known of each measurement.
+
+    Raises
+    ------
+    ValueError
+        In one line, if fewer than three bins of wavelengths are reliable.
+    """
+    parts = [
+        _part(measurement, measurement.tip_radius if radius is None else radius)
+        for measurement, radius in zip(measurements, tip_radii, strict=True)
+    ]
+    wavevector, _ = measured_psd(measurements[0])
+    joined, variance = _log_mean(parts)
+    known = np.isfinite(joined)
+    if known.sum() < FEWEST:
+        raise ValueError(_too_few(parts, int(known.sum())))
+    spectrum, note = continued_spectrum(wavevector[known], joined[known], variance[known])
+    bands = [part.band for part in parts if part.reliable.any()]
+    return (
+        spectrum_dataset(spectrum)
+        .assign(_of_measurements(parts))
+        .assign(joined=("bin_wavevector", joined, {"units": "nm4", "long_name": "joined PSD"}))
+        .assign_coords(bin_wavevector=("bin_wavevector", wavevector, {"units": "rad nm-1"}))
+        .assign_attrs(
+            basis="measured",
+            calibrated_to_table1="",
+            shortest_measured=min(band.shortest for band in bands),
+            longest_measured=max(band.longest for band in bands),
+            tail_note="; ".join([note, *_gaps(bands)]),
+        )
+    )
+
+
+def _part(measurement: Measurement, tip_radius: float | None) -> _Part:
+    """Return C_iso of one measurement and where it is reliable."""
+    wavevector, density = measured_psd(measurement)
+    band = band_of_psd(measurement, tip_radius, wavevector, density)
+    wavelength = 2 * np.pi / wavevector
+    reliable = (band.shortest <= wavelength) & (wavelength <= band.longest) & np.isfinite(density)
+    return _Part(measurement, tip_radius, band, density, independent_waves(measurement), reliable)
+
+
+def _log_mean(parts: Sequence[_Part]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
+
+    Each measurement counts by the inverse of its variance, by its waves and its calibration, and
+    ln C is raised by what the logarithm of few waves lies too low on average.
+    """
+    reliable, density, waves = (
+        np.array([getattr(part, name) for part in parts])
+        for name in ("reliable", "density", "waves")
+    )
+    weight = np.where(reliable, 1 / (variance_of_log(waves) + CALIBRATION**2), 0.0)
+    total = weight.sum(axis=0)
+    logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.exp((weight * logs).sum(axis=0) / total), 1 / total
+
+
+def _too_few(parts: Sequence[_Part], count: int) -> str:
+    """Return the line that refuses measurements with too few reliable bins."""
+    found = "; ".join(
+        f"{_name(part.measurement)} from {part.band.shortest:.3g} nm ({part.band.shortest_reason}) "
+        f"to {part.band.longest:.3g} nm ({part.band.longest_reason})"
+        for part in parts
+    )
+    return (
+        f"expected measurements that are reliable in at least {FEWEST} bins of wavelengths (ten a "
+        f"decade), found {count}: {found}"
+    )
+
+
+def _name(measurement: Measurement) -> str:
+    return f"{measurement.path} {measurement.dataset}".strip()
+
+
+def _gaps(bands: Sequence[ReliableBand]) -> list[str]:
+    """Return words for the wavelengths between the bands that no measurement reaches."""
+    texts, reached = list[str](), 0.0
+    for band in sorted(bands, key=lambda one: one.shortest):
+        if reached and band.shortest > reached:
+            texts.append(f"between {reached:.3g} and {band.shortest:.3g} nm interpolated")
+        reached = max(reached, band.longest)
+    return texts
+
+
+def _of_measurements(parts: Sequence[_Part]) -> dict[str, Any]:
+    """Return the variables over measurement, as they are stored."""
+    nm = {"units": "nm"}
+    columns: dict[str, tuple[list[Any], dict[str, str]]] = {
+        "kind": ([part.measurement.kind for part in parts], {}),
+        "size": ([size_of(part.measurement) for part in parts], nm),
+        "pixel_size": ([part.measurement.pixel_size for part in parts], nm),
+        "shortest_reliable": ([part.band.shortest for part in parts], nm),
+        "longest_reliable": ([part.band.longest for part in parts], nm),
+        "shortest_reason": ([part.band.shortest_reason for part in parts], {}),
+        "longest_reason": ([part.band.longest_reason for part in parts], {}),
+        "path": ([part.measurement.path for part in parts], {}),
+        "dataset": ([part.measurement.dataset for part in parts], {}),
+        "tip_radius": (
+            [np.nan if part.tip_radius is None else part.tip_radius for part in parts],
+            nm,
+        ),
+        "notes": (["; ".join(part.measurement.notes) for part in parts], {}),
+    }
+    both = ("measurement", "bin_wavevector")
+    density, reliable = (
+        [getattr(part, name) for part in parts] for name in ("density", "reliable")
+    )
+    return {
+        "psd": (both, np.array(density), {"units": "nm4", "long_name": "isotropic PSD"}),
+        "reliable": (both, np.array(reliable, "int8"), {"long_name": "1 where it is reliable"}),
+        **{name: ("measurement", values, attrs) for name, (values, attrs) in columns.items()},
+    }
+
+
+def stacked_spectra(
+    of_surface: Mapping[str, "xr.Dataset"], labels: Mapping[str, str]
+) -> "xr.Dataset":
+    """Return the joined spectra of all surfaces.
+
+    Parameters
+    ----------
+    of_surface : mapping of str to xarray.Dataset
+        Of `joined_spectrum`, by surface.
+    labels : mapping of str to str
+        Names of the surfaces in print.
+
+    Returns
+    -------
+    xarray.Dataset
+        The same variables over a leading dimension `surface`, filled with NaN, 0 or "" where a
+        surface has fewer measurements than another; `label`, `shortest_measured`,
+        `longest_measured` (nm) and `tail_note` (surface).
+    """
+    import pandas as pd
+    import xarray as xr
+
+    most = max(one.sizes["measurement"] for one in of_surface.values())
+    padded = [_padded(one, most) for one in of_surface.values()]
+    names = pd.Index(list(of_surface), name="surface")
+    stacked = xr.concat(padded, names, combine_attrs="drop")
+    attrs = [one.attrs for one in of_surface.values()]
+    lengths: dict[str, Any] = {
+        name: ("surface", [one[name] for one in attrs], {"units": "nm"})
+        for name in ("shortest_measured", "longest_measured")
+    }
+    return stacked.assign(
+        **lengths,
+        label=("surface", [labels[name] for name in of_surface]),
+        tail_note=("surface", [one["tail_note"] for one in attrs]),
+    )
+
+
+def _padded(spectrum: "xr.Dataset", measurements: int) -> "xr.Dataset":
+    """Return a joined spectrum with empty measurements at its end."""
+    empty: dict[Any, Any] = {
+        name: {"U": "", "O": "", "i": 0}.get(values.dtype.kind, np.nan)
+        for name, values in spectrum.data_vars.items()
+    }
+    missing = measurements - spectrum.sizes["measurement"]
+    return spectrum.pad(measurement=(0, missing), constant_values=empty)

@@ -1,0 +1,187 @@
+"""The wavelengths at which a measurement shows the surface and not the microscope.
+
+Toward short wavelengths a measured spectrum ends where one of these comes first:
+
+- four pixels: shorter waves are sampled too thinly;
+- the tip: SurfaceTopography's `scanning_probe_reliability_cutoff`, if its radius is known
+  (Sanner et al., Appl. Surf. Sci. Adv. 7 (2022) 100190);
+- a noise floor: C_iso flatter than q^-2, which is that of a self-affine surface with H = 0;
+- smoothing: C_iso steeper than a rough surface has.
+
+Is a spectrum steeper than q^-4, which is that of a self-affine surface with H = 1, a smooth surface
+or a smoothing microscope? Down to q^-5 surfaces are known: facets that meet in edges have it
+(C_1D ~ q^-4), and the AFM rows of Table 1 ask for q^-4.5 of polished UNCD. So between q^-4 and q^-5
+a map is asked itself: a smooth surface is as smooth along one axis as along the other, a feedback
+that lags smooths along the scanned lines alone, and noise from line to line stands across them.
+Where the C_1D of both axes differ by more than a factor of two, the measurement is not believed.
+Beyond q^-5 it never is, for then not even edges are left. A surface of H = 0.8 that is smoothed by
+a Gaussian or by a first-order filter has lost 50 or 70 % of C_iso there. The error is on the safe
+side: what is cut of a surface that is truly smooth is called artificial, while smoothing that
+is taken for the surface would move the short edge of the band to longer wavelengths unsaid.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.surfaces.measured_spectrum import (
+    axis_ratio,
+    independent_waves,
+    levelled_topography,
+    local_slopes,
+    measured_psd,
+    size_of,
+    variance_of_log,
+)
+from hardcontact.surfaces.measurement import Measurement
+
+__all__ = ["ReliableBand", "band_of_psd", "reliable_band"]
+
+#: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
+#: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
+#: C_iso is 1.2 times too large at a third of the size, and 2 times at half of it).
+PIXELS = 4
+PARTS = 3
+#: Slopes of C_iso: the flattest of a self-affine surface, the steepest of one, that of edges.
+FLATTEST, SELF_AFFINE, EDGES = -2.0, -4.0, -5.0
+#: Standard errors by which a slope passes one of these before it says anything.
+ERRORS = 2
+#: C_1D along both axes of a map differ by no more than this factor where C_iso is steep.
+ALIKE = 2.0
+#: Bins above a noise floor that still hold much of it: C ~ q^-3 falls to a tenth in three.
+MARGIN = 2
+#: Bins in half a decade.
+HALF_DECADE = 5
+#: Relative error of the length of the stencil that the tip's cutoff is searched with: a thousandth
+#: is far below the safety factor of the criterion.
+TOLERANCE = 1e-3
+
+
+class ReliableBand(NamedTuple):
+    """The wavelengths at which a measurement is reliable; none if shortest exceeds longest.
+
+    Attributes
+    ----------
+    shortest, longest : float
+        In nm.
+    shortest_reason, longest_reason : str
+        What ends the band, in words.
+    """
+
+    shortest: float
+    longest: float
+    shortest_reason: str
+    longest_reason: str
+
+
+def reliable_band(measurement: Measurement, tip_radius: float | None) -> ReliableBand:
+    """Return the wavelengths at which a measurement is reliable.
+
+    Parameters
+    ----------
+    measurement : Measurement
+        As it was read.
+    tip_radius : float or None
+        In nm; None if it is not known: the tip then limits nothing.
+
+    Returns
+    -------
+    ReliableBand
+        With a reason for each end.
+    """
+    return band_of_psd(measurement, tip_radius, *measured_psd(measurement))
+
+
+def band_of_psd(
+    measurement: Measurement,
+    tip_radius: float | None,
+    wavevector: NDArray[np.float64],
+    density: NDArray[np.float64],
+) -> ReliableBand:
+    """Return the wavelengths at which a measurement is reliable, from its measured PSD.
+
+    Parameters
+    ----------
+    measurement : Measurement
+        As it was read.
+    tip_radius : float or None
+        In nm.
+    wavevector, density : numpy.ndarray
+        (bins,) of `measured_psd`.
+
+    Returns
+    -------
+    ReliableBand
+        With a reason for each end.
+    """
+    pixel, size = measurement.pixel_size, size_of(measurement)
+    ends = [
+        (PIXELS * pixel, f"{PIXELS} pixels of {pixel:.3g} nm"),
+        *_spectral_ends(measurement, wavevector, density),
+        *_tip_end(measurement, tip_radius),
+    ]
+    shortest, reason = max(ends)
+    kind = "scan" if measurement.kind == "map" else "line scan"
+    return ReliableBand(shortest, size / PARTS, reason, f"a third of the size of the {kind}")
+
+
+def _tip_end(measurement: Measurement, tip_radius: float | None) -> list[tuple[float, str]]:
+    """Return the wavelength below which the tip is seen, in nm, and the words, if there is one."""
+    if tip_radius is None:
+        return []
+    cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
+        tip_radius, rtol=TOLERANCE
+    )
+    return [] if cutoff is None else [(float(cutoff), f"tip of {tip_radius:.3g} nm")]
+
+
+def _spectral_ends(
+    measurement: Measurement, wavevector: NDArray[np.float64], density: NDArray[np.float64]
+) -> list[tuple[float, str]]:
+    """Return the ends of the spectrum by its shape, in nm, each in words."""
+    seen = np.isfinite(density) & (wavevector * PIXELS * measurement.pixel_size <= 2 * np.pi)
+    q, variance = wavevector[seen], variance_of_log(independent_waves(measurement)[seen])
+    slope, error = local_slopes(q, density[seen], variance)
+    differs = axis_ratio(measurement)[seen] > ALIKE
+    smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, EDGES)
+    flat = slope - ERRORS * error > FLATTEST
+
+    unsmoothed = _without_smoothed(smoothed, len(q))
+    risen = _without_floor(flat, unsmoothed)
+    last = _without_smoothed(smoothed, risen)
+    ends = []
+    if risen < unsmoothed:
+        end = _end(q, risen)
+        ends.append((end, f"noise floor below {end:.3g} nm"))
+    if last < risen or unsmoothed < len(q) and risen == unsmoothed:
+        end = _end(q, last)
+        ends.append((end, f"smoothed by the microscope below {end:.3g} nm"))
+    return ends
+
+
+def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:
+    """Return how many of the first `count` bins are left, their last half decade not smoothed.
+
+    The slope passes through that of a rough surface where smoothing turns into noise, so that
+    single bins between smoothed ones are no better.
+    """
+    while smoothed[max(count - HALF_DECADE, 0) : count].any():
+        first = max(count - HALF_DECADE, 0)
+        count = first + int(np.argmax(smoothed[first:count]))
+    return count
+
+
+def _without_floor(flat: NDArray[np.bool_], count: int) -> int:
+    """Return how many of the first `count` bins are left without a floor at their end."""
+    left = count
+    while left and flat[left - 1]:
+        left -= 1
+    return left if left == count else max(left - MARGIN, 0)
+
+
+def _end(wavevector: NDArray[np.float64], count: int) -> float:
+    """Return the wavelength in nm between the first `count` bins and the others."""
+    if count == 0:
+        return float(2 * np.pi / wavevector[0])
+    return float(2 * np.pi / np.sqrt(wavevector[count - 1] * wavevector[count]))

@@ -1,0 +1,36 @@
+# The page of the paper's study: question, answer, figures in their order, verdicts, departures.
+
+
+rule answer_paper:
+    """Write the page that tells the story of the study, and its numbers."""
+    input:
+        **{name: PATTERNS.dataset(name) for name in ("topography", "scales", "band", "sets")},
+        claims=PATTERNS.result("claims.csv"),
+        published_constants=PUBLISHED["published_constants"],
+        figures=[PATTERNS.figure(name, "png") for name in FIGURES],
+        captions=[f"workflow/report/{name}.rst" for name in FIGURES],
+        departures="workflow/report/departures.md",
+        code=code_inputs("answer_paper.py"),
+    output:
+        page=report(
+            PATTERNS.result("answer.html"),
+            caption="../report/answer.rst",
+            category="0. Answer",
+            labels={"page": "the answer"},
+        ),
+        json=PATTERNS.result("answer.json"),
+        record=PATTERNS.record("answer"),
+    log:
+        PATTERNS.log("answer_paper"),
+    benchmark:
+        PATTERNS.benchmark("answer_paper")
+    params:
+        canonical=canonical(config),
+    script:
+        "../scripts/answer_paper.py"
+
+
+rule answer:
+    """Make the page that answers."""
+    input:
+        rules.answer_paper.output,

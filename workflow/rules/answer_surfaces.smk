@@ -1,0 +1,34 @@
+# The page that answers for own surfaces.
+
+from hardcontact.study.stages import NONE, left_out
+
+
+rule answer_surfaces:
+    """Write the page that answers for own surfaces, and its numbers."""
+    input:
+        **{name: PATTERNS.dataset(name) for name in ("topography", "spectra", "edges", "force")},
+        fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
+        code=code_inputs("answer_surfaces.py"),
+    output:
+        page=report(
+            PATTERNS.result("answer.html"),
+            caption="../report/answer.rst",
+            category="0. Answer",
+            labels={"page": "the answer"},
+        ),
+        json=PATTERNS.result("answer.json"),
+        record=PATTERNS.record("answer"),
+    log:
+        PATTERNS.log("answer_surfaces"),
+    benchmark:
+        PATTERNS.benchmark("answer_surfaces")
+    params:
+        canonical=canonical({"study": STUDY["study"], "left_out": left_out(STUDY)}),
+    script:
+        "../scripts/answer_surfaces.py"
+
+
+rule answer:
+    """Make the page that answers."""
+    input:
+        rules.answer_surfaces.output,
