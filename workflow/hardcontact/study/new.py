@@ -103,7 +103,7 @@ def new_study(arguments: Namespace) -> str:
         partial(_refuse_cells, table_rows(found.entries, [], tip)),
     ]
     if arguments.forces is not None:
-        checks.append(partial(measured_forces, arguments.forces, surfaces))
+        checks.append(partial(_refuse_forces, arguments.forces, surfaces))
     if not faults:  # Else problems would be told that are none once these are mended.
         checks.append(lambda: plans.append(_plan(arguments, given, found.entries)))
     refuse_all(checks)
@@ -120,6 +120,14 @@ def _refuse_lines(faults: Sequence[str]) -> None:
     """Refuse what is known to be wrong already."""
     if faults:
         raise ValueError("\n".join(faults))
+
+
+def _refuse_forces(path: str, surfaces: Sequence[str]) -> None:
+    """Refuse own forces that the study would refuse."""
+    try:
+        measured_forces(path, surfaces)
+    except ValueError as error:
+        raise ValueError(str(error).replace("config key forces", "--forces")) from None
 
 
 def _refuse_cells(rows: Sequence[Mapping[str, str]]) -> None:

@@ -2,12 +2,14 @@
 
 import math
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.study.contact_scans import SIZE_OVER_REACH
+from hardcontact.study.faults import refuse_all
 from hardcontact.study.grid_limits import MAP_PIXELS, least_range
 from hardcontact.study.inventory import Entry
 from hardcontact.study.master_limits import PENETRATION_OVER_RANGE
@@ -89,21 +91,28 @@ def proposed_contact(scans: Sequence[Entry], substrates: Sequence[Entry], probe:
     ValueError
         In one line a problem: a range that is too short, a preload that is too high.
     """
-    window, reason = _window(scans, probe.radius, probe.rho)
+    window, _ = _window(scans, probe.radius, probe.rho)
     least, why = _least_range(scans, substrates, probe, window)
-    if probe.rho >= least:
-        contact = Contact(probe.rho, least, "", window, reason)
-    elif probe.rho_given or least > LONGEST_RANGE:
-        found = "" if probe.rho_given else "the usual "
+    refuse_all(
+        [
+            partial(_refuse_range, probe, least, why),
+            partial(_refuse_load, scans, probe.load, window),
+        ]
+    )
+    rho = max(probe.rho, least)
+    # A wider window, as a longer range needs, does not raise the least range.
+    window, reason = _window(scans, probe.radius, rho)
+    raised = f"the least on these scans, where {why}" if rho > probe.rho else ""
+    return Contact(rho, least, raised, window, reason)
+
+
+def _refuse_range(probe: Probe, least: float, why: str) -> None:
+    """Refuse a range that is too short, if the user asked for it or no range known is as long."""
+    if probe.rho < least and (probe.rho_given or least > LONGEST_RANGE):
+        found = f"{'' if probe.rho_given else 'the usual '}{probe.rho:.4g} nm"
         raise ValueError(
-            f"--range: expected at least {least:.3g} nm on these scans, where {why}, "
-            f"found {found}{probe.rho:.4g} nm"
+            f"--range: expected at least {least:.3g} nm on these scans, where {why}, found {found}"
         )
-    else:  # A wider window does not raise the least range.
-        window, reason = _window(scans, probe.radius, least)
-        contact = Contact(least, least, f"the least on these scans, where {why}", window, reason)
-    _refuse_load(scans, probe.load, contact.window)
-    return contact
 
 
 def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:

@@ -167,7 +167,7 @@ def _accepted(schema: Schema, key: str) -> Schema:
     part = schema
     for name in key.split("."):
         part = part["properties"][name]
-    return resolved(part, schema)
+    return {word: value for word, value in resolved(part, schema).items() if word != "$ref"}
 
 
 def _fault(name: str, text: str, accepted: Schema) -> str:
