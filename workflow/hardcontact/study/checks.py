@@ -5,7 +5,7 @@ row, what was expected, what was found.
 """
 
 import os
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise, product
 from pathlib import Path
@@ -30,7 +30,7 @@ from hardcontact.study.substitute_descriptions import refuse_description
 from hardcontact.study.surface_table import CONTACT
 from hardcontact.surfaces.scans import read_measurement
 
-__all__ = ["check"]
+__all__ = ["check", "check_grids"]
 
 
 def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
@@ -126,7 +126,7 @@ def _refuse_small_pool(config: dict[str, Any], table: pd.DataFrame) -> None:
 
 
 def _refuse_on_grids(config: dict[str, Any], table: pd.DataFrame) -> None:
-    """Refuse what the pixels of the scans do not permit."""
+    """Refuse what the pixels of the scans do not permit; measured scans are read."""
     grids: dict[str, Grid] = {}
 
     def read(surface: str, rows: pd.DataFrame) -> None:
@@ -135,6 +135,24 @@ def _refuse_on_grids(config: dict[str, Any], table: pd.DataFrame) -> None:
     refuse_all(
         partial(read, str(surface), rows) for surface, rows in table.groupby("surface", sort=False)
     )
+    check_grids(config, grids)
+
+
+def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
+    """Refuse what the pixels of scans do not permit.
+
+    Parameters
+    ----------
+    config : dict
+        Numbers, as `configuration.configuration` returns it.
+    grids : mapping
+        Grid of the scans of each surface.
+
+    Raises
+    ------
+    ValueError
+        In one line a fault, naming the key.
+    """
     name, of_the_paper = config["sphere"]["surface"], config["published"] == PAPER
     if name in grids:
         _refuse_small_sphere(config, grids[name])

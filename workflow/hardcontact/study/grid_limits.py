@@ -10,6 +10,7 @@ from hardcontact.study.stages import PAPER
 
 __all__ = [
     "MAP_PIXELS",
+    "least_range",
     "loads",
     "refuse_contact_pixels",
     "refuse_large_map",
@@ -58,15 +59,47 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
             yield "robustness.hardnesses", Load(preload=preload, hardness=other)
 
 
-def refuse_short_range(
-    config: dict[str, Any], key: str, rho: float, surface: str, grid: Grid
-) -> None:
-    """Refuse a range of adhesion too short for the pixels or for the relief of a surface.
+def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
+    """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
 
     The interaction radius sqrt(2 R rho) must span two pixels, and exponentials of height over range
     must not overflow. Where the window holds a period of the surface, every contact has the highest
     pixel of the map within half a period of it, and cannot be farther from it than the sphere's
     curvature says.
+
+    Parameters
+    ----------
+    radius : float
+        Of the sphere, in nm.
+    window : float
+        Edge of the analysis window in nm.
+    grid : Grid
+        Of the surface before stitching, which doubles its size to the period.
+
+    Returns
+    -------
+    least : float
+        In nm, rounded up to three digits.
+    reason : str
+        In words.
+    """
+    relief = grid.relief
+    if window >= 2 * grid.size:
+        relief = min(relief, grid.size**2 / radius)
+    reasons = {
+        f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
+        "an interaction radius sqrt(2 R rho) of two pixels needs it": 2
+        * grid.pixel_size**2
+        / radius,
+    }
+    reason, least = max(reasons.items(), key=lambda item: item[1])
+    return _rounded_up(least), reason
+
+
+def refuse_short_range(
+    config: dict[str, Any], key: str, rho: float, surface: str, grid: Grid
+) -> None:
+    """Refuse a range of adhesion too short for the pixels or for the relief of a surface.
 
     Parameters
     ----------
@@ -79,26 +112,18 @@ def refuse_short_range(
     surface : str
         Id of the surface, for the message.
     grid : Grid
-        Of the surface before stitching, which doubles its size to the period.
+        Of the surface before stitching.
 
     Raises
     ------
     ValueError
         In one line, naming the key and the least range that the surface permits.
     """
-    radius, relief = config["sphere"]["radius"], grid.relief
-    if config["contact"]["window"] >= 2 * grid.size:
-        relief = min(relief, grid.size**2 / radius)
-    reasons = {
-        f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
-        "an interaction radius sqrt(2 R rho) of two pixels needs it": 2
-        * grid.pixel_size**2
-        / radius,
-    }
-    reason, least = max(reasons.items(), key=lambda item: item[1])
+    radius, window = config["sphere"]["radius"], config["contact"]["window"]
+    least, reason = least_range(radius, window, grid)
     if rho < least:
         raise ValueError(
-            f"config key {key}: expected at least {_rounded_up(least):g} nm on {surface}, "
+            f"config key {key}: expected at least {least:g} nm on {surface}, "
             f"where {reason}, found {rho:.4g} nm"
         )
 
@@ -106,7 +131,7 @@ def refuse_short_range(
 def _rounded_up(number: float) -> float:
     """Return the next number of three digits."""
     step = 10.0 ** (math.floor(math.log10(number)) - 2)
-    return math.ceil(number / step) * step
+    return float(f"{math.ceil(number / step) * step:.3g}")
 
 
 def refuse_large_map(what: str, pixel_size: float, *grids: Grid) -> None:

@@ -8,7 +8,7 @@ import pandas as pd
 
 from hardcontact.surfaces.scans import read_scan
 
-__all__ = ["Grid", "surface_grid"]
+__all__ = ["PIXEL_SIZES", "Grid", "surface_grid"]
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)

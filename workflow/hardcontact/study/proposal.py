@@ -1,0 +1,227 @@
+"""What a study of own surfaces computes: a value for every key that depends on the scans.
+
+Everything follows from what the files hold and from the few options of the command line. Each
+choice has its reason in words.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from hardcontact.answer.quantities import print_length
+from hardcontact.study.contact_scans import contact_scans
+from hardcontact.study.inventory import FILLING, Entry
+from hardcontact.study.proposed_contact import (
+    Contact,
+    Probe,
+    contact_cautions,
+    proposed_contact,
+)
+from hardcontact.study.proposed_scales import FULL, QUICK, Effort, Setting, proposed_scales
+
+__all__ = ["Choice", "Proposal", "propose", "quantity"]
+
+#: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
+#: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
+TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4
+#: The range of adhesion over the shortest, and the longest over it, that forces are computed at.
+RANGE_SPAN = 8.0
+#: Ranges of adhesion (nm) that the configuration accepts.
+RANGES = (0.01, 1000.0)
+
+
+class Choice(NamedTuple):
+    """A value that is chosen.
+
+    Attributes
+    ----------
+    key : str
+        With dots between its parts.
+    value : object
+        As YAML has it.
+    reason : str
+        In words; may be empty.
+    """
+
+    key: str
+    value: object
+    reason: str
+
+
+class Proposal(NamedTuple):
+    """What is proposed.
+
+    Attributes
+    ----------
+    contact : list of Entry
+        The scans that contacts are made on; all others only enter the spectrum.
+    choices, quick : list of Choice
+        Of the study, and what differs at quick effort.
+    reasons : list of str
+        For the scans of each surface.
+    cautions : list of str
+        What the user should know before believing the answer.
+    """
+
+    contact: list[Entry]
+    choices: list[Choice]
+    quick: list[Choice]
+    reasons: list[str]
+    cautions: list[str]
+
+
+def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Proposal:
+    """Choose what is computed.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+        All that was read, of one surface or more.
+    sphere : str or None
+        Id of the sphere's surface; None if it is smooth.
+    probe : Probe
+        The sphere and its load.
+
+    Returns
+    -------
+    Proposal
+        For every key that depends on the scans.
+
+    Raises
+    ------
+    ValueError
+        In one line a problem: no height map, surfaces with scans too different for one study, a
+        range of adhesion that is too short, a preload that is too high.
+    """
+    scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
+    substrates = [scan for scan in scans if scan.source.surface != sphere]
+    _refuse_different(substrates)
+    contact = proposed_contact(scans, substrates, probe)
+    full, quick = (_choices(substrates, probe, contact, effort) for effort in (FULL, QUICK))
+    usual = {choice.key: choice.value for choice in full}
+    return Proposal(
+        scans,
+        [*_filling(entries), *full],
+        [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
+        reasons,
+        [*contact_cautions(substrates, probe, contact), *_band_cautions(substrates)],
+    )
+
+
+def _refuse_different(substrates: Sequence[Entry]) -> None:
+    """Refuse surfaces whose scans have no wavelength in common."""
+    coarsest = max(substrates, key=lambda scan: scan.pixel_size)
+    smallest = min(substrates, key=lambda scan: scan.size)
+    if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
+        raise ValueError(
+            "--surface: expected scans of similar size on all surfaces, found "
+            f"{print_length(smallest.size)} on {smallest.source.surface} and pixels of "
+            f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
+            "make a study of each"
+        )
+
+
+def _choices(
+    substrates: Sequence[Entry], probe: Probe, contact: Contact, effort: Effort
+) -> list[Choice]:
+    """Return what is computed at some effort."""
+    counts = [scan.source.surface for scan in substrates]
+    setting = Setting(
+        [scan.grid for scan in substrates],
+        max(map(counts.count, counts)),
+        probe.load,
+        probe.radius,
+        contact.rho,
+        contact.window,
+    )
+    scales = proposed_scales(setting, effort)
+    shortest, longest, shortest_reason = _transitions(substrates)
+    size = min(scan.size for scan in substrates)
+    pixel = max(2 * scan.size / scales.small_pixels for scan in substrates)
+    return [
+        Choice("contact.window", quantity(contact.window), contact.window_reason),
+        Choice("contact.count", scales.contacts, "contacts along an edge of their array"),
+        Choice(
+            "adhesion.ranges",
+            [quantity(rho) for rho in _ranges(contact, effort.ranges)],
+            f"for the force as a function of it; these scans permit {contact.least:.3g} nm or more",
+        ),
+        Choice(
+            "scales.range",
+            quantity(contact.rho),
+            contact.rho_reason or ("as given" if probe.rho_given else "the paper's"),
+        ),
+        Choice("scales.realizations", scales.realizations, "masters on each side"),
+        Choice("scales.small.pixels", scales.small_pixels, f"{print_length(pixel)} a pixel"),
+        Choice("scales.small.transition", quantity(shortest), shortest_reason),
+        Choice(
+            "scales.small.cutoffs",
+            [quantity(cutoff) for cutoff in scales.small_cutoffs],
+            "from four pixels to the size of the scan",
+        ),
+        Choice("scales.large.pixels", scales.large_pixels, "those of the scans"),
+        Choice(
+            "scales.large.tiles",
+            scales.tiles,
+            f"mirrored scans along an edge, {print_length(2 * size * scales.tiles)}",
+        ),
+        Choice(
+            "scales.large.transition",
+            quantity(longest),
+            f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial",
+        ),
+        Choice(
+            "scales.large.cutoffs",
+            [quantity(cutoff) for cutoff in scales.large_cutoffs],
+            "to half the size of the master",
+        ),
+    ]
+
+
+def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
+    """Return the wavelengths (nm) beyond which roughness is artificial, and why the shorter one."""
+    longest = TRANSITION_SHARE * min(scan.size for scan in substrates)
+    ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
+    ends += [(scan.band.shortest, scan.band.shortest_reason) for scan in substrates]
+    shortest, reason = max(ends)
+    longest, shortest = (float(f"{wavelength:.3g}") for wavelength in (longest, shortest))
+    if shortest > longest:
+        return longest, longest, f"no wave of the scan is reliable ({reason})"
+    return shortest, longest, f"{reason}; below, roughness is artificial"
+
+
+def _ranges(contact: Contact, count: int) -> list[float]:
+    """Return ranges of adhesion (nm) about that of the masters, which is one of them."""
+    least, most = RANGES
+    shortest = max(contact.least, contact.rho / RANGE_SPAN, least)
+    longest = min(contact.rho * RANGE_SPAN, most)
+    below = np.geomspace(shortest, contact.rho, count // 2 + 1)[:-1]
+    above = np.geomspace(contact.rho, longest, count - count // 2)[1:]
+    rounded = {float(f"{rho:.2g}") for rho in (*below[1:], *above)}
+    others = {rho for rho in rounded if rho > shortest}
+    return sorted({shortest, contact.rho, *others})
+
+
+def _filling(entries: Sequence[Entry]) -> Iterator[Choice]:
+    """Yield that gaps are filled, if there are any."""
+    count = sum(entry.undefined > 0 for entry in entries)
+    if count:
+        yield Choice(
+            "scan.undefined_pixels", FILLING, f"{count} of the files have undefined pixels"
+        )
+
+
+def _band_cautions(substrates: Sequence[Entry]) -> Iterator[str]:
+    """Yield which scans of contacts have no reliable wavelength, in words."""
+    for scan in substrates:
+        if scan.band.shortest > scan.band.longest:
+            yield (
+                f"{scan.name}: no wavelength is reliable: {scan.band.shortest_reason}, but "
+                f"{scan.band.longest_reason} ends at {print_length(scan.band.longest)}"
+            )
+
+
+def quantity(length: float) -> str:
+    """Return a length (nm) as the configuration has it."""
+    return f"{length:.12g} nm"
