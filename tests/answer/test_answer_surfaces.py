@@ -1,6 +1,7 @@
 """The script that answers: datasets on disk become a page, its numbers and their record."""
 
 import json
+import os
 import runpy
 from types import SimpleNamespace
 
@@ -14,6 +15,16 @@ from hardcontact.records import dataset
 from hardcontact.records.origin import canonical
 
 
+def named(paths):
+    """Return inputs as Snakemake gives them to a script: no file stands for no own forces."""
+    inputs = Namedlist(str(path) for path in paths.values())
+    for place, name in enumerate(paths):
+        inputs._set_name(name, place)
+    if "fit" not in paths:
+        inputs._set_name("fit", len(paths), end=len(paths))
+    return inputs
+
+
 def run(folder, given):
     """Run the script as the workflow does, on files in a folder."""
     inputs = {name: folder / f"{name}.nc" for name, one in given._asdict().items() if one}
@@ -24,8 +35,7 @@ def run(folder, given):
         "record": folder / "answer.record.json",
     }  # fmt: skip
     job = SimpleNamespace(
-        # The rule gives no files where there are no own forces.
-        input=Namedlist(fromdict={"fit": []} | {name: str(path) for name, path in inputs.items()}),
+        input=named(inputs),
         output=Namedlist(fromdict={name: str(path) for name, path in outputs.items()}),
         params=SimpleNamespace(canonical=canonical(setting([("part", "why")])._asdict())),
         log=[str(folder / "answer.log")],
@@ -36,7 +46,9 @@ def run(folder, given):
 
 
 @pytest.mark.parametrize("of_forces", [None, fit()])
-def test_files_become_a_page_and_the_same_numbers(tmp_path, of_forces):
+def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch, of_forces):
+    # A script that fails ends its process, which here is that of the tests.
+    monkeypatch.setattr(os, "_exit", pytest.fail)
     made = run(tmp_path, datasets(fit=of_forces))
     numbers = json.loads(made["json"])
     texts = Page(made["page"]).texts
