@@ -9,6 +9,7 @@ from hardcontact.study.grids import Grid
 from hardcontact.study.stages import PAPER
 
 __all__ = [
+    "CONTACT_PIXELS",
     "MAP_PIXELS",
     "least_range",
     "loads",

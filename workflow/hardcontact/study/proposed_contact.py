@@ -10,10 +10,10 @@ from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.study.contact_scans import SIZE_OVER_REACH
 from hardcontact.study.faults import refuse_all
-from hardcontact.study.grid_limits import MAP_PIXELS, least_range
+from hardcontact.study.grid_limits import CONTACT_PIXELS, MAP_PIXELS, least_range
 from hardcontact.study.inventory import Entry
 from hardcontact.study.master_limits import PENETRATION_OVER_RANGE
-from hardcontact.study.proposed_scales import FULL, proposed_tiles
+from hardcontact.study.proposed_scales import COUNTS, FULL, proposed_tiles
 
 __all__ = ["Contact", "Probe", "contact_cautions", "proposed_contact"]
 
@@ -93,15 +93,11 @@ def proposed_contact(scans: Sequence[Entry], substrates: Sequence[Entry], probe:
     """
     window, _ = _window(scans, probe.radius, probe.rho)
     least, why = _least_range(scans, substrates, probe, window)
-    refuse_all(
-        [
-            partial(_refuse_range, probe, least, why),
-            partial(_refuse_load, scans, probe.load, window),
-        ]
-    )
     rho = max(probe.rho, least)
     # A wider window, as a longer range needs, does not raise the least range.
     window, reason = _window(scans, probe.radius, rho)
+    loaded = partial(_refuse_load, scans, probe.load, window)
+    refuse_all([partial(_refuse_range, probe, least, why), loaded])
     raised = f"the least on these scans, where {why}" if rho > probe.rho else ""
     return Contact(rho, least, raised, window, reason)
 
@@ -149,16 +145,18 @@ def _least_range(
 
 
 def _refuse_load(scans: Sequence[Entry], load: Load, window: float) -> None:
-    """Refuse a preload that needs more than a quarter of the window, or of a scan."""
+    """Refuse a preload that needs too many pixels: of the window, of a scan, of the memory."""
     most = math.inf
     for scan in scans:
         pixels = min(window_pixels(window, scan.pixel_size), 2 * scan.pixels) ** 2 // 4
-        most = min(most, pixels * (scan.pixel_size * 1e-9) ** 2 * load["hardness"])
+        images = max(1.0, window / (2 * scan.size)) ** 2
+        kept = CONTACT_PIXELS / min(COUNTS) ** 2 / images
+        area = min(pixels, kept) * (scan.pixel_size * 1e-9) ** 2
+        most = min(most, area * load["hardness"])
     if load["preload"] > most:
         raise ValueError(
-            f"--preload: expected at most {print_quantity(most, 'N')}, which a quarter of the "
-            f"window of {print_length(window)} carries at this hardness, "
-            f"found {print_quantity(load['preload'], 'N')}"
+            f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
+            f"scans can carry at this hardness, found {print_quantity(load['preload'], 'N')}"
         )
 
 

@@ -12,7 +12,16 @@ from hardcontact.contact.tiles import TILE
 from hardcontact.study.grid_limits import CONTACT_PIXELS
 from hardcontact.study.grids import Grid
 
-__all__ = ["FULL", "QUICK", "Effort", "Scales", "Setting", "proposed_scales", "proposed_tiles"]
+__all__ = [
+    "COUNTS",
+    "FULL",
+    "QUICK",
+    "Effort",
+    "Scales",
+    "Setting",
+    "proposed_scales",
+    "proposed_tiles",
+]
 
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST = 0.15

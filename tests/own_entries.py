@@ -1,0 +1,65 @@
+"""Entries of an inventory, as scans of any size would give them, and a proposal's configuration."""
+
+from repository import PAPER, SCHEMAS
+
+from hardcontact.study.checks import check_grids
+from hardcontact.study.configuration import configuration
+from hardcontact.study.inventory import Entry, Source
+from hardcontact.study.overlay import nested
+from hardcontact.study.proposal import Choice
+from hardcontact.study.proposed_contact import Probe
+from hardcontact.surfaces.reliable_band import ReliableBand
+
+
+def entry(size=2500.0, pixels=512, rms=17.0, **others):
+    """Return a height map of a surface `a`; other fields as they are named."""
+    pixel = size / pixels
+    name = others.pop("surface", "a")
+    path = others.pop("path", "scans/one.nc")
+    fields = {
+        "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
+        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None,
+        "band": ReliableBand(4 * pixel, size / 3, "4 pixels", "a third of the size"),
+        "undefined": 0, "notes": (),
+    }  # fmt: skip
+    return Entry(
+        source=Source(name, name, path, path), pixels=pixels, pixel_size=pixel, rms_height=rms,
+        **(fields | others),
+    )  # fmt: skip
+
+
+def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6, given=False):
+    """Return a sphere and its load; the paper's, if nothing else is said."""
+    return Probe(radius, {"preload": preload, "hardness": hardness}, rho, given)
+
+
+def numbers(asked, choices):
+    """Return the configuration of choices for what was asked, as the study reads it."""
+
+    named = [
+        Choice("study", "own", ""),
+        Choice("published", "none", ""),
+        Choice("sphere.surface", "smooth", ""),
+        Choice("sphere.radius", f"{asked.radius:.12g} nm", ""),
+        Choice("contact.preload", f"{asked.load['preload']:.12g} N", ""),
+        Choice("contact.hardness", f"{asked.load['hardness']:.12g} Pa", ""),
+    ]
+
+    return configuration(nested([*named, *choices], PAPER), SCHEMAS["config"])
+
+
+def both_efforts(asked, proposal):
+    """Return the configurations of a proposal: of the study and of its quick effort."""
+    choices = proposal.choices
+    return [numbers(asked, choices), numbers(asked, [*choices, *proposal.quick])]
+
+
+def check_study(asked, proposal):
+    """Let the checks of the study look at a proposal for a smooth sphere, at both efforts."""
+    grids = {}
+    for scan in proposal.contact:
+        name = scan.source.surface
+        relief = max(scan.relief, grids[name].relief if name in grids else 0)
+        grids[name] = scan.grid._replace(relief=relief)
+    for config in both_efforts(asked, proposal):
+        check_grids(config, grids)
