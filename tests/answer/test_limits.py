@@ -59,19 +59,36 @@ def test_open_ends_of_intervals_are_named(bound, words):
     assert text.count("may lie") == 1
 
 
+def test_an_edge_without_any_interval_has_no_open_ends():
+    data = edges()
+    status = data["interval_status"].astype(object)
+    status.loc[{"side": "small"}] = "open"
+    data["edge_interval"].loc[{"side": "small"}] = np.nan
+    assert "may lie" not in said(of_edges=data.assign(interval_status=status.astype(str)))
+
+
+UNRELIABLE = "wavelengths where no scan is reliable: roughness there is uncertain or artificial."
+
+
 def test_edges_in_artificial_roughness_are_named():
-    assert "The short edge of the band lies at wavelengths where roughness is artificial" in said()
-    clear = said(of_edges=with_edge(100.0, 80.0, 130.0))
-    assert "artificial, as no scan" not in clear and "reaches into" not in clear
+    assert f"The short edge of the band lies at {UNRELIABLE}" in said()
+    assert "artificial" not in said(of_edges=with_edge(100.0, 80.0, 130.0))
     partly = said(of_edges=with_edge(70.0, 40.0, 90.0))
-    assert "The interval of the short edge of the band reaches into artificial roughness" in partly
+    assert f"The interval of the short edge of the band reaches {UNRELIABLE}" in partly
+    both = with_edge(30_000.0, 26_000.0, 40_000.0, "large")
+    assert artificial_edges(of_first(spectra()), of_first(both)) == [
+        f"Both edges of the band lie at {UNRELIABLE}"
+    ]
 
 
 def test_an_open_bound_in_artificial_roughness_is_named():
     data = open_edges()
+    data["edge"].loc[{"side": "small"}] = 100.0
+    data["edge_interval"].loc[{"side": "small"}] = [80.0, 130.0]
+    assert artificial_edges(of_first(spectra()), of_first(data)) == []
     data["edge_bound"].loc[{"side": "large"}] = 30_000.0
-    texts = artificial_edges(of_first(spectra()), of_first(data))
-    assert [text.startswith("The long edge") for text in texts] == [False, True]
+    (text,) = artificial_edges(of_first(spectra()), of_first(data))
+    assert text.startswith("The long edge of the band lies")
 
 
 def test_edges_without_interval_are_judged_by_themselves():
@@ -100,9 +117,9 @@ def test_a_force_without_interval_says_so():
 
 
 def test_ends_of_the_reliable_wavelengths_have_their_reason():
-    text, set_by = said(), "is artificial; this limit is set by"
-    assert f"Roughness below 55 nm {set_by}: tip of 10 nm (scans/fine.spm)." in text
-    assert f"Roughness above 25 µm {set_by}: size of the scan (scans/line.txt)." in text
+    text = said()
+    assert "No scan is reliable below 55 nm: tip of 10 nm (scans/fine.spm)." in text
+    assert "No scan is reliable above 25 µm: size of the scan (scans/line.txt)." in text
     noisy = {"coarse.spm": MEASUREMENTS["coarse.spm"]}
     assert "noise floor below 160 nm" in said(of_spectra=spectra(measured=noisy))
     assert "continued with H = 0.8" in text

@@ -129,7 +129,7 @@ def test_substitutes_are_called_so():
 def test_artificial_edges_stand_on_the_first_screen():
     page = made("one").page
     notice = page.index('<div class="notice">')
-    assert notice < page.index("<h2>") and "roughness is artificial" in page[notice:]
+    assert notice < page.index("<h2>") and "no scan is reliable" in page[notice:]
     data = edges()
     data["edge"].loc[{"side": "small"}] = 100.0
     data["edge_interval"].loc[{"side": "small"}] = [80.0, 130.0]

@@ -35,6 +35,14 @@ def test_what_is_no_length_is_refused_in_one_line(text):
     assert "\n" not in str(refused.value)
 
 
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [("250um", "250 µm"), ("10 uN", "10 µN"), ("25 GPa", "25 GPa"), ("46.3 mJ/m2", "46.3 mJ/m²")],
+)
+def test_quantities_are_printed_with_their_signs(text, expected):
+    assert units.printed(text) == expected
+
+
 def test_token_is_the_same_for_equal_quantities():
     assert units.token("10 uN", "uN") == units.token("0.01 mN", "uN") == "10uN"
     assert units.token("5.6 nm", "nm") == "5.6nm"

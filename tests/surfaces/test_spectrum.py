@@ -1,8 +1,7 @@
-"""Spectra: published twins, moments, tables, what is measured of scans and beyond their band."""
+"""Spectra: published twins, moments, tables, what is measured of scans."""
 
 import numpy as np
 import pytest
-import xarray as xr
 from random_scans import UNCD, levelled_scan, measured_spectra, uncd
 from refusals import assert_says, refusal
 
@@ -49,28 +48,6 @@ def test_empty_bins_are_no_measurement():
     for density in densities:
         assert np.isnan(density[outside]).all()
         assert (density[np.isfinite(density)] > 0).all()
-
-
-def test_spectrum_of_scans_continues_beyond_their_band():
-    density = spectrum.from_scans(*measured_spectra(8, seed=10))
-    assert np.isfinite(density).all() and (density > 0).all()
-    middle = (WAVEVECTORS > 0.03) & (WAVEVECTORS < 0.3)
-    np.testing.assert_allclose(density[middle] / uncd(WAVEVECTORS[middle]), 1, atol=0.35)
-    # Constant at long wavelengths, and a decade below the pixels within what its slope allows.
-    assert np.ptp(density[WAVEVECTORS < 2 * np.pi / 2000]) == 0
-    beyond = Spectrum(WAVEVECTORS, density)(6.0)
-    assert 1 / 3 < beyond / uncd(6.0) < 3
-
-
-def test_extrapolated_spectrum_says_that_it_was_measured():
-    wave, densities = measured_spectra(2, seed=11)
-    scans = [
-        xr.Dataset({"psd_isotropic": ("wavevector", density)}, {"wavevector": wave})
-        for density in densities
-    ]
-    extrapolated = spectrum.extrapolated_spectrum(scans)
-    np.testing.assert_array_equal(extrapolated.spectrum, spectrum.from_scans(wave, densities))
-    assert extrapolated.attrs == {"basis": "measured", "calibrated_to_table1": ""}
 
 
 def test_a_spectrum_comes_back_as_it_was_stored(tmp_path):

@@ -1,6 +1,7 @@
 # The page that answers for own surfaces.
 
 from hardcontact.study.stages import NONE, left_out
+from hardcontact.study.units import printed
 
 
 rule answer_surfaces:
@@ -23,7 +24,18 @@ rule answer_surfaces:
     benchmark:
         PATTERNS.benchmark("answer_surfaces")
     params:
-        canonical=canonical({"study": STUDY["study"], "left_out": left_out(STUDY)}),
+        canonical=canonical(
+            {
+                "study": STUDY["study"],
+                "contact": {
+                    "radius of the sphere": printed(config["sphere"]["radius"]),
+                    "sphere": STUDY["sphere"]["surface"],
+                    "hardness": printed(config["contact"]["hardness"]),
+                    "preload": printed(config["contact"]["preload"]),
+                },
+                "left_out": list(left_out(STUDY).items()),
+            }
+        ),
     script:
         "../scripts/answer_surfaces.py"
 

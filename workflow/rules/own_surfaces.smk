@@ -34,11 +34,10 @@ rule find_band_edges:
     params:
         canonical=canonical(
             {
-                "scans": {name: SELECTION.scans(name) for name in SELECTION.substrates},
+                "scans": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
+                "tiles": STUDY["scales"]["large"]["tiles"],
                 "tolerance": STUDY["scales"]["tolerance"],
-                "samples": STUDY["inference"]["samples"],
                 "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
             }
         ),
     script:
@@ -49,6 +48,7 @@ rule predict_force:
     """Predict the pull-off force at the range and work of adhesion that are asked for: force.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
+        topography=rules.aggregate_topography.output[0],
         code=code_inputs("predict_force.py"),
     output:
         PATTERNS.dataset("force"),
@@ -61,9 +61,8 @@ rule predict_force:
             {
                 "work": STUDY["adhesion"]["work"],
                 "rho": STUDY["scales"]["range"],
-                "samples": STUDY["inference"]["samples"],
+                "radius": STUDY["sphere"]["radius"],
                 "confidence": STUDY["inference"]["confidence"],
-                "seed": STUDY["seed"],
             }
         ),
     script:
@@ -74,6 +73,7 @@ rule fit_forces:
     """Fit range and work of adhesion to own pull-off forces: fit.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
+        topography=rules.aggregate_topography.output[0],
         forces=[] if STUDY["forces"] == NONE else STUDY["forces"],
         code=code_inputs("fit_forces.py"),
     output:
@@ -87,7 +87,6 @@ rule fit_forces:
     params:
         canonical=canonical(
             {
-                "error_threshold": STUDY["inference"]["error_threshold"],
                 "samples": STUDY["inference"]["samples"],
                 "confidence": STUDY["inference"]["confidence"],
                 "seed": STUDY["seed"],

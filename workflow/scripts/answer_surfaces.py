@@ -10,7 +10,7 @@ from hardcontact.study.job import job
 with job(snakemake) as this:
     paths = {name: getattr(this.input, name, None) for name in Datasets._fields}
     made = answer(
-        Datasets(**{name: path and dataset.read(path) for name, path in paths.items()}),
+        Datasets(**{name: dataset.read(path) if path else None for name, path in paths.items()}),
         Setting(**this.parameters),
     )
     this.write_text(made.page, "page")

@@ -115,7 +115,7 @@ def described_edge(curve: Curve, tolerance: float) -> dict[str, Any]:
         "edge_status": status,
         "edge_interval": interval,
         "interval_status": np.where(np.isfinite(interval), "found", "open"),
-        "edge_text": _text(edge, interval, reason) + ("" if known else ", no interval"),
+        "edge_text": _text(edge, interval, reason, known),
     }
 
 
@@ -134,17 +134,15 @@ def _status(edge: Edge, cell: float) -> tuple[str, str]:
     return "beyond the cutoffs", "no longer cutoff was computed"
 
 
-def _text(edge: Edge, interval: np.ndarray, reason: str) -> str:
-    """Return an edge and the ends of its interval in words, in one unit."""
+def _text(edge: Edge, interval: np.ndarray, reason: str, known: bool) -> str:
+    """Return an edge and the ends of its interval, if that is known, in words and one unit."""
     value = edge.bound if reason else edge.wavelength
     unit, scale = ("µm", 1e3) if value >= 1e3 else ("nm", 1.0)
     number, low, high = _numbers(np.array([value, *interval]) / scale)
     text = f"{number} {unit}"
     if reason:
         text = f"at {'least' if edge.at_least else 'most'} {text}: {reason}"
-    if np.isnan(interval).all():
-        return text
-    return f"{text} [{low}, {high}]"
+    return f"{text} [{low}, {high}]" if known else f"{text}, no interval"
 
 
 def _numbers(values: np.ndarray) -> list[str]:

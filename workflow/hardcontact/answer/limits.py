@@ -5,7 +5,6 @@ import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, reliable_measurements, share_inside
 from hardcontact.answer.quantities import print_length
-from hardcontact.answer.ratios import SIDES
 from hardcontact.answer.sentences import is_open
 
 __all__ = ["artificial_edges", "limits", "measurement_name"]
@@ -32,13 +31,14 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
     list of str
         A sentence each.
     """
-    found = [*_of_basis(basis)]
-    for side in SIDES:
-        found += _of_edge(EDGES[side], edges.sel(side=side), is_open(edges, side))
-    found += artificial_edges(spectra, edges)
-    found += _of_scan_size(force)
-    found += _of_intervals(edges, force)
-    return [*found, *_of_spectrum(spectra)]
+    return [
+        *_of_basis(basis),
+        *(text for side in EDGES for text in _of_edge(side, edges)),
+        *artificial_edges(spectra, edges),
+        *_of_scan_size(force),
+        *_of_intervals(edges, force),
+        *_of_spectrum(spectra),
+    ]
 
 
 def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
@@ -55,11 +55,33 @@ def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
         A sentence each.
     """
     bands = artificial_bands(spectra)
-    return [
-        sentence
-        for side, name in EDGES.items()
-        for sentence in _of_artificial_edge(name, edges.sel(side=side), bands)
+    places = {side: _place(edges.sel(side=side), bands) for side in EDGES}
+    inside, partly = (
+        [EDGES[side] for side, found in places.items() if found == place]
+        for place in ("inside", "partly")
+    )
+    texts = []
+    if inside:
+        names, verb = (inside[0], "lies") if len(inside) == 1 else ("Both edges of the band", "lie")
+        texts.append(
+            f"{names} {verb} at wavelengths where no scan is reliable: roughness there is "
+            "uncertain or artificial."
+        )
+    texts += [
+        f"The interval of {name[0].lower()}{name[1:]} reaches wavelengths where no scan is "
+        "reliable: roughness there is uncertain or artificial."
+        for name in partly
     ]
+    return texts
+
+
+def _place(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> str:
+    """Return whether an edge or its bound lies inside artificial bands, its interval partly."""
+    edge = float(of_side["edge"].fillna(of_side["edge_bound"]))
+    if share_inside(edge, edge, bands):
+        return "inside"
+    low, high = of_side["edge_interval"].fillna(edge).values
+    return "partly" if share_inside(low, high, bands) else "outside"
 
 
 def _of_basis(basis: str) -> list[str]:
@@ -71,32 +93,18 @@ def _of_basis(basis: str) -> list[str]:
     ]
 
 
-def _of_edge(name: str, of_side: xr.Dataset, is_open_edge: bool) -> list[str]:
+def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
     """Return that an edge, or an end of its interval, lies beyond what was computed."""
-    if is_open_edge:
+    name, of_side = EDGES[side], edges.sel(side=side)
+    if is_open(edges, side):
         return [f"{name} is open: {of_side['edge_text'].item()}."]
     ends = {"low": "shorter", "high": "longer"}
+    status = of_side["interval_status"]
     return [
         f"{name} may lie at {words} wavelengths than were computed: its interval is open there."
         for bound, words in ends.items()
-        if of_side["interval_status"].sel(bound=bound).item() == "open"
+        if status.sel(bound=bound).item() == "open" and np.isfinite(of_side["edge_interval"]).any()
     ]
-
-
-def _of_artificial_edge(
-    name: str, of_side: xr.Dataset, bands: list[tuple[float, float]]
-) -> list[str]:
-    """Return that an edge, its bound or part of its interval lies where no scan is reliable."""
-    edge = float(of_side["edge"].fillna(of_side["edge_bound"]))
-    if share_inside(edge, edge, bands):
-        return [
-            f"{name} lies at wavelengths where roughness is artificial, as no scan is reliable "
-            "there: it says more about how the spectrum is continued than about the surface."
-        ]
-    low, high = of_side["edge_interval"].fillna(edge).values
-    if share_inside(low, high, bands):
-        return [f"The interval of {name[0].lower()}{name[1:]} reaches into artificial roughness."]
-    return []
 
 
 def _of_scan_size(force: xr.Dataset) -> list[str]:
@@ -122,10 +130,10 @@ def _of_spectrum(spectra: xr.Dataset) -> list[str]:
     finest = known.isel(measurement=int(known["shortest_reliable"].values.argmin()))
     widest = known.isel(measurement=int(known["longest_reliable"].values.argmax()))
     found = [
-        f"Roughness below {print_length(finest['shortest_reliable'].item())} is artificial; this "
-        f"limit is set by: {finest['shortest_reason'].item()} ({measurement_name(finest)}).",
-        f"Roughness above {print_length(widest['longest_reliable'].item())} is artificial; this "
-        f"limit is set by: {widest['longest_reason'].item()} ({measurement_name(widest)}).",
+        f"No scan is reliable below {print_length(finest['shortest_reliable'].item())}: "
+        f"{finest['shortest_reason'].item()} ({measurement_name(finest)}).",
+        f"No scan is reliable above {print_length(widest['longest_reliable'].item())}: "
+        f"{widest['longest_reason'].item()} ({measurement_name(widest)}).",
     ]
     note = str(spectra["tail_note"].item())
     found += [f"How the spectrum is continued where no scan is reliable: {note}."] if note else []

@@ -111,8 +111,8 @@ def _first_screen(given: Datasets) -> str:
     tolerance = print_share(given.edges.attrs["tolerance"])
     confidence = print_share(given.edges.attrs["confidence"])
     meaning = (
-        f"Decided by: without all roughness of shorter, or of longer, wavelengths the force "
-        f"changes by less than {tolerance}. Brackets: {confidence} intervals."
+        "Decided by: removing all roughness of shorter wavelengths, or all of longer ones, changes "
+        f"the force by less than {tolerance}. Brackets: {confidence} intervals."
     )
     more = f'<a href="#{_anchor(LIMITS)}">{LIMITS}</a>.'
     opened = ""
@@ -160,7 +160,7 @@ def _spectrum(label: str, of: Datasets) -> str:
         f"{label}: the isotropic power spectral density of each scan where it is reliable (colour) "
         "and where it is not (dotted), and their logarithmic average (points). Contacts are "
         f"computed with the line. Shaded: no scan is reliable below {low} or above {high}; "
-        "roughness there is artificial.",
+        "roughness there is uncertain or artificial.",
     )
 
 

@@ -19,7 +19,7 @@ KINDS: dict[str, dict[str, Any]] = {
     "map": {"color": "#0072B2", **MEASURED},
     "profile": {"color": "#009E73", **MEASURED},
 }
-UNRELIABLE: dict[str, Any] = {"color": "0.6", "lw": 0.8, "ls": ":"}
+UNRELIABLE: dict[str, Any] = {"color": "0.3", "lw": 1.1, "ls": ":"}
 JOINED: dict[str, Any] = {"color": "black", "ls": "none", "marker": "o", "ms": 3}
 USED: dict[str, Any] = {"color": "black", "lw": 0.9}
 MARGIN = 4.0  # factor by which the wavelengths shown go beyond all that are measured
@@ -27,7 +27,7 @@ MARGIN = 4.0  # factor by which the wavelengths shown go beyond all that are mea
 
 @canvas.canvas_style()
 def draw(of_surface: xr.Dataset) -> Figure:
-    """Draw the isotropic PSD of each measurement, the joined one, and where it is artificial.
+    """Draw the isotropic PSD of each measurement, the joined one, and where no scan is reliable.
 
     Parameters
     ----------
@@ -61,7 +61,7 @@ def draw(of_surface: xr.Dataset) -> Figure:
 def _draw_measurement(axes: Axes, wavelength: np.ndarray, one: xr.Dataset) -> None:
     """Draw the PSD of one measurement: where it is reliable in colour, elsewhere pale."""
     density = one["psd"]
-    axes.plot(wavelength, density, zorder=1, **UNRELIABLE)
+    axes.plot(wavelength, density, zorder=2, **UNRELIABLE)
     reliable = density.where(one["reliable"] == 1)
     axes.plot(wavelength, reliable, **KINDS[str(one["kind"].item())])
 
@@ -86,5 +86,5 @@ def _legend_handles(kinds: list[str]) -> list[Any]:
         Line2D([], [], label="not reliable, not used", **UNRELIABLE),
         Line2D([], [], label="joined", **JOINED),
         Line2D([], [], label="spectrum used", **USED),
-        Patch(label="artificial", **ARTIFICIAL),
+        Patch(label="no reliable scan", **ARTIFICIAL),
     ]

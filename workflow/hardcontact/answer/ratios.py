@@ -124,6 +124,6 @@ def _legend_handles(edges: xr.Dataset) -> list[Any]:
         Line2D([], [], label=f"mean and {confidence} interval", **CURVE),
         Patch(label=f"±{style.print_share(edges.attrs['tolerance'])}", **TOLERANCE),
         Line2D([], [], label="edge of the band", **EDGE),
-        Patch(label="artificial roughness", **ARTIFICIAL),
+        Patch(label="no reliable scan", **ARTIFICIAL),
         *([arrow] if open_edges else []),
     ]

@@ -15,6 +15,9 @@ __all__ = ["Check", "check", "folder_records", "require", "sources", "traced_rec
 #: The texts of `Origin.attributes`; of files without attributes also `output_digests`, a dict.
 Record = dict[str, Any]
 
+#: The folder of the records of files that have no attributes, below the results of a study.
+FOLDER = "provenance"
+
 
 def _attributes(path: str | Path) -> Record | None:
     """Return the attributes of a netCDF file that a study wrote; None of any other file."""
@@ -46,7 +49,7 @@ def require(paths: Iterable[str | Path]) -> None:
     Parameters
     ----------
     paths : iterable of paths
-        Those that end in ``.json`` are records; the files that they name are compared.
+        Those in the folder FOLDER are records; the files that they name are compared.
 
     Raises
     ------
@@ -54,7 +57,7 @@ def require(paths: Iterable[str | Path]) -> None:
         In one line, naming the first file that is another or none, or a damaged record.
     """
     for path in paths:
-        outputs = _record(path)["output_digests"] if str(path).endswith(".json") else {}
+        outputs = _record(path)["output_digests"] if Path(path).parent.name == FOLDER else {}
         for name, expected in outputs.items():
             if not Path(name).is_file() or digest([name]) != expected:
                 raise ValueError(
@@ -66,12 +69,12 @@ def require(paths: Iterable[str | Path]) -> None:
 def folder_records(folder: str | Path) -> dict[str, Record]:
     """Return the records of the files in ``results/<study>`` by path.
 
-    They are in the attributes of a file or in the folder ``provenance``; a damaged one is a
+    They are in the attributes of a file or in the folder FOLDER; a damaged one is a
     ValueError.
     """
     datasets = {path.as_posix(): _attributes(path) for path in sorted(Path(folder).glob("*.nc"))}
     result = {path: record for path, record in datasets.items() if record is not None}
-    for path in sorted(Path(folder, "provenance").glob("*.json")):
+    for path in sorted(Path(folder, FOLDER).glob("*.json")):
         record = _record(path)
         result |= dict.fromkeys(record["output_digests"], record)
     return result

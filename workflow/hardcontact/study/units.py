@@ -6,7 +6,7 @@ import reprlib
 
 import pint
 
-__all__ = ["magnitude", "token"]
+__all__ = ["magnitude", "printed", "token"]
 
 _registry: pint.UnitRegistry[float] = pint.UnitRegistry(cache_folder=None)
 
@@ -51,6 +51,15 @@ def magnitude(text: object, unit: str) -> float:
         f"expected a number with a unit convertible to {unit}, such as '1 {unit}', "
         f"found {reprlib.repr(text)}"
     )
+
+
+def printed(text: str) -> str:
+    """Return a quantity as it is printed: ``"250um"`` is ``"250 µm"``."""
+    match = _QUANTITY.fullmatch(text)
+    if match is None:
+        raise ValueError(f"expected a number with a unit, found {reprlib.repr(text)}")
+    unit = re.sub(r"(?<=[a-z])\^?2$", "²", re.sub("^u(?=[mNJ])", "µ", match[2]))
+    return f"{match[1]} {unit}"
 
 
 def _powered(unit: str) -> str:

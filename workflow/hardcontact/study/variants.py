@@ -7,7 +7,7 @@ from typing import Any
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.study.patterns import STUDY_VARIANT
 from hardcontact.study.selection import Selection
-from hardcontact.study.units import magnitude, token
+from hardcontact.study.units import magnitude, printed, token
 
 __all__ = ["SurfaceVariant", "Variant", "named_load", "surface_variants", "variants"]
 
@@ -167,7 +167,7 @@ def _with(baseline: Variant, name: str, label: str, group: str, **choice: Any) -
 
 
 def _loaded(baseline: Variant, group: str, text: str, unit: str, other: NamedLoad) -> Variant:
-    label = f"{group} {text.replace(' u', ' µ')}"
+    label = f"{group} {printed(text)}"
     return _with(baseline, f"{group}-{token(text, unit)}", label, group, load=other)
 
 

@@ -135,7 +135,8 @@ def independent_waves(measurement: Measurement) -> NDArray[np.float64]:
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * lengths.prod() / (2 * np.pi) ** 2
     else:
         count = np.diff(BIN_EDGES) * lengths.prod() / (2 * np.pi)
-    return np.asarray(np.maximum(count * INDEPENDENT**measurement.heights.ndim, 1.0))
+    share = INDEPENDENT**measurement.heights.ndim
+    return np.asarray(np.maximum(count * share, 1.0), float)
 
 
 def variance_of_log(waves: NDArray[np.float64]) -> NDArray[np.float64]:

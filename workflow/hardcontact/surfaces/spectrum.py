@@ -5,7 +5,7 @@ with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Ju
 Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -20,12 +20,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
 __all__ = [
+    "BIN_EDGES",
     "WAVEVECTORS",
     "Density",
     "Spectrum",
     "all_scales_moments",
-    "extrapolated_spectrum",
-    "from_scans",
     "measured_psds",
     "read_spectrum",
     "spectrum_dataset",
@@ -133,49 +132,3 @@ def all_scales_moments(spectrum: Spectrum) -> NDArray[np.float64]:
         for n in (1, 3, 5)
     )
     return np.sqrt(np.array([height, gradient, laplacian / 4]) / (2 * np.pi))
-
-
-def from_scans(
-    wavevector: NDArray[np.float64], densities: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return C_iso (nm⁴) on WAVEVECTORS from the measured PSDs of a surface's scans.
-
-    Averaged over scans; constant above the largest wavelength measured, and below the smallest a
-    power law through the last decade of the data.
-
-    Parameters
-    ----------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm.
-    densities : numpy.ndarray
-        (scan, bins) in nm⁴; NaN where there is no measurement.
-
-    Returns
-    -------
-    numpy.ndarray
-        Of the shape of WAVEVECTORS.
-    """
-    known = np.isfinite(densities).any(axis=0)
-    wave, mean = wavevector[known], np.nanmean(densities[:, known], axis=0)
-    last = wave > wave[-1] / 10
-    slope, level = np.polyfit(np.log(wave[last]), np.log(mean[last]), 1)
-    tail = np.exp(level + slope * np.log(WAVEVECTORS))
-    return np.where(wave[-1] < WAVEVECTORS, tail, Spectrum(wave, mean)(WAVEVECTORS))
-
-
-def extrapolated_spectrum(scans: "Sequence[xr.Dataset]") -> "xr.Dataset":
-    """Return C_iso of a measured surface, continued beyond the band of its scans.
-
-    Parameters
-    ----------
-    scans : sequence of xarray.Dataset
-        Of `roughness_table.measured_roughness`.
-
-    Returns
-    -------
-    xarray.Dataset
-        `spectrum` (wavevector) in nm⁴, as it is stored.
-    """
-    densities = np.array([scan["psd_isotropic"].values for scan in scans])
-    dataset = spectrum_dataset(from_scans(scans[0]["wavevector"].values, densities))
-    return dataset.assign_attrs(basis="measured", calibrated_to_table1="")

@@ -1,0 +1,59 @@
+"""The script that answers: datasets on disk become a page, its numbers and their record."""
+
+import json
+import os
+import runpy
+from types import SimpleNamespace
+
+import pytest
+from answer_inputs import datasets, fit, setting
+from html_page import Page
+from repository import ROOT
+from snakemake.iocontainers import Namedlist
+
+from hardcontact.records import dataset
+from hardcontact.records.origin import canonical
+
+
+def named(paths):
+    """Return inputs as Snakemake gives them to a script: no file stands for no own forces."""
+    inputs = Namedlist(str(path) for path in paths.values())
+    for place, name in enumerate(paths):
+        inputs._set_name(name, place)
+    if "fit" not in paths:
+        inputs._set_name("fit", len(paths), end=len(paths))
+    return inputs
+
+
+def run(folder, given):
+    """Run the script as the workflow does, on files in a folder."""
+    inputs = {name: folder / f"{name}.nc" for name, one in given._asdict().items() if one}
+    for name, path in inputs.items():
+        dataset.write(getattr(given, name), path)
+    outputs = {
+        "page": folder / "answer.html", "json": folder / "answer.json",
+        "record": folder / "answer.record.json",
+    }  # fmt: skip
+    job = SimpleNamespace(
+        input=named(inputs),
+        output=Namedlist(fromdict={name: str(path) for name, path in outputs.items()}),
+        params=SimpleNamespace(canonical=canonical(setting([("part", "why")])._asdict())),
+        log=[str(folder / "answer.log")],
+        threads=1,
+    )
+    runpy.run_path(str(ROOT / "workflow/scripts/answer_surfaces.py"), {"snakemake": job})
+    return {name: path.read_text("utf-8") for name, path in outputs.items()}
+
+
+@pytest.mark.parametrize("of_forces", [None, fit()])
+def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch, of_forces):
+    # A script that fails ends its process, which here is that of the tests.
+    monkeypatch.setattr(os, "_exit", pytest.fail)
+    made = run(tmp_path, datasets(fit=of_forces))
+    numbers = json.loads(made["json"])
+    texts = Page(made["page"]).texts
+    assert numbers["surfaces"]["my_coating"]["answer"] in texts["p"][0].replace("\u00a0", " ")
+    assert ("Fit to your own forces (measured)" in texts["h2"]) == (of_forces is not None)
+    assert (numbers["fit"] is None) == (of_forces is None)
+    assert numbers["left_out"] == [{"part": "part", "reason": "why"}]
+    assert "output_digests" in json.loads(made["record"])

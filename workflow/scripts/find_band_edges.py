@@ -1,0 +1,17 @@
+"""The edges of the band of own surfaces, found or open, with their intervals."""
+
+from hardcontact.adhesion.open_edges import Masters, band_edges
+from hardcontact.records import dataset
+from hardcontact.study.job import job
+
+with job(snakemake) as this:
+    given = this.parameters
+    this.write(
+        band_edges(
+            dataset.read(this.input.scales),
+            Masters(given["scans"], given["tiles"]),
+            given["tolerance"],
+            given["confidence"],
+        ),
+        title="pull-off force against cutoff wavelength, and the edges of the band",
+    )

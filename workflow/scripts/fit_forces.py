@@ -1,0 +1,20 @@
+"""Range and work of adhesion that the user's own forces allow."""
+
+from hardcontact.adhesion.own_fit import fit_measured
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.records import dataset
+from hardcontact.study.job import job
+from hardcontact.study.measured_forces import measured_forces
+
+with job(snakemake) as this:
+    given = this.parameters
+    sizes = dataset.read(this.input.topography)["scan_size"].to_series().to_dict()
+    this.write(
+        fit_measured(
+            dataset.read(this.input.adhesion),
+            measured_forces(this.input.forces, list(sizes)),
+            sizes,
+            Sampling(given["seed"], given["samples"], given["confidence"]),
+        ),
+        title="range and work of adhesion from measured forces",
+    )

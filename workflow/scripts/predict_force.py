@@ -1,0 +1,18 @@
+"""The pull-off forces that a work and a range of adhesion predict."""
+
+from hardcontact.adhesion.finite_scan import with_finite_scan_notes
+from hardcontact.adhesion.predicted_force import Prediction, predicted_force
+from hardcontact.records import dataset
+from hardcontact.study.job import job
+
+with job(snakemake) as this:
+    given, topography = this.parameters, dataset.read(this.input.topography)
+    sizes = topography["scan_size"].to_series().to_dict()
+    force = predicted_force(
+        dataset.read(this.input.adhesion),
+        Prediction(given["work"], given["rho"], sizes, given["confidence"]),
+    )
+    this.write(
+        with_finite_scan_notes(force, topography, given["radius"]),
+        title="predicted pull-off forces",
+    )
