@@ -2,8 +2,8 @@
 
 from repository import PAPER, SCHEMAS
 
-from hardcontact.study.checks import check_grids
 from hardcontact.study.configuration import configuration
+from hardcontact.study.grid_checks import check_grids
 from hardcontact.study.inventory import Entry, Source
 from hardcontact.study.overlay import nested
 from hardcontact.study.proposal import Choice
