@@ -1,4 +1,4 @@
-"""Quantities as people read them: few digits, and a prefix that suits the size."""
+"""Quantities in the units that the paper prints, so that its numbers stand beside computed ones."""
 
 import math
 
