@@ -173,6 +173,14 @@ def test_unknown_tips_are_named_and_counted():
     assert "blunt tip" not in said(of_spectra=spectra(measured=sharp))
 
 
+def test_scans_that_are_reliable_nowhere_are_named():
+    data = spectra()
+    data["reliable"].loc[{"measurement": 1}] = 0
+    text = said(of_spectra=data)
+    assert "not in the spectrum: scans/fine.spm (tip of 10 nm)." in text
+    assert "No scan is reliable below 160 nm" in text and "no wavelength" not in said()
+
+
 def test_measurements_of_containers_have_both_names():
     data = of_first(spectra()).isel(measurement=0)
     assert measurement_name(data) == "scans/fine.spm"

@@ -3,7 +3,12 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.artificial import artificial_bands, reliable_measurements, share_inside
+from hardcontact.answer.artificial import (
+    artificial_bands,
+    measurements,
+    reliable_measurements,
+    share_inside,
+)
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.sentences import edge_words, is_open
@@ -230,18 +235,31 @@ def _of_spectrum(spectra: xr.Dataset) -> list[str]:
     ]
     note = str(spectra["tail_note"].item())
     found += [f"How the spectrum is continued where no scan is reliable: {note}."] if note else []
-    unknown = known.isel(measurement=np.isnan(known["tip_radius"].values))
-    names = [
-        measurement_name(unknown.isel(measurement=one))
-        for one in range(unknown.sizes["measurement"])
+    blind = [
+        f"{measurement_name(one)} ({one['shortest_reason'].item()})"
+        for one in _single(measurements(spectra))
+        if not (one["reliable"].values == 1).any()
     ]
-    if names:
-        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    if blind:
+        found.append(f"Reliable at no wavelength, and not in the spectrum: {_listed(blind)}.")
+    unknown = [measurement_name(one) for one in _single(known) if np.isnan(one["tip_radius"])]
+    if unknown:
         found.append(
             "What a blunt tip hides is not known where no tip radius is stated: "
-            f"{', '.join(names[:NAMED])}{more}."
+            f"{_listed(unknown)}."
         )
     return found
+
+
+def _single(known: xr.Dataset) -> list[xr.Dataset]:
+    """Return each of several measurements by itself."""
+    return [known.isel(measurement=place) for place in range(known.sizes["measurement"])]
+
+
+def _listed(names: list[str]) -> str:
+    """Return some names, and how many more there are."""
+    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return f"{', '.join(names[:NAMED])}{more}"
 
 
 def measurement_name(one: xr.Dataset) -> str:
