@@ -143,8 +143,7 @@ def _grid(sizes: dict[str, float]) -> str:
 def _intervals(answer: PaperAnswer) -> str:
     return (
         f"In brackets: {100 * answer.settings['confidence']:g} % intervals, over "
-        f"{answer.settings['sets']} equally good sets of scans where these give one. One that does "
-        "not hold the number beside it is judged as if it did."
+        f"{answer.settings['sets']} equally good sets of scans where these give one."
     )
 
 
