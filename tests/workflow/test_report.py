@@ -31,7 +31,16 @@ def test_caption_is_restructured_text(path):
 
 
 def test_every_figure_and_page_has_a_caption():
-    assert {path.stem for path in CAPTIONS} == {"workflow", *FIGURES, *PAGES}
+    assert {path.stem for path in CAPTIONS} == {"workflow", "answer", *FIGURES, *PAGES}
+
+
+@pytest.mark.parametrize("name", ["answer_paper", "answer_surfaces"])
+def test_the_answer_stands_first_in_the_report(name):
+    """Snakemake sorts the chapters of a report by their names."""
+    rule = (ROOT / f"workflow/rules/{name}.smk").read_text()
+    (chapter,) = re.findall(r'category="(.+)"', rule)
+    others = {figure.chapter for figure in FIGURES.values()}
+    assert chapter < min(others | {category for category, _ in PAGES.values()})
 
 
 @pytest.mark.parametrize("name", CHAPTERS)
