@@ -27,17 +27,18 @@ def pull_off(path: str | Path) -> pd.DataFrame:
     each.
     """
     rows = pd.read_csv(path)
-    expected = rows["quantity"].map(UNITS)
-    wrong = rows[(rows["unit"] != expected) | rows.duplicated(["surface", "quantity"])]
-    if len(wrong):
-        raise ValueError(
-            "\n".join(
-                f"{path}: line {row.Index + 2}: expected each quantity of a surface once, one of "
-                f"{', '.join(f'{name} in {unit}' for name, unit in UNITS.items())}; "
-                f"found {row.quantity} of {row.surface} in {row.unit}"
-                for row in wrong.itertuples()
-            )
+    wrong = (rows["unit"] != rows["quantity"].map(UNITS)) | rows.duplicated(["surface", "quantity"])
+    known = ", ".join(f"{name} in {unit}" for name, unit in UNITS.items())
+    faults = [
+        f"{path}: line {line + 2}: expected each quantity of a surface once, one of {known}; "
+        f"found {quantity} of {surface} in {unit}"
+        for line, (surface, quantity, unit) in enumerate(
+            zip(rows["surface"], rows["quantity"], rows["unit"], strict=True)
         )
+        if wrong[line]
+    ]
+    if faults:
+        raise ValueError("\n".join(faults))
     return _by_surface(rows)
 
 
