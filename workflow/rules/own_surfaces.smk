@@ -62,6 +62,7 @@ rule predict_force:
                 "work": STUDY["adhesion"]["work"],
                 "rho": STUDY["scales"]["range"],
                 "radius": STUDY["sphere"]["radius"],
+                "window": STUDY["contact"]["window"],
                 "confidence": STUDY["inference"]["confidence"],
             }
         ),

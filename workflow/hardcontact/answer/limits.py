@@ -4,13 +4,20 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, reliable_measurements, share_inside
-from hardcontact.answer.quantities import print_length
-from hardcontact.answer.sentences import is_open
+from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.answer.sentences import edge_words, is_open
 
-__all__ = ["artificial_edges", "limits", "measurement_name"]
+__all__ = ["artificial_edges", "grave_limits", "limits", "measurement_name"]
 
 #: Measurements that a sentence names.
 NAMED = 4
+
+#: Share of the force on a smooth sphere that a window holds as good as whole.
+WHOLE = 0.99
+
+#: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
+SPARSE = 2.0
 
 EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
 
@@ -23,8 +30,7 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
     basis : str
         "measured" or "substitute".
     spectra, edges, force : xarray.Dataset
-        Parts of spectra.nc, edges.nc and force.nc of the surface; force.nc may have
-        `finite_scan_note`, what the size of the scans leaves out.
+        Parts of spectra.nc, edges.nc and force.nc of the surface.
 
     Returns
     -------
@@ -35,9 +41,37 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *_of_basis(basis),
         *(text for side in EDGES for text in _of_edge(side, edges)),
         *artificial_edges(spectra, edges),
+        *_of_window(force),
         *_of_scan_size(force),
+        *_of_added_roughness(edges, force),
         *_of_intervals(edges, force),
+        *_of_cutoffs(edges),
         *_of_spectrum(spectra),
+    ]
+
+
+def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return the limits that change what the answer of a surface says, for its first screen.
+
+    Parameters
+    ----------
+    spectra, edges, force : xarray.Dataset
+        Parts of spectra.nc, edges.nc and force.nc of the surface.
+
+    Returns
+    -------
+    list of str
+        A sentence each: edges in artificial roughness, and what changes the force by more than
+        the tolerance of the band.
+    """
+    tolerance = edges.attrs["tolerance"]
+    too_small = force["finite_scan_ratio"].values[0] > 1 + tolerance
+    cut = at_range(force)["window_share"].item() < 1 - tolerance
+    return [
+        *artificial_edges(spectra, edges),
+        *(_of_window(force) if cut else []),
+        *(_of_scan_size(force) if too_small else []),
+        *_of_added_roughness(edges, force),
     ]
 
 
@@ -97,7 +131,7 @@ def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
     """Return that an edge, or an end of its interval, lies beyond what was computed."""
     name, of_side = EDGES[side], edges.sel(side=side)
     if is_open(edges, side):
-        return [f"{name} is open: {of_side['edge_text'].item()}."]
+        return [f"{name} is open: {edge_words(edges, side)}."]
     ends = {"low": "shorter", "high": "longer"}
     status = of_side["interval_status"]
     return [
@@ -107,9 +141,46 @@ def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
     ]
 
 
+def _of_window(force: xr.Dataset) -> list[str]:
+    """Return that the window holds too little of the force, at the range asked for or others."""
+    rho, share = force["rho"].values, force["window_share"].values
+    here = at_range(force)
+    if here["window_share"] < WHOLE:
+        place, where = here["rho"].item(), "Forces"
+        held = here["window_share"].item()
+    elif (share < WHOLE).any():
+        place, held = rho.max(), share.min()
+        where = f"From a range of adhesion of {print_length(rho[share < WHOLE].min())} on forces"
+    else:
+        return []
+    return [
+        f"{where} come out too low: the window of {print_length(force.attrs['window'])} holds "
+        f"{held:.0%} of the force on a smooth sphere at a range of {print_length(place)}."
+    ]
+
+
 def _of_scan_size(force: xr.Dataset) -> list[str]:
-    note = str(force["finite_scan_note"].item()) if "finite_scan_note" in force else ""
+    note = str(force["finite_scan_note"].item())
     return [note] if note else []
+
+
+def _of_added_roughness(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return how the force changes once roughness that the scans do not show is added."""
+    mean, work = at_range(force)["force"].item(), force.attrs["work_of_adhesion"]
+    added = {"small": "shorter", "large": "longer"}
+    forces = {side: edges["unfiltered_force"].sel(side=side).item() * work for side in added}
+    changed = [
+        f"{print_quantity(of_side, 'N')} with {added[side]} wavelengths"
+        for side, of_side in forces.items()
+        if abs(of_side / mean - 1) > edges.attrs["tolerance"]
+    ]
+    if not changed:
+        return []
+    return [
+        f"The force of {print_quantity(mean, 'N')} is that of the scans as they are. Where "
+        "artificial roughness continues them, as for the band, its mean is "
+        f"{' and '.join(changed)}."
+    ]
 
 
 def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
@@ -122,6 +193,28 @@ def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
         )
         if part["conditional"].item() or not np.isfinite(part[interval]).any()
     ]
+
+
+def _of_cutoffs(edges: xr.Dataset) -> list[str]:
+    """Return which edges were found between cutoffs that lie far apart."""
+    texts = []
+    for side in EDGES:
+        shorter, longer = _neighbours(edges.sel(side=side))
+        if longer > SPARSE * shorter:
+            texts.append(
+                f"{EDGES[side]} is interpolated between cutoffs of {print_length(shorter)} and "
+                f"{print_length(longer)}; its interval does not hold the error of this."
+            )
+    return texts
+
+
+def _neighbours(of_side: xr.Dataset) -> tuple[float, float]:
+    """Return the cutoffs (nm) between which the edge of one side was found, NaN of an open one."""
+    edge = of_side["edge"].item()
+    known = of_side["scale_ratio"].dropna("cutoff_wavelength")["cutoff_wavelength"].values
+    if np.isnan(edge):
+        return np.nan, np.nan
+    return float(known[known <= edge].max()), float(known[known >= edge].min())
 
 
 def _of_spectrum(spectra: xr.Dataset) -> list[str]:

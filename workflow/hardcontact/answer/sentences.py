@@ -12,6 +12,7 @@ from hardcontact.figures.style import print_share
 
 __all__ = [
     "band_sentences",
+    "edge_words",
     "fit_sentences",
     "force_sentences",
     "is_open",
@@ -22,7 +23,9 @@ __all__ = [
 ]
 
 #: The text of an open edge: bound, reason, and what is said of its interval.
-OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\]|, no interval)?$")
+OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
+#: What an edge without an interval ends with.
+NO_INTERVAL = ", no interval"
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -75,7 +78,7 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
     """
     tolerance = print_share(edges.attrs["tolerance"])
     opened = [
-        f" The {name} of these wavelengths is open, not found: {_text(edges, side)}."
+        f" The {name} of these wavelengths is open, not found: {edge_words(edges, side)}."
         for side, name in ENDS.items()
         if is_open(edges, side)
     ]
@@ -105,13 +108,18 @@ def pooled_sentence(edges: xr.Dataset) -> str:
     )
 
 
-def _text(edges: xr.Dataset, side: str) -> str:
-    return str(edges["edge_text"].sel(side=side).item())
+def edge_words(edges: xr.Dataset, side: str) -> str:
+    """Return the edge at one side as a sentence holds it: "at least 5 µm (the scans end here)".
+
+    That there is no interval is said once for all.
+    """
+    text = str(edges["edge_text"].sel(side=side).item()).removesuffix(NO_INTERVAL)
+    return OPEN_TEXT.sub(r"\1\3 (\2)", text)
 
 
 def _from_to(edges: xr.Dataset) -> str:
     """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
-    first, last = (OPEN_TEXT.sub(r"\1\3 (\2)", _text(edges, side)) for side in SIDES)
+    first, last = (edge_words(edges, side) for side in SIDES)
     return f"from {first} to {last}"
 
 
@@ -153,7 +161,7 @@ def force_sentences(label: str, force: xr.Dataset) -> str:
     model = str(here["contact_model"].item())
     return (
         f"The mean pull-off force of {label} is {printed_force(force)} {printed_pair(force)}, for "
-        f"{model} contact ({certainty}). Single contacts differ more: {share} of them lie between "
+        f"{model} contact ({certainty}). Of single contacts {share} lie between "
         f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}. The force is proportional "
         "to the work of adhesion."
     )
