@@ -116,12 +116,10 @@ def test_forces_that_added_roughness_changes_are_named():
     data = edges()
     data["unfiltered_force"].loc[{"side": "small"}] *= 0.45
     text = said(of_edges=data)
-    assert "The force of 640 nN is that of the scans as they are." in text
-    assert "its mean is 288 nN with shorter wavelengths." in text and "as they are" not in said()
+    assert "The force of 640 nN is that of the scans as they are, without" in text
+    assert "its mean is 288 nN with shorter ones." in text and "as they are" not in said()
     data["unfiltered_force"].loc[{"side": "large"}] *= 1.25
-    assert "is 288 nN with shorter wavelengths and 800 nN with longer wavelengths." in said(
-        of_edges=data
-    )
+    assert "is 288 nN with shorter ones and 800 nN with longer ones." in said(of_edges=data)
 
 
 def test_edges_between_cutoffs_far_apart_are_named():

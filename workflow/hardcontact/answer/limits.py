@@ -170,16 +170,16 @@ def _of_added_roughness(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
     added = {"small": "shorter", "large": "longer"}
     forces = {side: edges["unfiltered_force"].sel(side=side).item() * work for side in added}
     changed = [
-        f"{print_quantity(of_side, 'N')} with {added[side]} wavelengths"
+        f"{print_quantity(of_side, 'N')} with {added[side]} ones"
         for side, of_side in forces.items()
         if abs(of_side / mean - 1) > edges.attrs["tolerance"]
     ]
     if not changed:
         return []
     return [
-        f"The force of {print_quantity(mean, 'N')} is that of the scans as they are. Where "
-        "artificial roughness continues them, as for the band, its mean is "
-        f"{' and '.join(changed)}."
+        f"The force of {print_quantity(mean, 'N')} is that of the scans as they are, without "
+        "wavelengths that they do not show. With roughness of the joined spectrum added, as for "
+        f"the band, its mean is {' and '.join(changed)}."
     ]
 
 

@@ -159,9 +159,9 @@ def _spectrum(label: str, of: Datasets) -> str:
         png(psd.draw(of.spectra)),
         f"Power spectral density of {label} against wavelength; reliable from {low} to {high}.",
         f"{label}: the isotropic power spectral density of each scan where it is reliable (colour) "
-        "and where it is not (dotted), and their logarithmic average (points). Contacts are "
-        f"computed with the line. Shaded: no scan is reliable below {low} or above {high}; "
-        "roughness there is uncertain or artificial.",
+        "and where it is not (dotted), and their logarithmic average (points). The line is the "
+        "spectrum of roughness that is added where the scans end. Shaded: no scan is reliable "
+        f"below {low} or above {high}; roughness there is uncertain or artificial.",
     )
 
 
