@@ -57,7 +57,7 @@ def test_a_browser_shows_the_page_on_a_phone_and_on_a_desk(tmp_path):
     page = paper_page(answer(), wide, captions(), departures)
     for measured in shown_by_browser(page.replace("<details>", "<details open>"), tmp_path):
         assert measured["overflow"] == 0 and measured["requests"] == 0
-        assert measured["pictures"] == len(FIGURES) and measured["seconds"] < 2
+        assert measured["loaded"] == len(FIGURES)
 
 
 def test_question_and_answer_come_first(html, shown):

@@ -141,7 +141,16 @@ FINAL, STITCHED = "results/quick", "results/store-quick/stitched/ncd/study/scan-
                 f"{FINAL}/figures/fig3.png: does not match",
             ],
         ),
+        (
+            f"{FINAL}/sets.nc",
+            [
+                f"{FINAL}/answer.{kind}: does not match its input {FINAL}/sets.nc"
+                for kind in ("html", "json")
+            ],
+        ),
         (f"{FINAL}/figures/fig6.csv", [f"{FINAL}/figures/fig6.csv: is not the file"]),
+        (f"{FINAL}/answer.html", [f"{FINAL}/answer.html: is not the file"]),
+        (f"{FINAL}/answer.json", [f"{FINAL}/answer.json: is not the file"]),
         (
             STITCHED,
             [f"{FINAL}/indent.nc: does not match its input {STITCHED}", "/ncd/study/scan-2/"],
