@@ -210,9 +210,11 @@ def force(count=1):
     data["finite_scan_note"] = "surface", [""] * count
     data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
+    data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
     return data.assign_attrs(
-        work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3
-    )
+        work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
+        contact_area=400.0,
+    )  # fmt: skip
 
 
 def without_interval(of_force):

@@ -10,6 +10,7 @@ from hardcontact.adhesion.finite_scan import (
     RATIOS,
     finite_scan,
     finite_scan_warning,
+    with_contact_area,
     with_finite_scan_notes,
     with_window_share,
 )
@@ -85,3 +86,11 @@ def test_a_window_holds_what_a_sum_over_its_pixels_finds():
         weight = np.exp(-place / (2 * RADIUS * rho))
         assert share == pytest.approx((weight[inside].sum() / weight.sum()) ** 2, rel=1e-3)
     assert found.window_share[0] > 0.99 > 0.2 > found.window_share[-1]
+
+
+def test_the_area_that_carries_the_preload_is_compared_with_a_pixel():
+    sizes = xr.Dataset({"pixel_size": ("surface", [10.0, 20.0])}, {"surface": ["a", "b"]})
+    load = {"preload": 1e-7, "hardness": 5e9}
+    found = with_contact_area(xr.Dataset(coords={"surface": ["b"]}), sizes, load)
+    assert found.pixel_area.values.tolist() == [400.0]
+    assert found.attrs["contact_area"] == pytest.approx(20.0)  # nm² of 100 nN at 5 GPa

@@ -119,7 +119,13 @@ def test_forces_that_added_roughness_changes_are_named():
     assert "The force of 640 nN is that of the scans as they are, without" in text
     assert "its mean is 288 nN with shorter ones." in text and "as they are" not in said()
     data["unfiltered_force"].loc[{"side": "large"}] *= 1.25
-    assert "is 288 nN with shorter ones and 800 nN with longer ones." in said(of_edges=data)
+    assert "is 288 nN with shorter and 800 nN with longer ones." in said(of_edges=data)
+
+
+def test_pixels_larger_than_the_contact_are_named():
+    text = said(of_force=force().assign_attrs(contact_area=20.0))
+    assert "The preload is carried by 20 nm², less than a pixel of the scans (100 nm²)" in text
+    assert "one pixel" not in said()
 
 
 def test_edges_between_cutoffs_far_apart_are_named():

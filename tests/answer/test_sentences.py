@@ -35,6 +35,21 @@ def test_one_sentence_holds_band_force_range_and_work():
     )
 
 
+def test_forces_with_added_roughness_stand_beside_that_of_the_scans():
+    data = of_first(edges())
+    data["unfiltered_force"] = data["unfiltered_force"] * [0.25, 1.05]
+    sentence = one_sentence("x", data, of_first(force()))
+    assert sentence.endswith(
+        "its predicted pull-off force is 640 nN [512, 800] with the wavelengths that its scans "
+        "show, 160 nN with shorter ones added, at a range of adhesion of 5.6 nm and a work of "
+        "adhesion of 46.3 mJ/m²."
+    )
+    data["unfiltered_force"].loc[{"side": "large"}] *= 0.5
+    assert ", 160 nN with shorter and 336 nN with longer ones added, at" in one_sentence(
+        "x", data, of_first(force())
+    )
+
+
 @pytest.mark.parametrize(
     ("text", "clause"),
     [

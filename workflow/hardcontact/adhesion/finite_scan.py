@@ -1,9 +1,9 @@
-"""Whether scans and windows are large enough for the force.
+"""Whether scans and windows are large enough for the force, and pixels small enough.
 
 The sphere touches where a peak rises above its paraboloid: peaks of the height sigma count up to
 the distance sqrt(2 R sigma) from the apex. A smaller scan, mirrored, shows the same peaks
 everywhere, and the force on it is too large. A window that ends before the forces do makes them too
-small.
+small. A pixel larger than the area that carries the preload touches alone.
 """
 
 from typing import NamedTuple
@@ -11,10 +11,13 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.contact.bearing_area import Load
+
 __all__ = [
     "FiniteScan",
     "finite_scan",
     "finite_scan_warning",
+    "with_contact_area",
     "with_finite_scan_notes",
     "with_window_share",
 ]
@@ -149,3 +152,27 @@ def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dat
     return force.assign(
         window_share=("rho", share, {"units": "1", "long_name": name})
     ).assign_attrs(window=window)
+
+
+def with_contact_area(force: xr.Dataset, topography: xr.Dataset, load: Load) -> xr.Dataset:
+    """Return predicted forces with the area that carries the preload, and that of a pixel.
+
+    Parameters
+    ----------
+    force : xarray.Dataset
+        Of `predicted_force`, over surface.
+    topography : xarray.Dataset
+        With ``pixel_size`` (surface) in nm.
+    load : Load
+        Preload in N and hardness in Pa.
+
+    Returns
+    -------
+    xarray.Dataset
+        With ``pixel_area`` (surface) and the attribute ``contact_area`` in nm².
+    """
+    area = load["preload"] / load["hardness"] * 1e18
+    pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2
+    return force.assign(pixel_area=pixel_area.assign_attrs(units="nm2")).assign_attrs(
+        contact_area=area
+    )

@@ -11,7 +11,7 @@ from hardcontact.answer.artificial import (
 )
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.quantities import print_length, print_quantity
-from hardcontact.answer.sentences import edge_words, is_open
+from hardcontact.answer.sentences import edge_words, is_open, printed_added_forces
 
 __all__ = ["artificial_edges", "grave_limits", "limits", "measurement_name"]
 
@@ -49,6 +49,7 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *_of_window(force),
         *_of_scan_size(force),
         *_of_added_roughness(edges, force),
+        *_of_pixels(force),
         *_of_intervals(edges, force),
         *_of_cutoffs(edges),
         *_of_spectrum(spectra),
@@ -76,7 +77,6 @@ def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> l
         *artificial_edges(spectra, edges),
         *(_of_window(force) if cut else []),
         *(_of_scan_size(force) if too_small else []),
-        *_of_added_roughness(edges, force),
     ]
 
 
@@ -169,22 +169,27 @@ def _of_scan_size(force: xr.Dataset) -> list[str]:
     return [note] if note else []
 
 
-def _of_added_roughness(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return how the force changes once roughness that the scans do not show is added."""
-    mean, work = at_range(force)["force"].item(), force.attrs["work_of_adhesion"]
-    added = {"small": "shorter", "large": "longer"}
-    forces = {side: edges["unfiltered_force"].sel(side=side).item() * work for side in added}
-    changed = [
-        f"{print_quantity(of_side, 'N')} with {added[side]} ones"
-        for side, of_side in forces.items()
-        if abs(of_side / mean - 1) > edges.attrs["tolerance"]
-    ]
-    if not changed:
+def _of_pixels(force: xr.Dataset) -> list[str]:
+    """Return that a pixel is larger than the area that carries the preload."""
+    area, pixel = force.attrs["contact_area"], force["pixel_area"].item()
+    if area >= pixel:
         return []
     return [
-        f"The force of {print_quantity(mean, 'N')} is that of the scans as they are, without "
-        "wavelengths that they do not show. With roughness of the joined spectrum added, as for "
-        f"the band, its mean is {' and '.join(changed)}."
+        f"The preload is carried by {area:.3g} nm², less than a pixel of the scans "
+        f"({pixel:.3g} nm²): one pixel touches, hardness and preload do not matter, and the "
+        "shorter the range of adhesion, the more of the force is that of this pixel."
+    ]
+
+
+def _of_added_roughness(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return that the force changes once roughness that the scans do not show is added."""
+    added = printed_added_forces(edges, force)
+    if not added:
+        return []
+    return [
+        f"The force of {print_quantity(at_range(force)['force'].item(), 'N')} is that of the scans "
+        "as they are, without wavelengths that they do not show. With roughness of the joined "
+        f"spectrum added, as for the band, its mean is {added}."
     ]
 
 

@@ -11,6 +11,7 @@ from hardcontact.answer.ratios import SIDES
 from hardcontact.figures.style import print_share
 
 __all__ = [
+    "added_forces",
     "band_sentences",
     "edge_words",
     "fit_sentences",
@@ -18,6 +19,7 @@ __all__ = [
     "is_open",
     "one_sentence",
     "pooled_sentence",
+    "printed_added_forces",
     "printed_force",
     "printed_pair",
 ]
@@ -26,6 +28,9 @@ __all__ = [
 OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
 #: What an edge without an interval ends with.
 NO_INTERVAL = ", no interval"
+
+#: The wavelengths that are added beyond the scans at each side.
+ADDED = {"small": "shorter", "large": "longer"}
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -44,7 +49,7 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     label : str
         Of the surface.
     edges : xarray.Dataset
-        Part of edges.nc of the surface: `edge_text` (side).
+        Part of edges.nc of the surface: `edge_text` and `unfiltered_force` (side).
     force : xarray.Dataset
         Part of force.nc of the surface.
 
@@ -53,10 +58,41 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     str
         Plain text.
     """
+    added = printed_added_forces(edges, force)
+    if added:
+        added = f" with the wavelengths that its scans show, {added} added,"
     return (
         f"How {label} sticks is decided by roughness with wavelengths {_from_to(edges)}; its "
-        f"predicted pull-off force is {printed_force(force)} {printed_pair(force)}."
+        f"predicted pull-off force is {printed_force(force)}{added} {printed_pair(force)}."
     )
+
+
+def added_forces(edges: xr.Dataset, force: xr.Dataset) -> dict[str, float]:
+    """Return the mean force in N with roughness added that the scans do not show, by side.
+
+    Parameters
+    ----------
+    edges : xarray.Dataset
+        Part of edges.nc of a surface: `unfiltered_force` (side) at 1 J/m².
+    force : xarray.Dataset
+        Part of force.nc of the surface.
+
+    Returns
+    -------
+    dict
+        Of each side on which it changes the force by more than the tolerance of the band.
+    """
+    mean, work = at_range(force)["force"].item(), force.attrs["work_of_adhesion"]
+    forces = {side: edges["unfiltered_force"].sel(side=side).item() * work for side in SIDES}
+    tolerance = edges.attrs["tolerance"]
+    return {side: value for side, value in forces.items() if abs(value / mean - 1) > tolerance}
+
+
+def printed_added_forces(edges: xr.Dataset, force: xr.Dataset) -> str:
+    """Return `added_forces` as "97 nN with shorter and 0.3 µN with longer ones", or nothing."""
+    forces = added_forces(edges, force)
+    texts = [f"{print_quantity(forces[side], 'N')} with {ADDED[side]}" for side in forces]
+    return f"{' and '.join(texts)} ones" if texts else ""
 
 
 def band_sentences(label: str, edges: xr.Dataset) -> str:
