@@ -173,14 +173,14 @@ def measured(folder):
     for label, rms in (("bare", 4.0), ("coated", 15.0)):
         files = [folder / f"scans/{label}-{number}.001" for number in range(5)]
         for number, file in enumerate(files):
-            spm(file, rough(generator("own", label, number), rms=rms), 2500.0)
+            spm(file, rough(generator(8, label, number), rms=rms), 2500.0)
         surfaces += ["--surface", label, *files]
     # Forces are known once the contacts are computed.
     assert new(folder, "pair", *surfaces).returncode == 0
     run = quick(folder, "pair", "adhesion")
     assert run.returncode == 0, run.stdout[-3000:]
     adhesion = xr.load_dataset(folder / "results/pair-quick/adhesion.nc")
-    rng = generator("own", "tests")
+    rng = generator(8, "tests")
     rows = [
         {"surface": surface, "value": f"{force:.4f}", "unit": "uN"}
         for surface in ("bare", "coated")
