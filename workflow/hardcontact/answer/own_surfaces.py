@@ -155,6 +155,14 @@ def _spectrum(label: str, of: Datasets) -> str:
     low, high = (
         print_length(of.spectra[f"{name}_measured"].item()) for name in ("shortest", "longest")
     )
+    if of.topography["basis"].item() == "substitute":
+        return figure_html(
+            png(psd.draw(of.spectra)),
+            f"Power spectral density of {label} against wavelength; known from {low} to {high}.",
+            f"{label}: the isotropic power spectral density that the scans are synthesised from. "
+            "Colour: described from a source; points: the same in bins; line: the spectrum used. "
+            f"Shaded: below {low} and above {high} the description has no source.",
+        )
     return figure_html(
         png(psd.draw(of.spectra)),
         f"Power spectral density of {label} against wavelength; reliable from {low} to {high}.",

@@ -71,6 +71,9 @@ def from_description(
             raise ValueError(f"{path}: band from {band.longest_nm:g} nm: {error}") from None
         bands.loc[i] = filled
         calibrated += used
+    last = bands.iloc[-1]
+    if last.model == "power law":
+        density *= spectral_models.share_of_cells(last.shortest_nm)
     return density, bands, calibrated
 
 
@@ -96,7 +99,8 @@ def _calibrated(
 def _band_density(band: pd.Series, above: NDArray[np.float64], folder: Path) -> NDArray[np.float64]:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
-        return spectral_models.power_law_tail(above, band.hurst, band.shortest_nm)
+        reached = spectral_models.share_of_cells(band.shortest_nm) > 0
+        return spectral_models.continued(above, band.hurst) * reached
     shape = band.plateau_nm4, band.rolloff_nm
     if band.model == "self-affine":
         model = spectral_models.self_affine(WAVEVECTORS, *shape, band.hurst)
