@@ -15,6 +15,7 @@ from hardcontact.answer.html import figure_html, list_html, page, table_html, te
 from hardcontact.answer.limits import grave_limits, limits
 from hardcontact.answer.numbers import answer_numbers
 from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.answer.quartiles import quartile_sentences
 from hardcontact.answer.sentences import (
     band_sentences,
     fit_sentences,
@@ -119,6 +120,7 @@ def _first_screen(given: Datasets) -> str:
     opened = ""
     if (given.edges["edge_status"] != "found").any():
         opened = " An edge given as “at least” or “at most” is open: it was not found."
+    sentences += "".join(f"\n<p>{text_html(text)}</p>" for text in quartile_sentences(given))
     return (
         f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
         "</div>\n" + _notice(given)
