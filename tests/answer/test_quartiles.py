@@ -15,7 +15,8 @@ def described(names, basis="substitute"):
     """Return the datasets of surfaces that are copies of one, by these names."""
     one = datasets(1, topography=topography(1, basis))
     parts = (
-        xr.concat([part] * len(names), "surface", data_vars="all").assign_coords(surface=names) for part in one[:4]
+        xr.concat([part] * len(names), "surface", data_vars="all").assign_coords(surface=names)
+        for part in one[:4]
     )
     return type(one)(*parts)
 
