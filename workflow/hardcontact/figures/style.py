@@ -177,7 +177,7 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     left, right = axes.get_xlim()
     for first, last in bands:
         if last > left and first < right:
-            axes.axvspan(max(first, left), min(last, right), zorder=0, **ARTIFICIAL)
+            axes.axvspan(max(first, left), min(last, right), zorder=-1, **ARTIFICIAL)
     axes.set_xlim(left, right)
 
 
