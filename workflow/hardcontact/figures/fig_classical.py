@@ -228,7 +228,8 @@ def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
     highest = max(min(high, LONGEST_BAR * value), 1.3)
     axes.set(ylim=(0, 1.7 * highest), ylabel="$W_{eff}$ / printed")
     axes.set_xlabel("printed $W_{eff}$ (mJ/m²)")
-    axes.legend(loc="upper right", borderaxespad=0.1)
+    framed = {"frameon": True, "framealpha": 1, "edgecolor": "white"}  # above bars that are long
+    axes.legend(loc="upper right", borderaxespad=0.1, **framed)
     style.label_panel(axes, "c", "effective work of adhesion")
 
 
