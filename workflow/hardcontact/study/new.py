@@ -24,7 +24,7 @@ from hardcontact.study.overlay import (
     table_text,
     write_files,
 )
-from hardcontact.study.proposal import Choice, Proposal, propose
+from hardcontact.study.proposal import Choice, Proposal, propose, refuse_unreliable
 from hardcontact.study.proposed_contact import Probe
 from hardcontact.study.request import (
     QUANTITIES,
@@ -167,6 +167,7 @@ def _plan(arguments: Namespace, given: Mapping[str, Option], entries: Sequence[E
     choices.sort(key=lambda choice: order.index(choice.key.split(".")[0]))
     quick = [Choice("study", arguments.name + QUICK_NAME, ""), *proposal.quick]
     _check(proposal.contact, choices, quick)
+    refuse_unreliable(entries)
     return Plan(proposal, choices, quick)
 
 

@@ -22,7 +22,7 @@ from hardcontact.study.proposed_scales import FULL, QUICK, Effort, Scales, Setti
 from hardcontact.surfaces.joined_spectrum import FEWEST
 from hardcontact.surfaces.spectrum import BIN_EDGES
 
-__all__ = ["Choice", "Proposal", "propose", "quantity"]
+__all__ = ["Choice", "Proposal", "propose", "quantity", "refuse_unreliable"]
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
@@ -93,11 +93,10 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     Raises
     ------
     ValueError
-        In one line a problem: too few reliable wavelengths, no height map,
+        In one line a problem: no height map,
         surfaces with scans too different for one study, a range of adhesion that is too short, a
         preload that is too high.
     """
-    _refuse_unreliable(entries)
     scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
     _refuse_different(substrates)
@@ -113,8 +112,19 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     )
 
 
-def _refuse_unreliable(entries: Sequence[Entry]) -> None:
-    """Refuse surfaces of which too few wavelengths are reliable for a spectrum."""
+def refuse_unreliable(entries: Sequence[Entry]) -> None:
+    """Refuse surfaces of which too few wavelengths are reliable for a spectrum.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+        All that was read.
+
+    Raises
+    ------
+    ValueError
+        In one line a surface.
+    """
     wavelength = 2 * np.pi / np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
     faults = []
     for surface in dict.fromkeys(entry.source.surface for entry in entries):
