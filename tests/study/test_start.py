@@ -112,6 +112,7 @@ onsuccess:
 """
 
 
+@pytest.mark.study
 @pytest.mark.parametrize(("target", "said"), [("answer", True), ("other", False)])
 def test_the_page_that_a_run_makes_is_named_at_its_end(tmp_path, target, said):
     (tmp_path / "Snakefile").write_text(ANSWER)
