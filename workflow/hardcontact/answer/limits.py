@@ -30,6 +30,9 @@ WHOLE = 0.99
 #: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
 SPARSE = 2.0
 
+#: How roughness that is continued at each side ends.
+END = {"small": "down to", "large": "up to"}
+
 EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
 
 
@@ -191,8 +194,9 @@ def _of_continued_roughness(force: xr.Dataset) -> list[str]:
     """Return how the force changes once the roughness goes on where the scans do not show it."""
     return [
         f"The force of {print_quantity(at_range(force)['force'].item(), 'N')} is that of the scans "
-        f"as they are. With the roughness {transition_words(force, side)} of the joined spectrum, "
-        f"to {print_length(force['continued_end'].sel(side=side).item())}, it is "
+        f"as they are. With roughness {transition_words(force, side)} that follows the joined "
+        f"spectrum, {END[side]} "
+        f"{print_length(force['continued_end'].sel(side=side).item())}, it is "
         f"{printed_continued_force(force, side)}."
         for side in differing_sides(force)
     ]

@@ -60,7 +60,7 @@ def print_quantity(value: float, unit: str, low: float = math.nan, high: float =
     interval = ""
     if math.isfinite(low + high):
         interval = f" [{_digits(low / size)}, {_digits(high / size)}]"
-    elif math.isinf(high):
+    elif low == 0 and math.isinf(high):
         interval = " [not bounded]"
     return f"{_digits(value / size)} {name}{interval}"
 
