@@ -33,7 +33,7 @@ def test_a_ratio_that_passes_through_one_between_cutoffs_leaves_where_it_is_know
     share = (np.log(1.1) - line[0]) / (line[1] - line[0])
     assert found["edge"] == pytest.approx(5380 * (1450 / 5380) ** share)
     # The known curve reaches 1.1 at 2.46 µm; |ratio - 1| would put it at 4.9 µm.
-    assert found["edge"] == pytest.approx(3e3 / 1.1 ** (1 / np.log10(3)), rel=0.25)
+    assert found["edge"] == pytest.approx(3e3 / 1.1 ** (1 / np.log10(3)), rel=0.35)
     np.testing.assert_allclose(found["edge_interval"], [1450, 5380])
 
 

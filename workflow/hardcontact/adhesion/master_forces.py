@@ -132,13 +132,13 @@ def half_width_over_masters(
     """
     parts = given.parts
     left_out = [
-        np.log(_of_masters(given, parts.of_contact != part, statistic).mean(axis=0))
+        np.log(_of_masters(given, parts.of_contact != part, statistic).mean("realization").values)
         for part in range(len(parts.correlation))
     ]
     sources = [jackknife_variance(np.array(left_out), parts)]
     count = given.forces.sizes["realization"]
     if parts.conditional and count > 1:
-        logarithms = np.log(_of_masters(given, np.isfinite(parts.of_contact), statistic))
+        logarithms = np.log(_of_masters(given, np.isfinite(parts.of_contact), statistic).values)
         sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     return half_width(sources, confidence)
 
@@ -147,11 +147,11 @@ def _of_masters(
     given: MasterForces,
     kept: np.ndarray,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
-) -> np.ndarray:
+) -> xr.DataArray:
     """Return the statistic (realization, ...) of the contacts (realization, y, x) that are kept."""
     mask = xr.DataArray(kept, dims=("realization", *CONTACTS))
     filtered, unfiltered = (
         given.forces[name].where(mask).mean(CONTACTS)
         for name in ("pull_off_force", "unfiltered_pull_off_force")
     )
-    return np.asarray(statistic(filtered, unfiltered).transpose("realization", ...).values)
+    return statistic(filtered, unfiltered).transpose("realization", ...)
