@@ -45,7 +45,7 @@ def test_the_force_is_the_mean_over_contacts_and_masters_at_the_work():
     "mean, half, differs", [(0.16, 0.02, 1), (0.16, 0.15, 0), (0.053, 0.001, 0), (0.16, np.nan, 1)]
 )
 def test_both_forces_are_said_where_they_differ_by_more_than_the_interval(mean, half, differs):
-    assert 0.05 < float(with_force(1.0, 0.5, 2.0).continued_force.sel(side="small")) < 0.056
+    assert 0.05 < with_force(1.0, 0.5, 2.0).continued_force.sel(side="small").item() < 0.056
     found = with_force(mean, mean - half, mean + half).continued_differs
     assert found.sel(side="small").values.tolist() == [differs]
 
