@@ -107,7 +107,8 @@ def test_the_interval_of_one_scan_holds_the_edge_of_the_mean(edges_of_draws, sid
     assert held.sum() >= 18
     # An interval that is open on both sides would hold anything.
     assert np.isfinite(low).sum() + np.isfinite(high).sum() >= 24
-    assert np.nanmedian(high) < 3 * TRUTH[side] and np.nanmedian(low) > TRUTH[side] / 3
+    # Ends are computed cutoffs, which lie a factor of two and more apart.
+    assert np.nanmedian(high) < 4 * TRUTH[side] and np.nanmedian(low) > TRUTH[side] / 4
 
 
 def test_no_end_lies_outside_the_cutoffs_and_none_is_the_edge_itself(edges_of_draws):
