@@ -1,8 +1,8 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import BEYOND, FIGURES
 
-for name, figure in FIGURES.items():
+for name, figure in (FIGURES | BEYOND).items():
 
     rule:
         """Draw a figure, and write the table that it is drawn from."""
@@ -33,6 +33,6 @@ for name, figure in FIGURES.items():
 
 
 rule figures:
-    """Draw all figures."""
+    """Draw all figures of the study."""
     input:
         [getattr(rules, f"draw_{name}").output for name in FIGURES],

@@ -7,7 +7,7 @@ neither these modules nor matplotlib, so that the rules can be made from it.
 
 from typing import NamedTuple
 
-__all__ = ["FIGURES", "Figure"]
+__all__ = ["BEYOND", "FIGURES", "Figure"]
 
 
 class Figure(NamedTuple):
@@ -113,5 +113,15 @@ FIGURES = {
         "results under other assumptions",
         ("robustness", "inference", "band"),
         ("published_constants",),
+    ),
+}
+
+#: Figures of targets that are no part of the study: it is complete without them.
+BEYOND = {
+    "fig_atomic": Figure(
+        "Beyond the study",
+        "atomic scale",
+        "pull-off force on pixels of atomic size",
+        ("atomic",),
     ),
 }
