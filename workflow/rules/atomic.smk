@@ -2,6 +2,7 @@
 
 from hardcontact.figures.catalogue import BEYOND
 from hardcontact.study.memory import master_megabytes
+from hardcontact.study.patterns import STUDY_VARIANT
 
 SMALL_SCALES = STUDY["scales"]["small"]
 FINER_PIXELS = 4 * SMALL_SCALES["pixels"]
@@ -13,7 +14,7 @@ LONGEST = 4
 rule compare_finer_master:
     """Compare the force without the shortest waves on finer and finer pixels: atomic.nc."""
     input:
-        scan=FILES.stitched_of_realization(STUDY["reference_surface"], 1),
+        scan=FILES.stitched_of_realization(STUDY["reference_surface"], 1, STUDY_VARIANT),
         spectrum=FILES.spectrum(STUDY["reference_surface"]),
         code=code_inputs("compare_finer_master.py"),
     output:
