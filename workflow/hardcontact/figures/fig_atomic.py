@@ -45,7 +45,6 @@ def table(atomic: xr.Dataset) -> pd.DataFrame:
     """
     rows = [
         bounded(atomic, name)
-        .drop_vars("pixel_size")
         .to_dataframe()
         .reset_index()
         .assign(quantity=name, panel=panel, unit=unit, origin="computed")
