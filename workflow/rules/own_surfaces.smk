@@ -17,6 +17,7 @@ rule aggregate_spectra:
     params:
         canonical=canonical(
             {
+                "surfaces": SELECTION.surfaces,  # the order of the inputs
                 "labels": SELECTION.labels,
                 "descriptions": {
                     surface: SELECTION.description(surface) for surface in FILES.conditionings

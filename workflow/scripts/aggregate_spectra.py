@@ -6,8 +6,8 @@ from hardcontact.surfaces.described_spectrum import described_spectrum
 from hardcontact.surfaces.joined_spectrum import stacked_spectra
 
 with job(snakemake) as this:
-    labels = this.parameters["labels"]
-    spectra = dict(zip(labels, map(dataset.read, this.input.spectra), strict=True))
+    surfaces, labels = this.parameters["surfaces"], this.parameters["labels"]
+    spectra = dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True))
     for surface, path in this.parameters["descriptions"].items():
         spectra[surface] = described_spectrum(spectra[surface], path)
     this.write(

@@ -11,11 +11,11 @@ import xarray as xr
 
 from hardcontact.adhesion.critical_band import logarithmic_limits
 from hardcontact.adhesion.edge_of_curve import Curve, described_edge
-from hardcontact.adhesion.filtered_pull_off import filtered_pull_off
+from hardcontact.adhesion.filtered_pull_off import FilteredContact, filtered_pull_off
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.records.log import progress
 from hardcontact.statistics import jackknife_interval, with_interval
-from hardcontact.surfaces.filters import filtered
+from hardcontact.surfaces.filters import filtered, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 
 __all__ = ["FinerMaster", "on_coarser_pixels", "on_several_pixels"]
@@ -109,11 +109,15 @@ def on_several_pixels(master: HeightMap, given: FinerMaster) -> xr.Dataset:
 
 def _forces(master: HeightMap, given: FinerMaster) -> np.ndarray:
     """Return the forces (1 + cutoff, contact, contact) in N, of all roughness first."""
-    common = {"side": "small", "radius": given.radius, "rho": given.rho, "contact": given.contact}
-    forces = [
-        filtered_pull_off(master, None, {**common, "cutoff": cutoff, "pixels": master.pixels})
-        for cutoff in progress([None, *given.cutoffs], 1 + len(given.cutoffs), "cutoffs")
-    ]
+    unfiltered: FilteredContact = {
+        "side": "small", "cutoff": None, "pixels": master.pixels, "radius": given.radius,
+        "rho": given.rho, "contact": given.contact,
+    }  # fmt: skip
+    forces, band = [filtered_pull_off(master, None, unfiltered)], master
+    for cutoff in progress(given.cutoffs, len(given.cutoffs), "cutoffs"):
+        # What a shorter cutoff left holds all longer waves, on far fewer pixels.
+        band = lowpass(band, cutoff)
+        forces.append(filtered_pull_off(band, None, unfiltered))
     return np.array([one.variables["pull_off_force"][1] for one in forces])
 
 

@@ -13,7 +13,7 @@ import pandas as pd
 from hardcontact.study.schema import plain
 from hardcontact.study.surface_table import TABLE_LIMIT
 from hardcontact.surfaces.described_spectrum import KNOWN
-from hardcontact.surfaces.substitute_spectra import CALIBRATED, PARAMETERS
+from hardcontact.surfaces.substitute_spectra import CALIBRATED, PARAMETERS, is_calibrated
 
 __all__ = ["refuse_description", "refuse_of_paper"]
 
@@ -89,8 +89,7 @@ def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) 
         In one line.
     """
     bands = pd.read_csv(path)
-    calibrated = (bands.hurst.isna() & bands.model.isin(CALIBRATED)).any()
-    if surface in published or calibrated:
+    if surface in published or is_calibrated(bands):
         raise ValueError(
             "config key published: expected paper in a study with substitutes for its surfaces "
             f"({surface}), found none"
