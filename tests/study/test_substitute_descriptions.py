@@ -4,7 +4,6 @@ import pytest
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.study.chromium_nitride import EDGES, STATISTICS
 from hardcontact.study.substitute_descriptions import refuse_description, refuse_of_paper
 from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS
 
@@ -12,7 +11,7 @@ SPECTRA = ROOT / "resources/spectra"
 HEADER = (
     "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
 )
-COATINGS = [f"{surface}{ending}" for surface in EDGES for ending in STATISTICS.values()]
+COATINGS = sorted(path.stem for path in SPECTRA.glob("crn_*.csv"))
 ROWS = {*AFM_ROWS, *TAIL_ROWS}
 
 

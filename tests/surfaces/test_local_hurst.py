@@ -8,11 +8,10 @@ import pytest
 from measurements import profile_of
 from repository import ROOT
 
-from hardcontact.study import chromium_nitride
 from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.local_hurst import fitted_local_hurst, local_power_laws
 from hardcontact.surfaces.profile_conversion import profile_from_isotropic
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS
 from hardcontact.surfaces.substitute_spectra import from_description
 
 #: Where the digitised points lie, which are not part of the project.
@@ -20,6 +19,14 @@ POINTS = os.environ.get("HARDCONTACT_CRN_PSD", "")
 #: Wavevectors in rad/nm where the end of the table, 0.1 nm, hardly counts.
 MEASURED = 2 * np.pi / np.logspace(5, 1, 33)
 EDGES = np.array([2e4, 1e3, 100.0])
+#: The descriptions of chromium nitride, with the surface and the statistic of their points.
+COATINGS = {
+    f"{surface}{ending}": (surface, statistic)
+    for surface in ("crn_smoother", "crn_rougher")
+    for ending, statistic in {
+        "": "median", "_lower": "lower_quartile", "_upper": "upper_quartile"
+    }.items()
+}  # fmt: skip
 NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
 
 
@@ -60,33 +67,44 @@ def test_scatter_of_a_spectrum_is_its_misfit():
     np.testing.assert_allclose(fit.misfit, -scatter, atol=0.1)
 
 
-@pytest.mark.parametrize("surface", chromium_nitride.EDGES)
-@pytest.mark.parametrize("statistic", chromium_nitride.STATISTICS)
-def test_description_of_a_coating_is_its_published_spectrum(surface, statistic, tmp_path):
+def described(name):
+    """Return the description of a coating: C_iso, and the bands that are fitted, with their edges.
+
+    The first band is constant down to its edge, the last continues beyond the source.
+    """
+    density, bands, calibrated = from_description(
+        ROOT / f"resources/spectra/{name}.csv", NO_TABLE1, None
+    )
+    assert calibrated == [] and bands.basis.tolist() == [
+        *["measured"] * (len(bands) - 1),
+        "assumed",
+    ]
+    fitted = bands.iloc[:-1]
+    return density, fitted, np.append(fitted.rolloff_nm[0], fitted.longest_nm[1:])
+
+
+@pytest.mark.parametrize("name", COATINGS)
+def test_description_of_a_coating_is_what_a_fit_to_its_published_spectrum_gives(name):
     if not POINTS:
         pytest.skip("HARDCONTACT_CRN_PSD does not say where the digitised points are")
-    name = f"{surface}{chromium_nitride.STATISTICS[statistic]}"
-    density, bands, _ = from_description(ROOT / f"resources/spectra/{name}.csv", NO_TABLE1, None)
-    wavevector, profile = chromium_nitride.points(pd.read_csv(POINTS), surface, statistic)
-    found = profile_from_isotropic(Spectrum(WAVEVECTORS, density), wavevector)
-    misfit = np.log(found / profile)
-    stated = bands.source[0].split("misfit of ln C_1D ")[1]
-    rms, largest = (float(stated.split()[place]) for place in (0, 3))
-    # Edges lie between points of the table of spectra, so that a band begins up to half a cell off.
-    assert np.sqrt((misfit**2).mean()) == pytest.approx(rms, abs=0.03)
-    assert np.abs(misfit).max() == pytest.approx(largest, abs=0.08)
+    _, bands, edges = described(name)
+    points, (surface, statistic) = pd.read_csv(POINTS), COATINGS[name]
+    points = points[(points.surface == surface) & (points.statistic == statistic)]
+    points = points[points.wavevector_per_nm > WAVEVECTORS[0] * (1 - 1e-3)]
+    fit = fitted_local_hurst(
+        points.wavevector_per_nm.to_numpy(float), points.c1d_nm3.to_numpy(float), edges
+    )
+    np.testing.assert_allclose(bands.hurst, fit.hurst, atol=2e-3)
+    assert bands.plateau_nm4[0] == pytest.approx(fit.plateau, rel=2e-3)
+    rms, largest = np.sqrt((fit.misfit**2).mean()), np.abs(fit.misfit).max()
+    stated = f"misfit of ln C_1D {rms:.2f} rms and {largest:.2f} at most over {len(points)} points"
+    assert bands.source.str.endswith(stated).all()
 
 
-@pytest.mark.parametrize("surface", chromium_nitride.EDGES)
-def test_description_of_a_fit_is_its_spectrum(surface, tmp_path):
-    edges = np.array(chromium_nitride.EDGES[surface])
-    hurst = np.linspace(0.1, 1.0, len(edges))
-    fit = chromium_nitride.LocalHurst(2e12, hurst, np.array([0.1, -0.1]))
-    path = tmp_path / "described.csv"
-    chromium_nitride.description(fit, surface, "median").to_csv(path, index=False)
-    density, bands, calibrated = from_description(path, NO_TABLE1, None)
-    assert calibrated == [] and set(bands.basis) == {"measured", "assumed"}
-    assert "misfit of ln C_1D 0.10 rms and 0.10 at most over 2 points" in bands.source[0]
-    expected = local_power_laws(2e12, hurst, edges).density
+@pytest.mark.parametrize("name", COATINGS)
+def test_description_of_a_coating_makes_the_spectrum_that_was_fitted(name):
+    density, bands, edges = described(name)
+    fitted = local_power_laws(bands.plateau_nm4[0], bands.hurst.to_numpy(), edges).density
     inside = WAVEVECTORS < 2 * np.pi / 0.11
-    np.testing.assert_allclose(density[inside], expected[inside], rtol=0.06)
+    # Edges lie between points of the table of spectra: each band begins up to half a cell off.
+    np.testing.assert_allclose(density[inside], fitted[inside], rtol=0.15)

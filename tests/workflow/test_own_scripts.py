@@ -4,22 +4,25 @@ import runpy
 from types import SimpleNamespace
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
 from repository import ROOT
 
 from hardcontact.records import dataset
 from hardcontact.records.origin import canonical
+from hardcontact.surfaces.described_spectrum import described_spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
 
 CONTACTS = ("contact_y", "contact_x")
 NAMES = {"label": ("surface", ["A", "B"]), "basis": ("surface", ["measured"] * 2)}
 
 
 class Named(list):
-    """Files by name or place, as Snakemake gives them."""
+    """Files or lists of them by name, and all by place, as Snakemake gives them."""
 
     def __init__(self, **files):
-        super().__init__(files.values())
+        super().__init__(np.hstack(list(files.values())).tolist())
         vars(self).update(files)
 
 
@@ -119,3 +122,22 @@ def test_edges_are_found(run):
     assert (edges.edge_status == "found").all() and edges.edge_interval.notnull().any()
     assert edges.conditional.values.tolist() == [1, 1]
     assert edges.pooled_edge.sizes == {"side": 2}
+
+
+def test_spectra_go_with_their_surfaces_in_any_order(run):
+    parameters = {"surfaces": ["b", "a"], "labels": {"a": "A", "b": "B"}, "descriptions": {}}
+    files = {}
+    for name, level in (("b", 2.0), ("a", 1.0)):
+        bands = pd.DataFrame(
+            {"longest_nm": [1e4], "shortest_nm": [1.0], "basis": ["measured"], "source": [name]}
+        )
+        stored = spectrum_dataset(level * WAVEVECTORS**-3.0).assign_attrs(
+            basis="substitute", calibrated_to_table1="", bands=bands.to_csv(index=False)
+        )
+        dataset.write(described_spectrum(stored, f"{name}.csv"), f"{name}.nc")
+        files[name] = f"{name}.nc"
+    spectra = run("aggregate_spectra", parameters, spectra=list(files.values()))
+    for name, level in (("a", 1.0), ("b", 2.0)):
+        of_surface = spectra.sel(surface=name)
+        assert of_surface.label.item() == name.upper() and of_surface.notes.item() == name
+        np.testing.assert_allclose(of_surface.spectrum, level * WAVEVECTORS**-3.0)

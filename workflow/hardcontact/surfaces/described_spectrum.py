@@ -90,12 +90,14 @@ def described_spectrum(stored: "xr.Dataset", path: str) -> "xr.Dataset":
 def _runs(bands: pd.DataFrame) -> list[_Run]:
     """Return the runs of known bands, no longer than the table of spectra."""
     runs: list[_Run] = []
-    for band in bands[bands.basis.isin(KNOWN)].itertuples():
-        if runs and (runs[-1].shortest, runs[-1].source) == (band.longest_nm, band.source):
-            runs[-1] = runs[-1]._replace(shortest=band.shortest_nm)
+    known = bands[bands.basis.isin(KNOWN)]
+    for longest, shortest, source in zip(
+        known.longest_nm, known.shortest_nm, known.source, strict=True
+    ):
+        if runs and (runs[-1].shortest, runs[-1].source) == (longest, source):
+            runs[-1] = runs[-1]._replace(shortest=shortest)
         else:
-            longest = min(band.longest_nm, 2 * np.pi / WAVEVECTORS[0])
-            runs.append(_Run(longest, band.shortest_nm, band.source))
+            runs.append(_Run(min(longest, 2 * np.pi / WAVEVECTORS[0]), shortest, source))
     return runs
 
 
