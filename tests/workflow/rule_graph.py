@@ -1,6 +1,6 @@
 """The graph of rules: which of them make what again once others have."""
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import BEYOND, FIGURES
 
 # The rules of one stage
 
@@ -34,6 +34,8 @@ OF_MEASURED = {
 }  # fmt: skip
 
 DRAWN = {f"draw_{name}" for name in FIGURES}
+#: What targets make that are no part of the study.
+APART = {"compare_finer_master", *(f"draw_{name}" for name in BEYOND)}
 #: The rules that make what figures are drawn from.
 DATASETS = {
     "adhesion": "aggregate_adhesion", "asperities": "aggregate_asperities",

@@ -7,6 +7,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from known_masters import LARGE, SMALL, scales
 from repository import ROOT
 
 from hardcontact.records import dataset
@@ -68,26 +69,37 @@ def topography():
     )
 
 
-def test_forces_are_predicted(run):
-    dataset.write(adhesion(), "adhesion.nc")
-    dataset.write(topography(), "topography.nc")
+@pytest.fixture
+def force(run):
+    """Return the forces predicted from adhesion.nc, scales.nc and topography.nc, which it makes."""
+    masters = scales([[SMALL, LARGE]] * 2).assign(transition=("side", [20.0, 4e3]))
+    files = {
+        "adhesion": adhesion(),
+        "scales": masters.assign_attrs(rho=2.0),
+        "topography": topography(),
+    }
+    for name, data in files.items():
+        dataset.write(data, f"{name}.nc")
     contact = {"preload": 1e-5, "hardness": 25e9, "window": 12_500.0, "count": 4}
     parameters = {
         "work": 0.05, "rho": 2.0, "radius": 5e3, "contact": contact, "confidence": 0.95,
+        "scans": {"a": 1, "b": 1}, "tiles": 2, "tolerance": 0.1,
     }  # fmt: skip
-    force = run("predict_force", parameters, adhesion="adhesion.nc", topography="topography.nc")
+    return run("predict_force", parameters, **{name: f"{name}.nc" for name in files})
+
+
+def test_forces_are_predicted(force):
     assert force.force.sel(surface="a", rho=2.0).values == pytest.approx(1e-7, rel=0.2)
     assert force.attrs["work_of_adhesion"] == 0.05
 
 
-def test_own_forces_are_fitted(run, tmp_path):
-    dataset.write(adhesion(), "adhesion.nc")
-    dataset.write(topography(), "topography.nc")
+def test_own_forces_are_fitted(run, force, tmp_path):
+    dataset.write(force, "force.nc")
     rows = [f"{s},{f},nN" for s, f in (("a", 90), ("a", 110), ("a", 100), ("b", 60), ("b", 62))]
     (tmp_path / "my.csv").write_text("\n".join(["surface,value,unit", *rows]))
     parameters = {"samples": 200, "confidence": 0.95, "seed": 1}
-    inputs = {"adhesion": "adhesion.nc", "topography": "topography.nc", "forces": "my.csv"}
-    fit = run("fit_forces", parameters, **inputs)
+    inputs = {name: f"{name}.nc" for name in ("adhesion", "force", "topography")}
+    fit = run("fit_forces", parameters, **inputs, forces="my.csv")
     assert fit.tests.values.tolist() == [3, 2] and fit.attrs["basis"] == "measured"
     np.testing.assert_allclose(fit.measured_force, [100e-9, 61e-9])
 
@@ -98,7 +110,7 @@ def test_edges_are_found(run):
     ratio = np.array([[1.0, 1.3, np.nan, np.nan], [np.nan, np.nan, 1.4, 1.02]])
     ratio = ratio[..., None, None] * np.exp(0.02 * rng.standard_normal((2, 2, 2, 4, 4, 4)))
     dims = ("surface", "realization", "side")
-    scales = xr.Dataset(
+    masters = xr.Dataset(
         {
             "pull_off_force": (
                 (*dims, "cutoff_wavelength", *CONTACTS), ratio * unfiltered[:, :, :, None],
@@ -115,8 +127,8 @@ def test_edges_are_found(run):
         },
         {"rho": 5.6, "sphere_radius": 5e3},
     )  # fmt: skip
-    means = (scales[name].mean(CONTACTS) for name in list(scales)[:2])
-    dataset.write(scales.assign(ratio=next(means) / next(means)), "scales.nc")
+    means = (masters[name].mean(CONTACTS) for name in list(masters)[:2])
+    dataset.write(masters.assign(ratio=next(means) / next(means)), "scales.nc")
     parameters = {"scans": {"a": 1, "b": 1}, "tiles": 1, "tolerance": 0.1, "confidence": 0.95}
     edges = run("find_band_edges", parameters, scales="scales.nc")
     assert (edges.edge_status == "found").all() and edges.edge_interval.notnull().any()

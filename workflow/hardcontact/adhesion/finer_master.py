@@ -3,8 +3,8 @@
 The coarser masters hold the waves of the finest up to their own pixels, and no other realization.
 """
 
-from collections.abc import Sequence
-from typing import NamedTuple
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -129,17 +129,17 @@ def _without_blocks(forces: np.ndarray) -> np.ndarray:
     return np.array([forces[..., of_contact != k].mean(axis=-1) for k in np.unique(of_contact)])
 
 
-def _ratios(mean: np.ndarray, without: np.ndarray, given: FinerMaster) -> dict[str, object]:
+def _ratios(mean: np.ndarray, without: np.ndarray, given: FinerMaster) -> dict[str, Any]:
     """Return ratios of mean forces (pixels, 1 + cutoff), and edges, with their intervals."""
-    quotients = {
+    quotients: dict[str, tuple[Sequence[str], Callable[[np.ndarray], np.ndarray]]] = {
         "ratio": (("pixels", "cutoff_wavelength"), lambda x: x[..., 1:] / x[..., :1]),
-        "force_over_finest": ("pixels", lambda x: x[..., 0] / x[..., -1:, 0]),
+        "force_over_finest": (("pixels",), lambda x: x[..., 0] / x[..., -1:, 0]),
         "filtered_over_finest": (
             ("pixels", "cutoff_wavelength"),
             lambda x: x[..., 1:] / x[..., -1:, 1:],
         ),
     }
-    variables: dict[str, object] = {}
+    variables: dict[str, Any] = {}
     for name, (dims, quotient) in quotients.items():
         value = quotient(mean)
         interval = jackknife_interval(value, quotient(without), given.confidence)
@@ -149,7 +149,7 @@ def _ratios(mean: np.ndarray, without: np.ndarray, given: FinerMaster) -> dict[s
     return variables
 
 
-def _edges(ratio: np.ndarray, interval: np.ndarray, given: FinerMaster) -> dict[str, object]:
+def _edges(ratio: np.ndarray, interval: np.ndarray, given: FinerMaster) -> dict[str, Any]:
     """Return the short edges of curves (pixels, cutoff)."""
     limits, cutoffs = logarithmic_limits(given.tolerance), np.array(given.cutoffs)
     edges = [

@@ -139,6 +139,6 @@ def _draw_over_finest(axes: Axes, atomic: xr.Dataset) -> None:
         axes.errorbar(
             changes["cutoff_wavelength"], of_pixels["value"], reach(of_pixels), lw=1, **common
         )
-        end = 2 * atomic["pixel_size"].sel(pixels=pixels)
-        axes.errorbar(end, whole["value"], reach(whole)[:, None], mfc="white", **common)
+        end = [2 * atomic["pixel_size"].sel(pixels=pixels).item()]
+        axes.errorbar(end, [whole["value"].item()], reach(whole)[:, None], mfc="white", **common)
     axes.set(ylabel="force over that on the finest − 1 (%)")
