@@ -60,10 +60,11 @@ def test_table_holds_every_number_with_its_interval():
 def test_curves_are_those_of_the_table_in_percent_where_they_are_compared():
     curves, changes = drawn().axes
     for place, line in enumerate(bars.lines[0] for bars in curves.containers):
-        np.testing.assert_allclose(line.get_ydata(), atomic().ratio[place])
+        np.testing.assert_allclose(line.get_ydata().astype(float), atomic().ratio[place])
     filtered, unfiltered = (bars.lines[0] for bars in changes.containers)
-    np.testing.assert_allclose(filtered.get_ydata(), [2, 1, 0, -17], atol=1e-9)
-    assert unfiltered.get_ydata() == pytest.approx([3]) and unfiltered.get_xdata() == [1.22]
+    np.testing.assert_allclose(filtered.get_ydata().astype(float), [2, 1, 0, -17], atol=1e-9)
+    assert unfiltered.get_ydata().astype(float) == pytest.approx([3])
+    assert unfiltered.get_xdata().astype(float) == pytest.approx([1.22])
 
 
 def test_numbers_of_pixels_are_told_apart_without_colour_and_named():
