@@ -29,23 +29,45 @@ def test_a_median_needs_both_quartiles_and_no_measurement():
     assert quartile_sentences(described(whole[:2])) == []
 
 
-def test_span_holds_values_and_intervals_and_leaves_out_what_is_not_known():
-    values = xr.DataArray([40.0, np.nan, 70.0], dims="surface")
-    intervals = xr.DataArray(
-        [[35.0, 50.0], [np.nan, np.nan], [60.0, 90.0]], dims=["surface", "bound"]
-    )
-    assert over_quartiles(values, intervals) == (35.0, 90.0)
-    assert over_quartiles(values, intervals * np.nan) == (40.0, 70.0)
+def test_span_leaves_out_what_is_not_known():
+    assert over_quartiles(xr.DataArray([[40.0, np.nan], [np.inf, 70.0]])) == (40.0, 70.0)
+    assert np.isnan(over_quartiles(xr.DataArray([np.nan]))).all()
 
 
-def test_sentence_gives_the_span_and_names_open_edges():
+def with_edges(side, edges, bounds, texts, intervals):
+    """Return datasets of a median and its quartiles with these edges (nm) at one side."""
     given = described(["crn", "crn_lower", "crn_upper"])
-    edges = given.edges.copy(deep=True)
-    edges["edge"].loc[{"side": "small"}] = [40.0, 20.0, 60.0]
-    edges["edge_interval"].loc[{"side": "small"}] = np.nan
-    edges["edge_status"] = edges["edge_status"].astype(object)
-    edges["edge_status"].loc[{"side": "large"}] = ["found", "open", "open"]
-    (sentence,) = quartile_sentences(given._replace(edges=edges))
-    assert "my coating (substitute), over the quartiles" in sentence
-    assert "the short edge of the band from 20 nm to 60 nm, the long edge" in sentence
-    assert "(2 of 3 edges are open: beyond what was computed), the mean force from" in sentence
+    changed = given.edges.copy(deep=True)
+    for name, values in {
+        "edge": edges, "edge_bound": bounds, "edge_text": texts, "edge_interval": intervals,
+        "edge_status": np.where(np.isnan(edges), "beyond the cutoffs", "found"),
+    }.items():  # fmt: skip
+        numbers = name not in ("edge_text", "edge_status")
+        changed[name] = changed[name].astype(float if numbers else object)
+        changed[name].loc[{"side": side}] = values
+    return given._replace(edges=changed)
+
+
+NONE = [np.nan] * 3
+
+
+def test_sentence_gives_the_median_its_quartiles_and_their_intervals():
+    intervals = [[35.0, 50.0], [10.0, np.nan], [60.0, 90.0]]
+    given = with_edges("small", [40.0, 20.0, 70.0], NONE, [""] * 3, intervals)
+    (sentence,) = quartile_sentences(given)
+    assert sentence.startswith("my coating (substitute), with the span over the quartiles")
+    assert (
+        "short edge of the band 40 nm (20 nm to 70 nm; 10 nm to 90 nm where bounded);" in sentence
+    )
+    assert "; mean force " in sentence
+
+
+def test_open_edges_are_bounds():
+    unknown = [[np.nan] * 2] * 3
+    bounds, texts = [np.nan, 8e3, 8e3], ["", "at least 8 µm", "at least 8 µm"]
+    given = with_edges("large", [5e3, np.nan, np.nan], bounds, texts, unknown)
+    (sentence,) = quartile_sentences(given)
+    assert "long edge 5 µm (5 µm to at least 8 µm; no interval is known);" in sentence
+    given = with_edges("large", NONE, [8e3] * 3, ["at least 8 µm"] * 3, unknown)
+    (sentence,) = quartile_sentences(given)
+    assert "long edge at least 8 µm (all three alike; no interval is known);" in sentence

@@ -123,7 +123,8 @@ def _first_screen(given: Datasets) -> str:
         opened = (
             " “At least” and “at most” mean that this end was not found within what was computed."
         )
-    sentences += "".join(f"\n<p>{text_html(text)}</p>" for text in quartile_sentences(given))
+    spans = "".join(f"<p>{text_html(text)}</p>\n" for text in quartile_sentences(given))
+    sentences = spans + sentences
     return (
         f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
         "</div>\n" + _notice(given)

@@ -25,14 +25,14 @@ def surfaces_with_quartiles(given: Datasets) -> dict[str, list[str]]:
     return {name: group for name, group in groups.items() if known.issuperset(group)}
 
 
-def over_quartiles(values: xr.DataArray, intervals: xr.DataArray) -> tuple[float, float]:
-    """Return the least and the greatest of values (surface) and intervals (surface, bound)."""
-    every = np.append(values.values.ravel(), intervals.values.ravel())
-    return float(np.nanmin(every)), float(np.nanmax(every))
+def over_quartiles(values: xr.DataArray) -> tuple[float, float]:
+    """Return the least and the greatest of values of any dimensions, NaN where none is known."""
+    known = values.values[np.isfinite(values.values)]
+    return (float(known.min()), float(known.max())) if known.size else (np.nan, np.nan)
 
 
 def quartile_sentences(given: Datasets) -> list[str]:
-    """Return a sentence for each surface with quartiles: the span of its edges and its force.
+    """Return a sentence for each surface with quartiles: its edges, its force and their spans.
 
     Parameters
     ----------
@@ -46,26 +46,46 @@ def quartile_sentences(given: Datasets) -> list[str]:
     """
     labels = given.labels()
     return [
-        f"{labels[name]}, over the quartiles of its source and the realizations of each: the short "
-        f"edge of the band {_edge(given.edges.sel(surface=group), 'small')}, the long edge "
-        f"{_edge(given.edges.sel(surface=group), 'large')}, the mean force "
-        f"{_force(given.force.sel(surface=group))}."
+        f"{labels[name]}, with the span over the quartiles of its source and that of all their "
+        f"intervals: short edge of the band {_edge(given.edges.sel(surface=group), 'small')}; "
+        f"long edge {_edge(given.edges.sel(surface=group), 'large')}; "
+        f"mean force {_force(given.force.sel(surface=group))}."
         for name, group in surfaces_with_quartiles(given).items()
     ]
 
 
 def _edge(edges: xr.Dataset, side: str) -> str:
-    """Return the span of the edges at one side, and how many of them were not found."""
+    """Return the edge of the first surface at one side, its span, and that of the intervals."""
     of_side = edges.sel(side=side)
-    known = of_side["edge"].fillna(of_side["edge_bound"])
-    low, high = map(print_length, over_quartiles(known, of_side["edge_interval"]))
-    opened = int((of_side["edge_status"] != "found").sum())
-    count = of_side.sizes["surface"]
-    beyond = f" ({opened} of {count} edges are open: beyond what was computed)" if opened else ""
-    return f"from {low} to {high}{beyond}"
+    known = of_side["edge"].fillna(of_side["edge_bound"]).values
+    texts = [
+        _open(str(text), status != "found") + print_length(value)
+        for value, text, status in zip(
+            known, of_side["edge_text"].values, of_side["edge_status"].values, strict=True
+        )
+    ]
+    least, most = texts[int(np.nanargmin(known))], texts[int(np.nanargmax(known))]
+    return _with_spans(texts[0], least, most, of_side["edge_interval"], "nm")
+
+
+def _open(text: str, is_open: bool) -> str:
+    """Return the words before the bound of an open edge, as its own text has them."""
+    return "" if not is_open else "at least " if text.startswith("at least") else "at most "
 
 
 def _force(force: xr.Dataset) -> str:
     here = at_range(force)
-    low, high = over_quartiles(here["force"], here["force_interval"])
-    return f"from {print_quantity(low, 'N')} to {print_quantity(high, 'N')}"
+    values = here["force"]
+    least, most = (print_quantity(end, "N") for end in over_quartiles(values))
+    first = print_quantity(values.isel(surface=0).item(), "N")
+    return _with_spans(first, least, most, here["force_interval"], "N")
+
+
+def _with_spans(first: str, least: str, most: str, intervals: xr.DataArray, unit: str) -> str:
+    """Return a value, the span of all and that of their intervals; what is not known is said."""
+    span = f"{first} ({least} to {most}" if least != most else f"{first} (all three alike"
+    low, high = over_quartiles(intervals)
+    if np.isnan(low):
+        return f"{span}; no interval is known)"
+    partly = "" if np.isfinite(intervals.values).all() else " where bounded"
+    return f"{span}; {print_quantity(low, unit)} to {print_quantity(high, unit)}{partly})"
