@@ -82,10 +82,16 @@ def _force(force: xr.Dataset) -> str:
 
 
 def _with_spans(first: str, least: str, most: str, intervals: xr.DataArray, unit: str) -> str:
-    """Return a value, the span of all and that of their intervals; what is not known is said."""
+    """Return a value, the span of all, and that of their intervals (surface, bound).
+
+    An end of the latter is bounded if that of every interval is.
+    """
     span = f"{first} ({least} to {most}" if least != most else f"{first} (all three alike"
-    low, high = over_quartiles(intervals)
-    if np.isnan(low):
-        return f"{span}; no interval is known)"
-    partly = "" if np.isfinite(intervals.values).all() else " where bounded"
-    return f"{span}; {print_quantity(low, unit)} to {print_quantity(high, unit)}{partly})"
+    ends = intervals.transpose("surface", "bound").values
+    low, high = ends[:, 0].min(), ends[:, 1].max()
+    low_text, high_text = (print_quantity(float(end), unit) for end in (low, high))
+    if np.isnan(low) and np.isnan(high):
+        return f"{span}; intervals not bounded)"
+    if np.isnan(low) or np.isnan(high):
+        return f"{span}; {f'below {high_text}' if np.isnan(low) else f'above {low_text}'})"
+    return f"{span}; {low_text} to {high_text})"
