@@ -56,9 +56,7 @@ def test_sentence_gives_the_median_its_quartiles_and_their_intervals():
     given = with_edges("small", [40.0, 20.0, 70.0], NONE, [""] * 3, intervals)
     (sentence,) = quartile_sentences(given)
     assert sentence.startswith("my coating (substitute), with the span over the quartiles")
-    assert (
-        "short edge of the band 40 nm (20 nm to 70 nm; 10 nm to 90 nm where bounded);" in sentence
-    )
+    assert "short edge of the band 40 nm (20 nm to 70 nm; above 10 nm);" in sentence
     assert "; mean force " in sentence
 
 
@@ -67,7 +65,7 @@ def test_open_edges_are_bounds():
     bounds, texts = [np.nan, 8e3, 8e3], ["", "at least 8 µm", "at least 8 µm"]
     given = with_edges("large", [5e3, np.nan, np.nan], bounds, texts, unknown)
     (sentence,) = quartile_sentences(given)
-    assert "long edge 5 µm (5 µm to at least 8 µm; no interval is known);" in sentence
+    assert "long edge 5 µm (5 µm to at least 8 µm; intervals not bounded);" in sentence
     given = with_edges("large", NONE, [8e3] * 3, ["at least 8 µm"] * 3, unknown)
     (sentence,) = quartile_sentences(given)
-    assert "long edge at least 8 µm (all three alike; no interval is known);" in sentence
+    assert "long edge at least 8 µm (all three alike; intervals not bounded);" in sentence

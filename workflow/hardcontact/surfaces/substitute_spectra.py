@@ -95,7 +95,19 @@ def is_calibrated(bands: pd.DataFrame) -> bool:
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height in nm of the waves up to a wavelength (nm), from a description alone.
+    """Return the rms height of the waves up to a wavelength, from a description alone.
+
+    Parameters
+    ----------
+    path : str or Path
+        As `from_description`.
+    longest : float
+        Wavelength in nm.
+
+    Returns
+    -------
+    float
+        In nm.
 
     Raises
     ------
