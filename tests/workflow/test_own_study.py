@@ -102,7 +102,7 @@ def test_real_scans(folder, name, files, contacts):
         assert low < answer["force"]["value"] < high
         assert 20 < answer["band"]["small"]["edge"]["value"] < 100
         assert "conditional on this scan" in answer["band"]["small"]["interval_note"]
-        assert_says(answer["answer"], "if the roughness goes on below 200 nm", "if it ends there")
+        assert_says(answer["answer"], "that its scans show, but", "if it goes on below 200 nm")
         continued = answer["force"]["with_continued_roughness"]["small"]
         assert continued["differs"] and continued["value"] < 0.7 * answer["force"]["value"]
 
