@@ -400,7 +400,7 @@ SCANS = {"prepare_scan", "measure_topography"} | TOPOGRAPHY
 
 #: Another value of a key, and what is made again.
 KEYS = {
-    "adhesion.work": ("60 mJ/m2", {"predict_force"}),
+    "adhesion.work": ("60 mJ/m2", {"predict_force", "fit_forces"}),
     "forces": ("none", set()),
     "scan.levelling": ("lines", SCANS | SPECTRA | FORCES | MASTERS),
     "scan.undefined_pixels": ("harmonic", SCANS | SPECTRA | FORCES | MASTERS),
