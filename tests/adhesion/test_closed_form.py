@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from known_spectra import rough, rounded
-from scipy import integrate, stats
+from scipy import stats
 
 from hardcontact.adhesion.closed_form import (
     MANY_POINTS,
@@ -30,17 +30,16 @@ def contact(rho=5.6, area=400.0, radius=RADIUS):
     return Contact(radius, rho, 1.0, area)
 
 
-@pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3), (1, 0, 9)])
+@pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
 def test_both_terms_are_the_integral_over_gaps_and_heights(sigma, m, rho):
-    def at_gap(s):
-        heights = stats.norm(0, sigma)
-        return integrate.quad(
-            lambda h: heights.pdf(h) * np.exp(-(s - h) / rho), s - 12 * sigma, s, limit=200
-        )[0]
-
-    force = integrate.quad(at_gap, m, m + 15 * max(rho, sigma), limit=200)[0] / rho
+    gap = np.linspace(m, m + 20 * rho + 8 * sigma, 4001)
+    below = np.linspace(0, 1, 2001)[:, None]
+    height = -10 * sigma + below * (gap + 10 * sigma)  # up to the sphere
+    attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(gap - height) / rho)
+    of_gap = np.trapezoid(attraction, below, axis=0) * (gap + 10 * sigma)
+    force = np.trapezoid(of_gap, gap) / rho
     both = gaussian_share(sigma, m, rho) + stats.norm.sf(m / sigma)
-    assert both == pytest.approx(force, rel=1e-5)
+    assert both == pytest.approx(force, rel=1e-4)
 
 
 def test_the_first_term_freezes():
@@ -61,11 +60,12 @@ def test_without_roughness_the_force_is_that_of_a_smooth_sphere():
 
 def test_a_single_smooth_summit_is_a_sphere_of_its_radius():
     sigma, length, rho = 40.0, 300.0, 1e-3  # so short a range that only one summit counts
-    found = closed_form(rounded(sigma, length), contact(rho, 0.0))
+    flat = 1e9  # so that the summit is a high one
+    found = closed_form(rounded(sigma, length), contact(rho, 0.0, flat))
     level = found.closest_approach / sigma
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert found.regime == SINGLE_PEAKS
-    assert found.relative == pytest.approx(summit / RADIUS, rel=0.15)
+    assert found.relative == pytest.approx(summit / flat, rel=0.1)
 
 
 def test_regimes_lie_on_both_sides_of_freezing():
@@ -87,8 +87,11 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
     assert plastic.force > rigid.force
 
 
-@pytest.mark.parametrize(("rms", "rho", "error"), [(4, 5.6, 0.12), (4, 20, 0.05), (40, 5.6, 0.4)])
-def test_forces_on_random_surfaces(rms, rho, error):
+@pytest.mark.parametrize(
+    ("rms", "rho", "of_spectrum", "of_contacts"),
+    [(4, 5.6, 0.2, 0.05), (4, 20, 0.05, 0.02), (40, 5.6, 0.4, 0.4)],
+)
+def test_forces_on_random_surfaces(rms, rho, of_spectrum, of_contacts):
     pixels, size, radius = 512, 10e3, 50e3
     spectrum = rough(rms, 800.0, 0.8, 80.0)
     load = {"preload": 1e-5, "hardness": 25e9}
@@ -100,7 +103,7 @@ def test_forces_on_random_surfaces(rms, rho, error):
         forces.append(found["pull_off_force"][1][1].mean())
         approaches.append(-found["closest_approach"][1][1])
     at = contact(rho, 400.0, radius)
-    for given in (None, np.array(approaches)):
+    for given, error in ((None, of_spectrum), (np.array(approaches), of_contacts)):
         assert closed_form(spectrum, at, given).force == pytest.approx(np.mean(forces), rel=error)
 
 

@@ -45,7 +45,7 @@ def test_table_holds_the_dataset():
     assert drawn == pytest.approx([force, 0.8 * force, 1.2 * force])
     for name in ("predicted_force", "error"):
         value = select(rows, quantity=name, source="contacts", **at)["value"].item()
-        assert value == data[name].sel(at, source="contacts").item()
+        assert value == data[name].sel({**at, "source": "contacts"}).item()
     assert select(rows, quantity="edge_large", surface="mcd")["value"].item() == 1800
     assert rows["unit"].notna().all() and not rows.duplicated().any()
     assert set(rows["origin"]) == {"computed"} and set(rows["basis"]) == {"substitute"}

@@ -95,7 +95,7 @@ def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
 
 def test_waves_that_the_table_lacks_are_told(table):
     header = "wavevector,wavevector_unit,c_iso,c_iso_unit"
-    short = rough(17, 1e6, 0.8, 20)  # of no roll-off
+    short = rough(60, 2e4, 0.8, 20)  # it rolls off beyond the table
     kept = short.wavevector > 2 * np.pi / 3000
     cut = type(short)(short.wavevector[kept], short.density[kept])
     assert "take care: waves longer than" in predict(predict_arguments([table(header, *of(cut))]))

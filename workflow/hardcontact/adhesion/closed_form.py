@@ -238,6 +238,8 @@ def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float
         tolerance. NaN where it never does.
     """
     known = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
+    if not len(known):
+        return np.nan, np.nan
     cutoffs = np.geomspace(known[-1], known[0], CUTOFFS)
     return (
         _edge(spectrum, contact, ("small", cutoffs), tolerance),

@@ -157,11 +157,12 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
 
     At the height z under the sphere the area 2 pi R dz of the plane meets it, so that
     Lambda(t) = 2 pi R sigma ∫_t^∞ Q(u)/(pi delta(u)²) du clumps rise above the sphere at the level
-    t of its apex, Q the upper tail of the normal distribution. Areas of clumps are exponential, as
-    they are of caps; their sum stays below the area of contact with the probability
-    P(t) = exp(-Lambda) [1 + Σ_n Lambda^n/n! P(n, A/(pi delta²))], P the incomplete gamma function:
-    that closest approach lies below t. Without area it is exp(-Lambda), with many clumps
-    Lambda pi delta² = A: the bearing area.
+    t of its apex, Q the upper tail of the normal distribution. The area above the sphere is
+    B(t) = 2 pi R sigma ∫_t^∞ Q(u) du, on average B/Lambda a clump. Areas of clumps are exponential,
+    as they are of caps; their sum stays below the area of contact with the probability
+    P(t) = exp(-Lambda) [1 + Σ_n Lambda^n/n! P(n, A Lambda/B)], P the incomplete gamma function:
+    that closest approach lies below t. Without area it is exp(-Lambda); with many clumps it rises
+    where B = A, the bearing area.
 
     Parameters
     ----------
@@ -178,16 +179,23 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
         The lowest level has the probability that no summit rises above the mean plane.
     """
     radii = clump_radius(waves, LEVELS)
-    clump = np.pi * radii**2
-    density = stats.norm.sf(LEVELS) / clump
-    above = np.cumsum((density[1:] + density[:-1])[::-1] / 2)[::-1] * (LEVELS[1] - LEVELS[0])
-    clumps = 2 * np.pi * radius * np.sqrt(moment(waves, 0)) * np.append(above, 0.0)
+    reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
+    tail = stats.norm.sf(LEVELS)
+    clumps, bearing = reach * _above(tail / (np.pi * radii**2)), reach * _above(tail)
+    # At the last level, where nothing rises, a clump has its own area.
+    clump = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
     below = _touches_less(clumps, area / clump)
     middle = (LEVELS[1:] + LEVELS[:-1]) / 2
     weights = np.append(below[0], np.maximum(np.diff(below), 0))
     weights /= weights.sum()
     levels = np.append(0.0, middle)
     return Approaches(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
+
+
+def _above(density: Floats) -> Floats:
+    """Return the integral of a density (n,) from each of LEVELS to the last."""
+    cells = (density[1:] + density[:-1]) / 2 * (LEVELS[1] - LEVELS[0])
+    return np.append(np.cumsum(cells[::-1])[::-1], 0.0)
 
 
 def _touches_less(clumps: Floats, caps: Floats) -> Floats:

@@ -124,7 +124,7 @@ def _quantities(path: str | Path, header: list[str]) -> tuple[str, str]:
 def _faults(row: Mapping[str, str], wave: str, density: str) -> list[str]:
     """Return what is wrong with the cells of a row."""
     faults = [
-        f"{name}: expected a positive number, found {plain(row[name]) or 'nothing'}"
+        f"{name}: expected a positive number, found {_found(row[name])}"
         for name in (wave, density)
         if not _number(row[name]) > 0
     ]
@@ -133,12 +133,12 @@ def _faults(row: Mapping[str, str], wave: str, density: str) -> list[str]:
         expected = "radians over a length, such as rad/nm (q = 2 pi/wavelength)"
     if math.isnan(_wavevector({**row, wave: "1"}, wave)):
         unit = row[f"{wave}_unit"]
-        faults.append(f"{wave}_unit: expected {expected}, found {plain(unit) or 'nothing'}")
+        faults.append(f"{wave}_unit: expected {expected}, found {_found(unit)}")
     if math.isnan(_density({**row, density: "1"}, density)):
         unit, power = row[f"{density}_unit"], POWER[density]
         faults.append(
             f"{density}_unit: expected a length to the power of {power}, such as nm{power}, "
-            f"found {plain(unit) or 'nothing'}"
+            f"found {_found(unit)}"
         )
     return faults
 
@@ -154,6 +154,11 @@ def _repeated(path: str | Path, points: Mapping[int, tuple[float, float]]) -> li
                 f"{path}: line {line}: expected each wavelength once, found that of line {before}"
             )
     return faults
+
+
+def _found(cell: str) -> str:
+    """Return a cell as a message shows it."""
+    return plain(cell) if cell else "nothing"
 
 
 def _number(text: str) -> float:
