@@ -4,8 +4,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import xarray as xr
 
-from hardcontact.adhesion.finite_scan import RATIOS, finite_scan, finite_scan_warning
+from hardcontact.adhesion.finite_scan import (
+    RATIOS,
+    finite_scan,
+    finite_scan_warning,
+    with_contact_area,
+    with_finite_scan_notes,
+    with_window_share,
+)
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
 from hardcontact.random import generator
@@ -46,8 +54,8 @@ def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height
 
 def test_a_warning_names_both_sizes_and_the_ratio():
     assert finite_scan_warning(1000.0, 17.0, RADIUS) == (
-        "a contact finds its peaks within 5.8 µm, the scan is 1 µm, 0.17 of that: on synthetic "
-        "surfaces the mean force on such scans was 2 to 4 times that on large ones"
+        "A contact finds its peaks within 5.8 µm, the scan is 1 µm, 0.17 of that: on synthetic "
+        "surfaces the mean force on such scans was 2 to 4 times that on large ones."
     )
     assert "up to 1.2 times" in finite_scan_warning(10e3, 17.0, RADIUS)
 
@@ -57,3 +65,32 @@ def test_a_large_scan_needs_no_warning():
     found = finite_scan(12e3, 17.0, RADIUS)
     assert found.draw_size == pytest.approx(2 * np.sqrt(2 * 250e3 * 17))
     assert found.share > max(RATIOS) and found.ratio == (1.0, 1.0)
+
+
+def test_every_surface_has_its_note_and_its_ratios():
+    sizes = xr.Dataset(
+        {"scan_size": ("surface", [1000.0, 12e3]), "rms_height_mean": ("surface", [17.0, 17.0])},
+        {"surface": ["a", "b"]},
+    )
+    found = with_finite_scan_notes(xr.Dataset(coords={"surface": ["b", "a"]}), sizes, RADIUS)
+    assert found.finite_scan_note.values.tolist() == ["", finite_scan_warning(1e3, 17.0, RADIUS)]
+    np.testing.assert_array_equal(found.finite_scan_ratio, [[1, 1], [2, 4]])
+
+
+def test_a_window_holds_what_a_sum_over_its_pixels_finds():
+    rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
+    found = with_window_share(xr.Dataset(coords={"rho": rhos}), window, RADIUS)
+    place = (np.arange(-40e3, 40e3, 20) + 10) ** 2
+    inside = np.abs(place) < (window / 2) ** 2
+    for rho, share in zip(rhos, found.window_share.values, strict=True):
+        weight = np.exp(-place / (2 * RADIUS * rho))
+        assert share == pytest.approx((weight[inside].sum() / weight.sum()) ** 2, rel=1e-3)
+    assert found.window_share[0] > 0.99 > 0.2 > found.window_share[-1]
+
+
+def test_the_area_that_carries_the_preload_is_compared_with_a_pixel():
+    sizes = xr.Dataset({"pixel_size": ("surface", [10.0, 20.0])}, {"surface": ["a", "b"]})
+    load = {"preload": 1e-7, "hardness": 5e9}
+    found = with_contact_area(xr.Dataset(coords={"surface": ["b"]}), sizes, load)
+    assert found.pixel_area.values.tolist() == [400.0]
+    assert found.attrs["contact_area"] == pytest.approx(20.0)  # nm² of 100 nN at 5 GPa

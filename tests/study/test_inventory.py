@@ -1,10 +1,13 @@
 """What files hold: heights, sizes and reliable wavelengths of scans whose truth is known."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from refusals import assert_says
 from scan_files import container, scan
 
+from hardcontact.study import inventory as module
 from hardcontact.study.inventory import Source, inventory, printed_table
 
 
@@ -96,3 +99,18 @@ def test_the_table_says_what_was_found(tmp_path):
     assert_says(second, "A", "gap.nc", "height map", "640 nm", "64 x 64", "1.41 nm", "12 nm")
     assert first.endswith("contact") and second.endswith("spectrum")
     assert "2: 1 undefined pixels of 4096 filled" in notes
+
+
+def test_what_a_file_states_of_its_tip_counts_before_what_is_given(tmp_path, monkeypatch):
+    path = scan(tmp_path / "wave.nc", wave(), (640.0, 640.0))
+    read = module.read_measurement
+    monkeypatch.setattr(
+        module, "read_measurement", lambda *choices: replace(read(*choices), tip_radius=30.0)
+    )
+    ((stated,), _, _) = inventory([source(path)], 12.0)
+    assert (stated.tip_radius, stated.tip_given) == (30.0, False)
+    monkeypatch.undo()
+    ((given,), _, _) = inventory([source(path)], 12.0)
+    assert (given.tip_radius, given.tip_given) == (12.0, True)
+    ((unknown,), _, _) = inventory([source(path)], None)
+    assert (unknown.tip_radius, unknown.tip_given) == (None, False)

@@ -37,14 +37,17 @@ def test_later_values_replace_earlier_ones_and_nothing_else():
 
 def test_the_table_is_read_as_it_was_meant(tmp_path):
     paths = [str(scan(tmp_path / f"{name}.nc")) for name in "uvw"]
-    spectrum, *contact = (entry(path=path, dataset="d") for path in paths)
+    spectrum, *contact = (
+        entry(path=path, dataset="d", tip_given=path != paths[2]) for path in paths
+    )
     text = table_text(table_rows([spectrum, *contact], contact, "10 nm"))
     (tmp_path / "own.tsv").write_text(text)
     table = surface_table(tmp_path / "own.tsv", SCHEMAS["surfaces"])
     assert table.path.tolist() == [paths[1], paths[2], paths[0]]
     assert table.use.tolist() == ["contact", "contact", "spectrum"]
     assert table.scan.tolist() == [1, 2, 3]
-    assert set(table.tip_radius) == {"10 nm"} and set(table.source) == {"measured"}
+    assert table.tip_radius.tolist() == ["10 nm", "", "10 nm"]
+    assert set(table.source) == {"measured"}
 
 
 def test_all_files_are_written_or_none(tmp_path):

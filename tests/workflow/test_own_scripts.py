@@ -58,23 +58,33 @@ def adhesion():
     )
 
 
-SIZES = {"a": 2500.0, "b": 2500.0}
+def topography():
+    lengths = {"scan_size": 2500.0, "rms_height_mean": 2.0, "pixel_size": 20.0}
+    return xr.Dataset(
+        {name: ("surface", [value] * 2) for name, value in lengths.items()}, {"surface": ["a", "b"]}
+    )
 
 
 def test_forces_are_predicted(run):
     dataset.write(adhesion(), "adhesion.nc")
-    parameters = {"work": 0.05, "rho": 2.0, "sizes": SIZES, "confidence": 0.95}
-    force = run("predict_force", parameters, adhesion="adhesion.nc")
+    dataset.write(topography(), "topography.nc")
+    contact = {"preload": 1e-5, "hardness": 25e9, "window": 12_500.0, "count": 4}
+    parameters = {
+        "work": 0.05, "rho": 2.0, "radius": 5e3, "contact": contact, "confidence": 0.95,
+    }  # fmt: skip
+    force = run("predict_force", parameters, adhesion="adhesion.nc", topography="topography.nc")
     assert force.force.sel(surface="a", rho=2.0).values == pytest.approx(1e-7, rel=0.2)
     assert force.attrs["work_of_adhesion"] == 0.05
 
 
 def test_own_forces_are_fitted(run, tmp_path):
     dataset.write(adhesion(), "adhesion.nc")
+    dataset.write(topography(), "topography.nc")
     rows = [f"{s},{f},nN" for s, f in (("a", 90), ("a", 110), ("a", 100), ("b", 60), ("b", 62))]
     (tmp_path / "my.csv").write_text("\n".join(["surface,value,unit", *rows]))
-    parameters = {"sizes": SIZES, "samples": 200, "confidence": 0.95, "seed": 1}
-    fit = run("fit_forces", parameters, adhesion="adhesion.nc", forces="my.csv")
+    parameters = {"samples": 200, "confidence": 0.95, "seed": 1}
+    inputs = {"adhesion": "adhesion.nc", "topography": "topography.nc", "forces": "my.csv"}
+    fit = run("fit_forces", parameters, **inputs)
     assert fit.tests.values.tolist() == [3, 2] and fit.attrs["basis"] == "measured"
     np.testing.assert_allclose(fit.measured_force, [100e-9, 61e-9])
 

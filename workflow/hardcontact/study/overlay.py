@@ -128,7 +128,7 @@ def table_rows(
     contact : sequence of Entry
         Those that contacts are made on.
     tip_radius : str
-        A quantity that the user gave, or nothing.
+        A quantity that the user gave for scans whose files state none, or nothing.
 
     Returns
     -------
@@ -151,7 +151,7 @@ def table_rows(
                     "path": entry.source.path,
                     "dataset": entry.dataset,
                     "use": uses[_among(entry, contact)],
-                    "tip_radius": tip_radius,
+                    "tip_radius": tip_radius if entry.tip_given else "",
                 }
             )
     return rows

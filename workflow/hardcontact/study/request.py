@@ -112,7 +112,7 @@ def parsed(arguments: Sequence[str]) -> Namespace:
     for name, (key, meaning) in QUANTITIES.items():
         usual = _at(read_yaml("config/config.yaml"), key)
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {usual})")
-    parser.add_argument("--tip", help="radius of the tip, for all files; usually as they state it")
+    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
         "--overwrite", action="store_true", help="replace the files of a study of this name"
