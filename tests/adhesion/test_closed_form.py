@@ -32,14 +32,14 @@ def contact(rho=5.6, area=400.0, radius=RADIUS):
 
 @pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
 def test_both_terms_are_the_integral_over_gaps_and_heights(sigma, m, rho):
-    gap = np.linspace(m, m + 20 * rho + 8 * sigma, 4001)
-    below = np.linspace(0, 1, 2001)[:, None]
+    gap = np.linspace(m, m + 20 * rho + 8 * sigma, 1501)
+    below = np.linspace(0, 1, 1001)[:, None]
     height = -10 * sigma + below * (gap + 10 * sigma)  # up to the sphere
     attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(gap - height) / rho)
     of_gap = np.trapezoid(attraction, below, axis=0) * (gap + 10 * sigma)
     force = np.trapezoid(of_gap, gap) / rho
     both = gaussian_share(sigma, m, rho) + stats.norm.sf(m / sigma)
-    assert both == pytest.approx(force, rel=1e-4)
+    assert both == pytest.approx(force, rel=3e-4)
 
 
 def test_the_first_term_freezes():
@@ -108,7 +108,7 @@ def test_forces_on_random_surfaces(rms, rho, of_spectrum, of_contacts):
 
 
 def test_edges_are_where_the_force_has_changed():
-    spectrum = rough(17, 1000, 0.8, 2.0)
+    spectrum = rough(17, 1000, 0.8, 10.0)
     short, long = edges(spectrum, contact(), 0.1)
     assert 10 < short < 300 < long < 5000
     whole = closed_form(spectrum, contact()).relative

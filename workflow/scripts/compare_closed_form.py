@@ -6,11 +6,11 @@ from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
     given = this.parameters
-    surfaces = list(given["labels"])
+    surfaces = given["surfaces"]
     spectra = dict(zip(surfaces, map(read_spectrum, this.input.spectra), strict=True))
     this.write(
         closed_form_errors(spectra, Trial(**given["trial"])).assign(
-            label=("surface", list(given["labels"].values())),
+            label=("surface", [given["labels"][surface] for surface in surfaces]),
             basis=("surface", [given["basis"][surface] for surface in surfaces]),
         ),
         title="closed form of the pull-off force and its error",

@@ -1,5 +1,7 @@
 """The closed form of the pull-off force beside computed forces, and where single peaks decide."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -94,7 +96,7 @@ def draw(closed_form: xr.Dataset) -> Figure:
     return figure
 
 
-def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: dict[str, str]) -> None:
+def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: dict[str, Any]) -> None:
     """Draw computed forces (µN) with their intervals, and the closed form."""
     curve = bounded(of_surface, "computed_force") / MICRONEWTON
     reach = np.stack([curve["value"] - curve["low"], curve["high"] - curve["value"]])
@@ -102,12 +104,12 @@ def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: dict[str, str]) -> No
         curve["rho"], curve["value"], yerr=np.maximum(reach, 0), ls="none", elinewidth=0.8, **look
     )
     predicted = of_surface.sel(source="spectrum")
-    for name, line in (("predicted_force", {"ls": "-"}), ("first_term_force", {"ls": ":"})):
+    for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
         forces = predicted[name] / MICRONEWTON
-        axes.plot(of_surface["rho"], forces, color=look["color"], lw=0.9, **line)
+        axes.plot(of_surface["rho"], forces, color=look["color"], lw=0.9, ls=dashes)
 
 
-def _draw_errors(axes: Axes, of_surface: xr.Dataset, look: dict[str, str]) -> None:
+def _draw_errors(axes: Axes, of_surface: xr.Dataset, look: dict[str, Any]) -> None:
     """Draw the force of the closed form over that computed, for both sources of the approach."""
     for source, dashes in (("spectrum", "-"), ("contacts", "--")):
         axes.plot(of_surface["rho"], of_surface["error"].sel(source=source), ls=dashes, **look)
