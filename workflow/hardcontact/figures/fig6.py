@@ -107,7 +107,7 @@ def draw(
         style.label_panel(column[0], letter, SIDES[side])
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
     cutoffs = [_published_cutoff(published_constants, side) for side in SIDES]
-    figure.legend(handles=_legend_handles(band, cutoffs), loc="outside upper center", ncols=5)
+    figure.legend(handles=_legend_handles(band, cutoffs), loc="outside upper center", ncols=4)
     figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)
     return figure
