@@ -2,7 +2,8 @@
 
 from hardcontact import published
 from hardcontact.adhesion.inference import Pair
-from hardcontact.adhesion.law_comparison import LawChoices, compare_laws, stacked_law_forces
+from hardcontact.adhesion.law_bands import stacked_law_forces
+from hardcontact.adhesion.law_comparison import LawChoices, compare_laws
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import read_all
 from hardcontact.study.job import job

@@ -24,11 +24,6 @@ PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
 SIDES = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
 TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
-OTHERS = {
-    "misfit_of_other_laws": "1",
-    "work_factor_of_other_laws": "1",
-    "edge_factor_of_other_laws": "1",
-}
 COLUMNS = [*ROW_COLUMNS, "law", "case", "side", "length", *VALUE_COLUMNS]
 
 
@@ -45,20 +40,19 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
     pandas.DataFrame
         By law and case its range, work and error (panel a), the error of every length at its best
         work (panel b, `case` its target), the ratios of forces, computed and published (panel c),
-        and the edges of the band (panels d and e).
+        and the edges of the band, also over those of Eq. 1 (panels d and e).
     """
     fits = [_rows(bounded(laws, name), name, "a", unit) for name, unit in FITS.items()]
-    others = [_rows(bounded(laws, name), name, "a", unit) for name, unit in OTHERS.items()]
     strengths = _rows(laws[["implied_over_known"]], "implied_over_known", "a", "1")
     errors = _rows(laws[["error"]].rename(target="case"), "error", "b", "1")
     ratios = _rows(bounded(laws, "ratio"), "ratio", "c", "1")
     published = _rows(laws[["published_ratio"]], "ratio", "c", "1").assign(origin="published")
-    edges = bounded(laws, "critical_wavelength").rename(group="surface")
     of_sides = [
-        _rows(edges.sel(side=[side]), "critical_wavelength", panel, "nm")
+        _rows(bounded(laws, name).rename(group="surface").sel(side=[side]), name, panel, unit)
+        for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
         for side, (panel, _) in SIDES.items()
     ]
-    rows = pd.concat([*fits, *others, strengths, errors, ratios, published, *of_sides])
+    rows = pd.concat([*fits, strengths, errors, ratios, published, *of_sides])
     return label_surfaces(rows, laws).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
@@ -132,11 +126,10 @@ def _draw_errors(axes: Axes, laws: xr.Dataset) -> None:
                 laws["length"], of_law.sel(target=target), color=colour, ls=dashes, alpha=opacity
             )
     axes.axhline(0.1, color="0.7", lw=0.6, zorder=0)
-    axes.set(xscale="log", xlabel="range W/|p(0)| (nm)", ylabel="mean relative error")
+    axes.set(xscale="log", xlabel="range W/|p(0)| (nm)", ylabel="mean error at the best W")
     axes.set_ylim(0, 1.02 * float(laws["error"].max()))
-    axes.text(0.03, 0.97, "dark: to Eq. 1\npale: to measured", transform=axes.transAxes, va="top")
     style.label_logarithmic(axes.xaxis, at=(1,))
-    style.label_panel(axes, "b", "error at the best W")
+    style.label_panel(axes, "b", "to Eq. 1; pale: to measured")
 
 
 def _draw_ratios(axes: Axes, laws: xr.Dataset) -> None:
