@@ -8,9 +8,6 @@ start.prepare(workflow)
 configfile: "config/config.yaml"
 
 
-report: "workflow/report/workflow.rst"
-
-
 include: "workflow/rules/common.smk"
 include: "workflow/rules/surfaces.smk"
 include: "workflow/rules/scans.smk"
@@ -20,6 +17,8 @@ include: "workflow/rules/scales.smk"
 
 
 if COMPARED:
+
+    report: "workflow/report/workflow.rst"
 
     include: "workflow/rules/traced_contact.smk"
     include: "workflow/rules/elastic.smk"
@@ -35,6 +34,8 @@ if COMPARED:
     include: "workflow/rules/answer_paper.smk"
 
 else:
+
+    report: "workflow/report/own_surfaces.rst"
 
     include: "workflow/rules/own_surfaces.smk"
     include: "workflow/rules/answer_surfaces.smk"

@@ -149,7 +149,9 @@ def edges(count=1):
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
     texts = ["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]
+    unfiltered = np.tile(0.64e-6 / WORK * np.arange(1, count + 1)[:, None], 2)  # as on the scans
     data = data.assign(
+        unfiltered_force=(("surface", "side"), unfiltered),
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
         interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
@@ -205,7 +207,14 @@ def force(count=1):
     data["label"] = "surface", LABELS[:count]
     data["interval_note"] = "surface", ["from 3 scans"] * count
     data["conditional"] = "surface", [0] * count
-    return data.assign_attrs(work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE)
+    data["finite_scan_note"] = "surface", [""] * count
+    data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
+    data["window_share"] = "rho", np.ones(RHOS.size)
+    data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
+    return data.assign_attrs(
+        work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
+        contact_area=400.0,
+    )  # fmt: skip
 
 
 def without_interval(of_force):

@@ -9,19 +9,20 @@ start.prepare(workflow)
 configfile: start.kept_configuration(config)
 
 
-report: "report/workflow.rst"
-
-
 include: "rules/common.smk"
 
 
 if COMPARED:
+
+    report: "report/workflow.rst"
 
     include: "rules/figures.smk"
     include: "rules/report.smk"
     include: "rules/answer_paper.smk"
 
 else:
+
+    report: "report/own_surfaces.rst"
 
     include: "rules/answer_surfaces.smk"
 

@@ -126,3 +126,11 @@ def test_surfaces_without_a_common_cutoff_are_not_pooled():
     shifted = [[np.nan] * 2 + [1.0, 1.2, np.nan], LARGE]
     apart = [[1.0, 1.2, np.nan, np.nan, np.nan], LARGE]
     assert "pooled_edge" not in edges([apart, shifted], [1, 1], spread=0.1)
+
+
+def test_forces_with_all_roughness_are_the_mean_over_contacts_and_masters():
+    given = scales([[SMALL, LARGE]], spread=0.3)
+    found = band_edges(given, Masters({"a": 3}, 2), 0.1, 0.95)
+    mean = given.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
+    np.testing.assert_allclose(found.unfiltered_force, mean)
+    assert found.unfiltered_force.attrs["units"] == "N"

@@ -12,7 +12,7 @@ from answer_inputs import (
     without_interval,
 )  # fmt: skip
 
-from hardcontact.answer.limits import artificial_edges, limits, measurement_name
+from hardcontact.answer.limits import artificial_edges, grave_limits, limits, measurement_name
 
 
 def of_first(data):
@@ -100,7 +100,53 @@ def test_finite_scans_have_their_number():
     note = "the scan is 0.6 µm wide, contacts draw from 5 µm: forces may be 1.7 times too high."
     text = said(of_force=force().assign(finite_scan_note=("surface", [note])))
     assert note in text and note not in said()
-    assert said(of_force=force().assign(finite_scan_note=("surface", [""]))) == said()
+
+
+def test_a_window_that_cuts_forces_off_is_named():
+    share = np.array([1, 1, 0.36, 0.2, 0.1])
+    text = said(of_force=force().assign(window_share=("rho", share)))
+    assert "Forces come out too low: the window of 12.5 µm holds 36% of the force on a" in text
+    assert "at a range of 5.6 nm." in text and "too low" not in said()
+    longest = said(of_force=force().assign(window_share=("rho", [1, 1, 0.995, 0.95, 0.9])))
+    assert "From a range of adhesion of 10 nm on forces come out too low" in longest
+    assert "holds 90% of the force on a smooth sphere at a range of 14 nm." in longest
+
+
+def test_forces_that_added_roughness_changes_are_named():
+    data = edges()
+    data["unfiltered_force"].loc[{"side": "small"}] *= 0.45
+    text = said(of_edges=data)
+    assert "The force of 640 nN is that of the scans as they are, without" in text
+    assert "its mean is 288 nN with shorter ones." in text and "as they are" not in said()
+    data["unfiltered_force"].loc[{"side": "large"}] *= 1.25
+    assert "is 288 nN with shorter and 800 nN with longer ones." in said(of_edges=data)
+
+
+def test_pixels_larger_than_the_contact_are_named():
+    text = said(of_force=force().assign_attrs(contact_area=20.0))
+    assert "The preload is carried by 20 nm², less than a pixel of the scans (100 nm²)" in text
+    assert "one pixel" not in said()
+
+
+def test_edges_between_cutoffs_far_apart_are_named():
+    data = edges()
+    kept = data.isel(cutoff_wavelength=~data["cutoff_wavelength"].isin([10, 40]).values)
+    text = said(of_edges=kept)
+    assert "The short edge of the band is interpolated between cutoffs of 20 nm and 80 nm" in text
+    assert "The long edge of the band is interpolated" not in text
+    assert "interpolated" not in said() + said(of_edges=open_edges())
+
+
+def test_what_changes_the_answer_stands_on_the_first_screen():
+    parts = [of_first(one) for one in (spectra(), with_edge(100.0, 80.0, 130.0), force())]
+    assert grave_limits(*parts) == []
+    share = ("rho", [1, 1, 0.95, 0.8, 0.7])
+    mild = parts[2].assign(finite_scan_note="the scan is small.", window_share=share)
+    assert grave_limits(*parts[:2], mild) == []
+    grave = mild.assign(finite_scan_ratio=("bound", [2.0, 4.0]))
+    assert grave_limits(*parts[:2], grave) == ["the scan is small."]
+    (text,) = grave_limits(*parts[:2], mild.assign(window_share=("rho", [0.5] * 5)))
+    assert text.startswith("Forces come out too low")
 
 
 def test_intervals_of_few_scans_are_conditional():
@@ -131,6 +177,14 @@ def test_unknown_tips_are_named_and_counted():
     assert "scans/3.spm and 3 more." in said(of_spectra=spectra(measured=many))
     sharp = {"fine.spm": MEASUREMENTS["fine.spm"]}
     assert "blunt tip" not in said(of_spectra=spectra(measured=sharp))
+
+
+def test_scans_that_are_reliable_nowhere_are_named():
+    data = spectra()
+    data["reliable"].loc[{"measurement": 1}] = 0
+    text = said(of_spectra=data)
+    assert "not in the spectrum: scans/fine.spm (tip of 10 nm)." in text
+    assert "No scan is reliable below 160 nm" in text and "no wavelength" not in said()
 
 
 def test_measurements_of_containers_have_both_names():

@@ -15,7 +15,7 @@ from hardcontact.study.patterns import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
 PARTS = {"fig3_histograms", "fig4_contact", "fig4_curves", "fig4_error", "fig_sets_facts"}
-SHARED = {"__init__", "catalogue", "drawing", "marks", "style", "tables"}
+SHARED = {"__init__", "catalogue", "drawing", "height_maps", "marks", "style", "tables"}
 
 
 def test_each_module_is_a_figure_or_shared():

@@ -13,6 +13,7 @@ from repository import ROOT, copy_repository, run_snakemake, snakemake
 from rocrate.rocrate import ROCrate
 from scan_files import cut
 
+from hardcontact.figures.catalogue import FIGURES
 from hardcontact.records import crate
 from hardcontact.records.origin import digest, pinned_versions
 
@@ -87,6 +88,7 @@ def test_the_crate_says_what_an_archive_asks(finished, monkeypatch):
     action = read.get("#study")
     results = {folder / entity.id: entity["sha256"] for entity in action["result"]}
     assert {path.suffix for path in results} >= {".nc", ".csv", ".pdf", ".png", ".html", ".yaml"}
+    assert {folder / "answer.html", folder / "answer.json"} <= results.keys()
     assert all(digest([path]) == value for path, value in results.items())
     inputs = {entity["name"]: entity["sha256"] for entity in action["object"]}
     assert "resources/spectra/uncd.csv" in inputs and "config/surfaces.tsv" in inputs
@@ -119,13 +121,12 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     run = snakemake(study, *REDRAW, *REPORT)
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
-    assert len(jobs) == 12
-    assert jobs == {name for name in jobs if name.startswith("draw_")} | {"describe_study"}
+    assert jobs == {f"draw_{name}" for name in FIGURES} | {"describe_study", "answer_paper"}
     assert {path.name for path in (study / "results").iterdir()} == {"quick"}
-    for path in [*(finished / "results/quick/figures").iterdir(),
-                 *(finished / "results/quick/report").iterdir()]:  # fmt: skip
-        redrawn = results / path.relative_to(finished / "results/quick")
-        assert redrawn.read_bytes() == path.read_bytes(), path
+    drawn = finished / "results/quick"
+    for path in [*(drawn / "figures").iterdir(), *(drawn / "report").iterdir(),
+                 drawn / "answer.html", drawn / "answer.json"]:  # fmt: skip
+        assert (results / path.relative_to(drawn)).read_bytes() == path.read_bytes(), path
     assert "fig6" in (results / "report.html").read_text()
 
 

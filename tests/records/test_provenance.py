@@ -141,7 +141,16 @@ FINAL, STITCHED = "results/quick", "results/store-quick/stitched/ncd/study/scan-
                 f"{FINAL}/figures/fig3.png: does not match",
             ],
         ),
+        (
+            f"{FINAL}/sets.nc",
+            [
+                f"{FINAL}/answer.{kind}: does not match its input {FINAL}/sets.nc"
+                for kind in ("html", "json")
+            ],
+        ),
         (f"{FINAL}/figures/fig6.csv", [f"{FINAL}/figures/fig6.csv: is not the file"]),
+        (f"{FINAL}/answer.html", [f"{FINAL}/answer.html: is not the file"]),
+        (f"{FINAL}/answer.json", [f"{FINAL}/answer.json: is not the file"]),
         (
             STITCHED,
             [f"{FINAL}/indent.nc: does not match its input {STITCHED}", "/ncd/study/scan-2/"],
@@ -172,7 +181,8 @@ def test_a_missing_output_is_a_fault_and_a_missing_input_is_counted(finished_cop
     run = run_snakemake(finished_copy, "verify")
     assert run.returncode == 1
     assert "results/quick/figures/fig1.png: expected a file of the study, found none" in run.stdout
-    assert "1 faults, 16 inputs not at hand" in run.stdout
+    # The masters of both sides, and the figure, which the answer is made from.
+    assert "1 faults, 17 inputs not at hand" in run.stdout
 
 
 @pytest.mark.study

@@ -154,6 +154,7 @@ def outcomes(tmp_path_factory):
     return [outcome | {"kind": kinds[outcome["path"]]} for outcome in results]
 
 
+@pytest.mark.study
 def test_every_mutant_is_a_scan_or_one_clear_line(outcomes):
     assert len(outcomes) == 380
     for outcome in outcomes:
@@ -167,6 +168,7 @@ def test_every_mutant_is_a_scan_or_one_clear_line(outcomes):
             assert 1e-3 <= outcome["pixel"] <= 1e7 and outcome["height"] <= 1e7
 
 
+@pytest.mark.study
 def test_what_becomes_of_mutants_follows_from_what_was_done(outcomes):
     taken = Counter(outcome["kind"] for outcome in outcomes if "refused" not in outcome)
     count = Counter(outcome["kind"] for outcome in outcomes)

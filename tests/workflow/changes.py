@@ -67,7 +67,9 @@ KEYS = {
     "inference.force_floor": ("20 nN", {"infer", "judge_sets"}),
     "inference.samples": (120, INFERRED),
     "inference.confidence": (0.9, INFERRED | {"aggregate_topography"}),
-    "scales.range": ("5 nm", {"measure_window_change", *FILTERED}),
+    # The forces of scans are computed at this range too.
+    "scales.range": ("5 nm", {"compute_pull_off", "vary_adhesion", *POOLED,
+                              "measure_window_change", *FILTERED}),
     "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets"}),
     "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off", "judge_sets"}),
     "scales.sphere_roughness": (True, FILTERED),
@@ -129,6 +131,9 @@ COLUMNS = {
         OF_MCD - {*SPECTRA, *POOLED, "synthesize_scan"} | {"measure_spectrum"},
     ),
     "path": ("resources/spectra/ncd-published.csv", OF_MCD),
+    # Of measured scans alone: tests/workflow/test_job_counts.py changes both of them.
+    "use": ("contact", set()),
+    "tip_radius": ("10 nm", set()),
 }
 
 
@@ -202,7 +207,10 @@ def with_line(path):
 
 
 def with_column(column, text):
-    """Return a change of one column in the rows of mcd, and of what has to go with it."""
+    """Return a change of one column in the rows of mcd, and of what has to go with it.
+
+    A column that the table lacks is empty in the other rows.
+    """
 
     def change(folder):
         path = folder / "config/surfaces.tsv"
@@ -259,7 +267,7 @@ CHANGES = (
         f"column {name}": (
             {"scans": [1, 2, 6]} if name == "scan" else {},
             with_column(name, text),
-            following(rules | KEPT),
+            following(rules | {"keep_configuration"}),
         )
         for name, (text, rules) in COLUMNS.items()
     }
@@ -270,6 +278,8 @@ CHANGES = (
         )
         for name in SCRIPTS
     }
+    | {"effort quick with keys": ({"effort": "quick", "quick": {"seed": 1}}, lambda folder: None,
+                                  following(KEYS["seed"][1] | KEPT))}
     | {"nothing": ({}, lambda folder: None, set())}
     | {"touch and checkout": ({}, checked_out, set())}
     | {"comments and order of keys": ({}, text_says_the_same, set())}

@@ -14,10 +14,17 @@ LOG = f"results/quick/logs/{ALTERED}.log"
 
 
 def test_deleted_results_are_made_again(finished_copy):
-    for path in ("figures/fig1.png", "indent.nc", "claims.csv", "configuration.yaml"):
+    deleted = {
+        "figures/fig1.png": "draw_fig1",
+        "indent.nc": "measure_indents",
+        "claims.csv": "evaluate_claims",
+        "answer.html": "answer_paper",
+        "configuration.yaml": "keep_configuration",
+    }
+    for path in deleted:
         (finished_copy / "results/quick" / path).unlink()
     run = run_snakemake(finished_copy, "-n")
-    for rule in ("draw_fig1", "measure_indents", "evaluate_claims", "keep_configuration"):
+    for rule in deleted.values():
         assert f"\nrule {rule}:" in run.stdout, rule
 
 
@@ -29,6 +36,8 @@ def test_deleted_results_are_made_again(finished_copy):
         ("quick/provenance/fig5.json", "a whole record", []),
         ("quick/claims.csv", "a whole table", []),
         ("quick/figures/fig5.csv", "the file that the study wrote", []),
+        ("quick/answer.html", "the file that the study wrote", []),
+        ("quick/answer.json", "the file that the study wrote", []),
     ],
 )
 def test_a_truncated_file_is_deleted_and_made_again(
@@ -37,8 +46,10 @@ def test_a_truncated_file_is_deleted_and_made_again(
     truncated = cut(finished_copy / "results" / path, 0.7)
     run = run_snakemake(finished_copy, *targets)
     assert run.returncode != 0
-    assert len(errors(run.stdout)) == 1, run.stdout
-    assert_says(errors(run.stdout)[0], f"results/{path}: expected {expected}", "found")
+    # Every job that reads the file says the same and names its own log.
+    said = {error.partition(" (see ")[0] for error in errors(run.stdout)}
+    assert len(said) == 1, run.stdout
+    assert_says(said.pop(), f"results/{path}: expected {expected}", "found")
     truncated.unlink()
     run = run_snakemake(finished_copy, *targets)
     assert run.returncode == 0, run.stdout

@@ -4,12 +4,14 @@ import re
 from collections import Counter
 from pathlib import Path
 
+import numpy as np
 import pandas as pd
 import pytest
 from paper_numbers import SUBSTRATES
+from random_scans import levelled_scan
 from repository import OTHERWISE, ROOT, run_snakemake
 from rule_graph import AGGREGATED, KEPT, MASTERS, POOLED, following
-from scan_files import container, heights, scan
+from scan_files import container, scan
 
 #: Scans of robustness: of each surface, and of the substitutes made otherwise.
 VARIED_PAIRS = 2 * (len(SUBSTRATES) + len(OTHERWISE))
@@ -61,6 +63,16 @@ def test_one_more_cutoff(finished):
     }
     filtered = outputs(jobs, "compute_filtered_pull_off")
     assert all(output.endswith("small/cutoff-80nm.nc") for output in filtered)
+
+
+def test_a_range_that_scans_are_computed_at(finished):
+    """Forces of scans are computed at the range of the masters too: here this adds none."""
+    assert counts(planned(finished, {"scales": {"range": "3 nm"}})) == {
+        "measure_window_change": 2 * len(SUBSTRATES),
+        "compute_filtered_pull_off": 16 * len(SUBSTRATES),
+        "vary_scales": 2 * VARIED,
+        **after("aggregate_adhesion", "aggregate_scales", "aggregate_robustness", "judge_sets"),
+    }
 
 
 def test_one_more_realization(finished):
@@ -133,25 +145,42 @@ def test_two_studies_lie_side_by_side_and_share_masters(finished_copy, values, t
     assert planned(finished_copy) == []  # going back computes nothing
 
 
-def test_another_dataset_of_a_container_reruns_its_scan(finished_copy):
+#: Other texts in the rows of two measured scans, one after the other, and what reads them: their
+#: heights, or the spectrum that all scans of a surface are joined into.
+MEASURED = [
+    ({"source": ["measured"] * 2, "path": ["mcd.zip"] * 2, "dataset": ["a", "b"]},
+     {"prepare_scan", "measure_spectrum"}),
+    ({"dataset": ["b", "a"]}, {"prepare_scan", "measure_spectrum"}),
+    ({"tip_radius": ["50 nm", ""]}, {"measure_spectrum"}),
+    ({"use": ["contact", "spectrum"]}, set()),
+]  # fmt: skip
+
+
+def test_what_the_table_says_of_measured_scans_reruns_what_reads_it(finished_copy):
+    rng = np.random.default_rng(1)
     files = {
-        f"{name}.nc": scan(finished_copy / f"{name}.nc", heights(128, 128), (2500.0, 2500.0))
+        f"{name}.nc": scan(
+            finished_copy / f"{name}.nc",
+            levelled_scan(rng, 128, 2500 / 128).heights,
+            (2500.0, 2500.0),
+        )
         for name in "ab"
     }
     entries = [{"name": name[0], "datafile": {"original": name}} for name in files]
     container(finished_copy / "mcd.zip", entries, files)
-    table = pd.read_csv(finished_copy / "config/surfaces.tsv", sep="\t", dtype=str, na_filter=False)
-    rows = (table.surface == "mcd") & table.scan.isin(["1", "2"])
-    table = table[rows | (table.surface != "mcd")]
-    target = "results/store-quick/scans/mcd/study/scan-1-flat.nc"
-    for datasets in (["a", "b"], ["b", "a"]):
-        table.loc[rows, ["source", "path", "dataset"]] = [
-            ["measured", "mcd.zip", name] for name in datasets
-        ]
-        table.to_csv(finished_copy / "config/surfaces.tsv", sep="\t", index=False)
-        assert counts(planned(finished_copy, targets=[target])) == {"prepare_scan": 1}
-        assert run_snakemake(finished_copy, target).returncode == 0
-    assert planned(finished_copy, targets=[target]) == []
+    path = finished_copy / "config/surfaces.tsv"
+    table = pd.read_csv(path, sep="\t", dtype=str, na_filter=False)
+    table = table[(table.surface != "mcd") | table.scan.isin(["1", "2"])]
+    names = ("scans/mcd/study/scan-1-flat.nc", "spectra/mcd/study/measured-flat.nc")
+    targets = [f"results/store-quick/{name}" for name in names]
+    for texts, rules in MEASURED:
+        for column, values in texts.items():
+            table.loc[table.surface == "mcd", column] = values
+        table.to_csv(path, sep="\t", index=False)
+        assert counts(planned(finished_copy, targets=targets)) == dict.fromkeys(rules, 1)
+        run = run_snakemake(finished_copy, *targets)
+        assert run.returncode == 0, run.stdout
+    assert planned(finished_copy, targets=targets) == []
 
 
 def test_another_study_shares_intermediates(finished):
@@ -195,6 +224,15 @@ def test_robustness_without_other_values_has_nothing_more_to_make(finished):
 
 # Named targets
 
+#: Another study, of which nothing is made.
+ELSEWHERE = {"study": "elsewhere", "store": "results/store-elsewhere"}
+
+
+@pytest.fixture(scope="module")
+def of_the_crate(finished):
+    """Return what a run makes before it describes the whole study for an archive."""
+    return set(planned(finished, ELSEWHERE, targets=["crate"]))
+
 
 @pytest.mark.parametrize(
     ("target", "last", "not_needed"),
@@ -211,12 +249,13 @@ def test_robustness_without_other_values_has_nothing_more_to_make(finished):
         ("claims", "evaluate_claims", "draw_fig1"),
         ("figures", "draw_fig6", "evaluate_claims"),
         ("pages", "describe_study", "vary_adhesion"),
+        ("answer", "answer_paper", "describe_study"),
     ],
 )
-def test_named_target(finished, target, last, not_needed):
-    elsewhere = {"study": "elsewhere", "store": "results/store-elsewhere"}
-    jobs = counts(planned(finished, elsewhere, targets=[target]))
-    assert jobs[last] == 1 and not jobs[not_needed]
+def test_named_target(finished, of_the_crate, target, last, not_needed):
+    jobs = planned(finished, ELSEWHERE, targets=[target])
+    assert counts(jobs)[last] == 1 and not counts(jobs)[not_needed]
+    assert set(jobs) - {(target, "")} <= of_the_crate
 
 
 # The study that all of this is planned on

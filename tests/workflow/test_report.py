@@ -15,23 +15,48 @@ README = ROOT / "README.md"
 TEXTS = [
     README,
     *sorted((ROOT / "workflow/report").glob("*.md")),
+    ROOT / "config/README.md",
     *sorted((ROOT / "resources").rglob("README.md")),
 ]
 
 
-@pytest.mark.parametrize("path", CAPTIONS, ids=lambda path: path.stem)
-def test_caption_is_restructured_text(path):
+def shown(path, **others):
+    """Return the text of a caption in the report of the paper's study, or with other keys."""
+
     class Snakemake:
-        config = PAPER
+        config = PAPER | others
 
     environment = Environment(trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined)
     text = environment.from_string(path.read_text()).render(snakemake=Snakemake)
-    document = publish_doctree(text, settings_overrides={"halt_level": 2})
-    assert document.astext().strip() and "{{" not in document.astext()
+    return publish_doctree(text, settings_overrides={"halt_level": 2}).astext()
+
+
+@pytest.mark.parametrize("path", CAPTIONS, ids=lambda path: path.stem)
+def test_caption_is_restructured_text(path):
+    text = shown(path)
+    assert text.strip() and "{{" not in text
+
+
+def test_the_report_of_own_surfaces_does_not_tell_the_story_of_the_paper():
+    own = shown(ROOT / "workflow/report/own_surfaces.rst", study="mine", published="none")
+    assert "mine" in own and "answer.html" in own and "{%" not in own
+    assert "claims.csv" not in own and "ruby" not in own
+    assert "claims.csv" in shown(ROOT / "workflow/report/workflow.rst")
 
 
 def test_every_figure_and_page_has_a_caption():
-    assert {path.stem for path in CAPTIONS} == {"workflow", *FIGURES, *PAGES}
+    assert {path.stem for path in CAPTIONS} == {
+        "workflow", "own_surfaces", "answer", *FIGURES, *PAGES,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["answer_paper", "answer_surfaces"])
+def test_the_answer_stands_first_in_the_report(name):
+    """Snakemake sorts the chapters of a report by their names."""
+    rule = (ROOT / f"workflow/rules/{name}.smk").read_text()
+    (chapter,) = re.findall(r'category="(.+)"', rule)
+    others = {figure.chapter for figure in FIGURES.values()}
+    assert chapter < min(others | {category for category, _ in PAGES.values()})
 
 
 @pytest.mark.parametrize("name", CHAPTERS)
@@ -50,7 +75,10 @@ def test_links_lead_to_files(path):
 def test_files_that_a_text_names_exist(path):
     folders = "tests|profiles|workflow|config|resources"
     named = set(re.findall(rf"`(?:python )?((?:{folders})/[\w./-]+)[` ]", path.read_text()))
-    made_by_the_user = {"config/mine.tsv", "resources/scans/my-scan.spm"}
+    made_by_the_user = {
+        "config/mine.tsv", "config/my-coating.yaml", "config/several.tsv",
+        "resources/scans/my-scan.spm",
+    }  # fmt: skip
     assert [name for name in named - made_by_the_user if not (ROOT / name).exists()] == []
 
 

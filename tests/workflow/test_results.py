@@ -1,5 +1,6 @@
 """The quick study's results: datasets, claims, figures and pages; the same seed, the same."""
 
+import json
 from collections import Counter
 from html import escape
 
@@ -7,6 +8,8 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from browser import needs_browser, shown
+from html_page import Page
 from paper_numbers import SUBSTRATES
 from repository import OTHERWISE, ROOT, copy_repository, run_snakemake
 
@@ -336,11 +339,40 @@ def test_pages_of_the_report(results):
     assert "Interaction radius" in pages["departures"]
 
 
-def test_the_report_holds_every_figure_and_page(finished, tmp_path):
+def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
+    numbers = json.loads((results / "answer.json").read_text())
+    claims = pd.read_csv(results / "claims.csv").fillna({"follows_from": "", "note": ""})
+    pd.testing.assert_frame_equal(pd.DataFrame(numbers["claims"]), claims, check_exact=True)
+    assert numbers["settings"]["rho"] == dataset.read(results / "scales.nc").attrs["rho"] == 5.6
+    assert numbers["settings"]["sets"] == dataset.read(results / "sets.nc").sizes["set"] == 10
+    assert numbers["settings"]["scan_pixels"] == 128
+    surfaces = {name: surface["basis"] for name, surface in numbers["surfaces"].items()}
+    assert surfaces == dict.fromkeys([*SUBSTRATES, "ruby"], "substitute")
+
+
+def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(results):
+    page = Page((results / "answer.html").read_text())
+    sources = page.values("src")
+    assert len(sources) == len(FIGURES)
+    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    claims = pd.read_csv(results / "claims.csv")
+    told = "".join(page.texts["body"])
+    assert [text for text in claims.statement if text not in told] == []
+
+
+@needs_browser
+def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
+    page = (results / "answer.html").read_text()
+    for measured in shown(page.replace("<details>", "<details open>"), tmp_path):
+        assert measured["overflow"] == 0 and measured["requests"] == 0
+        assert measured["loaded"] == len(FIGURES)
+
+
+def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
     run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
     assert run.returncode == 0, run.stdout[-3000:]
     text = (tmp_path / "report.html").read_text()
-    parts = [f"{name}.png" for name in FIGURES]
+    parts = ["answer.html", *(f"{name}.png" for name in FIGURES)]
     parts += [f"{name}.html" for name in PAGES]
     assert [name for name in parts if name not in text] == []
 

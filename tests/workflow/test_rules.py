@@ -4,10 +4,14 @@ import re
 
 import pytest
 import yaml
-from repository import ROOT, snakemake
-from rule_graph import DRAWN
+from repository import PAPER, ROOT, snakemake
+from rule_graph import DRAWN, OF_MEASURED
+
+from hardcontact.study.stages import made
 
 FILES = [ROOT / "Snakefile", ROOT / "workflow/redraw.smk", *(ROOT / "workflow/rules").glob("*.smk")]
+#: Rules that a study of own surfaces has and the paper's has not.
+OF_OWN_SURFACES = OF_MEASURED - {"measure_spectrum"}
 BLOCKS = dict(
     re.findall(
         r"^rule (\w+):\n((?:(?: {4}.*)?\n)+)",
@@ -17,9 +21,12 @@ BLOCKS = dict(
 )
 #: Rules that make files by a script of their name.
 RULES = {name: block for name, block in BLOCKS.items() if "script:" in block and name != "verify"}
+#: Those of the paper's study.
+OF_PAPER = RULES.keys() - OF_OWN_SURFACES
+#: Targets of the paper's study.
 TARGETS = {
     "all", "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical",
-    "sets", "robustness", "claims", "figures", "pages", "crate", "verify",
+    "sets", "robustness", "claims", "figures", "pages", "answer", "crate", "verify",
 }  # fmt: skip
 
 
@@ -45,9 +52,14 @@ def test_rule_files_hold_nothing_but_rules():
         assert not re.search(r"^\s*(def|class) |lambda \w+(, \w+)+:", path.read_text(), re.M), path
 
 
-def test_every_rule_says_what_it_is_for(repository):
+@pytest.mark.parametrize("name", BLOCKS)
+def test_every_rule_says_what_it_is_for(name):
+    assert re.match(r' {4}"""[A-Z][^"]*\."""$', BLOCKS[name], re.M)
+
+
+def test_the_study_of_the_paper_has_the_rules_that_concern_it(repository):
     listed = re.findall(r"^(\w+) \((.+)\)$", snakemake(repository, "--list-rules").stdout, re.M)
-    assert dict(listed).keys() == RULES.keys() | TARGETS | DRAWN
+    assert dict(listed).keys() == OF_PAPER | TARGETS | DRAWN
 
 
 def test_lint_misses_nothing_but_environments(repository):
@@ -57,8 +69,8 @@ def test_lint_misses_nothing_but_environments(repository):
 
 def test_the_crate_describes_what_every_target_makes():
     block = RULES["describe_crate"].partition("    output:")[0]
-    named = set(re.findall(r"rules\.(\w+)\.input", block))
-    assert named == TARGETS - {"all", "crate", "verify"}
+    assert "[getattr(rules, target).input for target in made(STUDY)]" in block
+    assert set(made(PAPER)) == TARGETS - {"all", "crate", "verify"}
 
 
 def test_every_rule_wrote_its_log_and_benchmark(finished):
@@ -68,7 +80,7 @@ def test_every_rule_wrote_its_log_and_benchmark(finished):
             for folder in (finished / "results").glob(f"*/{kind}")
             for path in folder.rglob(f"*{suffix}")
         }
-        assert found - {"verify"} == (RULES.keys() | DRAWN) - {"extrapolate_spectrum"}, kind
+        assert found - {"verify"} == (OF_PAPER | DRAWN) - {"measure_spectrum"}, kind
 
 
 def test_the_cluster_profile_groups_every_rule():

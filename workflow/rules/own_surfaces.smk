@@ -62,6 +62,7 @@ rule predict_force:
                 "work": STUDY["adhesion"]["work"],
                 "rho": STUDY["scales"]["range"],
                 "radius": STUDY["sphere"]["radius"],
+                "contact": STUDY["contact"],
                 "confidence": STUDY["inference"]["confidence"],
             }
         ),

@@ -50,6 +50,7 @@ rule aggregate_topography:
 
 
 rule topography:
-    """Make the topography of all surfaces."""
+    """Make the topography of all surfaces, and the joined spectra of own ones."""
     input:
         rules.aggregate_topography.output,
+        [] if COMPARED else PATTERNS.dataset("spectra"),

@@ -1,6 +1,10 @@
 """The pull-off forces that a work and a range of adhesion predict."""
 
-from hardcontact.adhesion.finite_scan import with_finite_scan_notes
+from hardcontact.adhesion.finite_scan import (
+    with_contact_area,
+    with_finite_scan_notes,
+    with_window_share,
+)
 from hardcontact.adhesion.predicted_force import Prediction, predicted_force
 from hardcontact.records import dataset
 from hardcontact.study.job import job
@@ -12,7 +16,9 @@ with job(snakemake) as this:
         dataset.read(this.input.adhesion),
         Prediction(given["work"], given["rho"], sizes, given["confidence"]),
     )
+    force = with_finite_scan_notes(force, topography, given["radius"])
+    force = with_window_share(force, given["contact"]["window"], given["radius"])
     this.write(
-        with_finite_scan_notes(force, topography, given["radius"]),
+        with_contact_area(force, topography, given["contact"]),
         title="predicted pull-off forces",
     )

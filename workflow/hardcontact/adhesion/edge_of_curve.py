@@ -105,10 +105,12 @@ def described_edge(curve: Curve, tolerance: float) -> dict[str, Any]:
     edge, late, early = (edge_of_curve(curve, row, tolerance) for row in curve.changes)
     ends = [early, late] if curve.side == "small" else [late, early]
     interval = np.array([end.wavelength for end in ends])
+    status, reason = _status(edge, curve.cell)
     known = not np.isnan(curve.changes).any() and interval[0] != interval[1]
+    if reason and not np.isfinite(interval).any():  # which says no more than that it is open
+        known = False
     if not known:
         interval[:] = np.nan
-    status, reason = _status(edge, curve.cell)
     return {
         "edge": edge.wavelength,
         "edge_bound": edge.bound,

@@ -1,8 +1,9 @@
-"""Whether a scan is large enough for the force: its size against that from which a contact draws.
+"""Whether scans and windows are large enough for the force, and pixels small enough.
 
 The sphere touches where a peak rises above its paraboloid: peaks of the height sigma count up to
 the distance sqrt(2 R sigma) from the apex. A smaller scan, mirrored, shows the same peaks
-everywhere, and the force on it is too large.
+everywhere, and the force on it is too large. A window that ends before the forces do makes them too
+small. A pixel larger than the area that carries the preload touches alone.
 """
 
 from typing import NamedTuple
@@ -10,7 +11,16 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-__all__ = ["FiniteScan", "finite_scan", "finite_scan_warning", "with_finite_scan_notes"]
+from hardcontact.contact.bearing_area import Load
+
+__all__ = [
+    "FiniteScan",
+    "finite_scan",
+    "finite_scan_warning",
+    "with_contact_area",
+    "with_finite_scan_notes",
+    "with_window_share",
+]
 
 #: Mean force on mirrored windows over that on the random surfaces of 20 µm they were cut out of, by
 #: the size of the window over the draw size: the least and the greatest ratio up to that size.
@@ -63,21 +73,10 @@ def finite_scan(size: float, rms_height: float, radius: float) -> FiniteScan:
 
 
 def finite_scan_warning(size: float, rms_height: float, radius: float) -> str:
-    """Return a warning that a scan is smaller than it should be, empty if it is large enough.
+    """Return a sentence that warns of a scan too small, with both sizes and the ratio of forces.
 
-    Parameters
-    ----------
-    size : float
-        Edge of the scan in nm.
-    rms_height : float
-        Of the scan in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    str
-        One sentence with both sizes and the ratio of forces.
+    Lengths are those of `finite_scan`, in nm. A scan that is large enough needs no warning: the
+    text is empty.
     """
     found = finite_scan(size, rms_height, radius)
     least, greatest = found.ratio
@@ -85,9 +84,9 @@ def finite_scan_warning(size: float, rms_height: float, radius: float) -> str:
         return ""
     times = f"{least:g} to {greatest:g}" if least > 1 else f"up to {greatest:g}"
     return (
-        f"a contact finds its peaks within {found.draw_size / 1e3:.2g} µm, the scan is "
+        f"A contact finds its peaks within {found.draw_size / 1e3:.2g} µm, the scan is "
         f"{size / 1e3:.2g} µm, {found.share:.2g} of that: on synthetic surfaces the mean force on "
-        f"such scans was {times} times that on large ones"
+        f"such scans was {times} times that on large ones."
     )
 
 
@@ -106,13 +105,74 @@ def with_finite_scan_notes(force: xr.Dataset, topography: xr.Dataset, radius: fl
     Returns
     -------
     xarray.Dataset
-        With ``finite_scan_note`` (surface), empty where scans are large enough.
+        With ``finite_scan_note`` (surface), empty where scans are large enough, and
+        ``finite_scan_ratio`` (surface, bound), the least and greatest ratio of `finite_scan`.
     """
     of_surfaces = topography[["scan_size", "rms_height_mean"]].sel(surface=force["surface"])
-    notes = [
-        finite_scan_warning(float(size), float(rms), radius)
+    pairs = [
+        (float(size), float(rms))
         for size, rms in zip(
             of_surfaces["scan_size"].values, of_surfaces["rms_height_mean"].values, strict=True
         )
     ]
-    return force.assign(finite_scan_note=("surface", notes))
+    return force.assign(
+        finite_scan_note=("surface", [finite_scan_warning(*pair, radius) for pair in pairs]),
+        finite_scan_ratio=(
+            ("surface", "bound"),
+            [finite_scan(*pair, radius).ratio for pair in pairs],
+            {"units": "1"},
+        ),
+    )
+
+
+def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dataset:
+    """Return predicted forces with the share of the force that the window holds.
+
+    A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of the
+    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))².
+
+    Parameters
+    ----------
+    force : xarray.Dataset
+        Of `predicted_force`, over rho in nm.
+    window : float
+        Its edge in nm.
+    radius : float
+        Of the sphere in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        With ``window_share`` (rho) and the attribute ``window`` in nm.
+    """
+    from scipy.special import erf
+
+    share = erf(window / np.sqrt(8 * radius * force["rho"].values)) ** 2
+    name = "share of the force on a smooth sphere that the window holds"
+    return force.assign(
+        window_share=("rho", share, {"units": "1", "long_name": name})
+    ).assign_attrs(window=window)
+
+
+def with_contact_area(force: xr.Dataset, topography: xr.Dataset, load: Load) -> xr.Dataset:
+    """Return predicted forces with the area that carries the preload, and that of a pixel.
+
+    Parameters
+    ----------
+    force : xarray.Dataset
+        Of `predicted_force`, over surface.
+    topography : xarray.Dataset
+        With ``pixel_size`` (surface) in nm.
+    load : Load
+        Preload in N and hardness in Pa.
+
+    Returns
+    -------
+    xarray.Dataset
+        With ``pixel_area`` (surface) and the attribute ``contact_area`` in nm².
+    """
+    area = load["preload"] / load["hardness"] * 1e18
+    pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2
+    return force.assign(pixel_area=pixel_area.assign_attrs(units="nm2")).assign_attrs(
+        contact_area=area
+    )

@@ -67,7 +67,8 @@ def band_edges(
     -------
     xarray.Dataset
         Over surface, side and cutoff_wavelength ``scale_ratio``, the mean over realizations, with
-        its interval; over surface and side what `described_edge` gives; over surface
+        its interval; over surface and side what `described_edge` gives, and ``unfiltered_force``,
+        the mean force in N at 1 J/m² with all roughness; over surface
         ``conditional`` (1 where the interval is conditional on one or two scans),
         ``interval_note``, label and basis. Of several surfaces that
         have cutoffs in common, everything that begins with ``pooled_`` is over side: mean and edge
@@ -80,7 +81,7 @@ def band_edges(
     }
     curves = stack(sides, ["surface", "side"]).transpose("surface", "side", ...)
     notes = curves[["conditional", "interval_note"]].isel(side=0, drop=True)
-    found = curves[["scale_ratio", "scale_ratio_interval"]].merge(notes)
+    found = curves[["scale_ratio", "scale_ratio_interval", "unfiltered_force"]].merge(notes)
     found = found.assign(_edges(curves, tolerance)).assign(label=scales.label, basis=scales.basis)
     common = curves.change.notnull().all("surface").any("cutoff_wavelength").all()
     if curves.sizes["surface"] > 1 and common:
@@ -110,9 +111,12 @@ def _side(
     interval = ratio[:, None] * np.exp(np.stack([-half, half], axis=-1))
     change, change_interval = _changes(ratio, interval)
     axis = "cutoff_wavelength"
+    unfiltered = float(forces.unfiltered_pull_off_force.mean())
+    newton = {"units": "N", "long_name": "mean force at 1 J/m² with all roughness"}
     return xr.Dataset(
         with_interval("scale_ratio", axis, ratio, interval, {"units": "1"}, confidence)
         | with_interval("change", axis, change, change_interval, {"units": "1"}, confidence)
+        | {"unfiltered_force": ((), unfiltered, newton)}
         | {"cell": cell, "conditional": int(parts.conditional), "interval_note": parts.note()},
         {axis: scales[axis]},
     )

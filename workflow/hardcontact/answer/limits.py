@@ -3,14 +3,26 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.artificial import artificial_bands, reliable_measurements, share_inside
-from hardcontact.answer.quantities import print_length
-from hardcontact.answer.sentences import is_open
+from hardcontact.answer.artificial import (
+    artificial_bands,
+    measurements,
+    reliable_measurements,
+    share_inside,
+)
+from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.answer.sentences import edge_words, is_open, printed_added_forces
 
-__all__ = ["artificial_edges", "limits", "measurement_name"]
+__all__ = ["artificial_edges", "grave_limits", "limits", "measurement_name"]
 
 #: Measurements that a sentence names.
 NAMED = 4
+
+#: Share of the force on a smooth sphere that a window holds as good as whole.
+WHOLE = 0.99
+
+#: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
+SPARSE = 2.0
 
 EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
 
@@ -23,8 +35,7 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
     basis : str
         "measured" or "substitute".
     spectra, edges, force : xarray.Dataset
-        Parts of spectra.nc, edges.nc and force.nc of the surface; force.nc may have
-        `finite_scan_note`, what the size of the scans leaves out.
+        Parts of spectra.nc, edges.nc and force.nc of the surface.
 
     Returns
     -------
@@ -35,9 +46,37 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *_of_basis(basis),
         *(text for side in EDGES for text in _of_edge(side, edges)),
         *artificial_edges(spectra, edges),
+        *_of_window(force),
         *_of_scan_size(force),
+        *_of_added_roughness(edges, force),
+        *_of_pixels(force),
         *_of_intervals(edges, force),
+        *_of_cutoffs(edges),
         *_of_spectrum(spectra),
+    ]
+
+
+def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return the limits that change what the answer of a surface says, for its first screen.
+
+    Parameters
+    ----------
+    spectra, edges, force : xarray.Dataset
+        Parts of spectra.nc, edges.nc and force.nc of the surface.
+
+    Returns
+    -------
+    list of str
+        A sentence each: edges in artificial roughness, and what changes the force by more than
+        the tolerance of the band.
+    """
+    tolerance = edges.attrs["tolerance"]
+    too_small = force["finite_scan_ratio"].values[0] > 1 + tolerance
+    cut = at_range(force)["window_share"].item() < 1 - tolerance
+    return [
+        *artificial_edges(spectra, edges),
+        *(_of_window(force) if cut else []),
+        *(_of_scan_size(force) if too_small else []),
     ]
 
 
@@ -97,7 +136,7 @@ def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
     """Return that an edge, or an end of its interval, lies beyond what was computed."""
     name, of_side = EDGES[side], edges.sel(side=side)
     if is_open(edges, side):
-        return [f"{name} is open: {of_side['edge_text'].item()}."]
+        return [f"{name} is open: {edge_words(edges, side)}."]
     ends = {"low": "shorter", "high": "longer"}
     status = of_side["interval_status"]
     return [
@@ -107,9 +146,51 @@ def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
     ]
 
 
+def _of_window(force: xr.Dataset) -> list[str]:
+    """Return that the window holds too little of the force, at the range asked for or others."""
+    rho, share = force["rho"].values, force["window_share"].values
+    here = at_range(force)
+    if here["window_share"] < WHOLE:
+        place, where = here["rho"].item(), "Forces"
+        held = here["window_share"].item()
+    elif (share < WHOLE).any():
+        place, held = rho.max(), share.min()
+        where = f"From a range of adhesion of {print_length(rho[share < WHOLE].min())} on forces"
+    else:
+        return []
+    return [
+        f"{where} come out too low: the window of {print_length(force.attrs['window'])} holds "
+        f"{held:.0%} of the force on a smooth sphere at a range of {print_length(place)}."
+    ]
+
+
 def _of_scan_size(force: xr.Dataset) -> list[str]:
-    note = str(force["finite_scan_note"].item()) if "finite_scan_note" in force else ""
+    note = str(force["finite_scan_note"].item())
     return [note] if note else []
+
+
+def _of_pixels(force: xr.Dataset) -> list[str]:
+    """Return that a pixel is larger than the area that carries the preload."""
+    area, pixel = force.attrs["contact_area"], force["pixel_area"].item()
+    if area >= pixel:
+        return []
+    return [
+        f"The preload is carried by {area:.3g} nm², less than a pixel of the scans "
+        f"({pixel:.3g} nm²): one pixel touches, hardness and preload do not matter, and the "
+        "shorter the range of adhesion, the more of the force is that of this pixel."
+    ]
+
+
+def _of_added_roughness(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return that the force changes once roughness that the scans do not show is added."""
+    added = printed_added_forces(edges, force)
+    if not added:
+        return []
+    return [
+        f"The force of {print_quantity(at_range(force)['force'].item(), 'N')} is that of the scans "
+        "as they are, without wavelengths that they do not show. With roughness of the joined "
+        f"spectrum added, as for the band, its mean is {added}."
+    ]
 
 
 def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
@@ -122,6 +203,28 @@ def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
         )
         if part["conditional"].item() or not np.isfinite(part[interval]).any()
     ]
+
+
+def _of_cutoffs(edges: xr.Dataset) -> list[str]:
+    """Return which edges were found between cutoffs that lie far apart."""
+    texts = []
+    for side in EDGES:
+        shorter, longer = _neighbours(edges.sel(side=side))
+        if longer > SPARSE * shorter:
+            texts.append(
+                f"{EDGES[side]} is interpolated between cutoffs of {print_length(shorter)} and "
+                f"{print_length(longer)}; its interval does not hold the error of this."
+            )
+    return texts
+
+
+def _neighbours(of_side: xr.Dataset) -> tuple[float, float]:
+    """Return the cutoffs (nm) between which the edge of one side was found, NaN of an open one."""
+    edge = of_side["edge"].item()
+    known = of_side["scale_ratio"].dropna("cutoff_wavelength")["cutoff_wavelength"].values
+    if np.isnan(edge):
+        return np.nan, np.nan
+    return float(known[known <= edge].max()), float(known[known >= edge].min())
 
 
 def _of_spectrum(spectra: xr.Dataset) -> list[str]:
@@ -137,18 +240,31 @@ def _of_spectrum(spectra: xr.Dataset) -> list[str]:
     ]
     note = str(spectra["tail_note"].item())
     found += [f"How the spectrum is continued where no scan is reliable: {note}."] if note else []
-    unknown = known.isel(measurement=np.isnan(known["tip_radius"].values))
-    names = [
-        measurement_name(unknown.isel(measurement=one))
-        for one in range(unknown.sizes["measurement"])
+    blind = [
+        f"{measurement_name(one)} ({one['shortest_reason'].item()})"
+        for one in _single(measurements(spectra))
+        if not (one["reliable"].values == 1).any()
     ]
-    if names:
-        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    if blind:
+        found.append(f"Reliable at no wavelength, and not in the spectrum: {_listed(blind)}.")
+    unknown = [measurement_name(one) for one in _single(known) if np.isnan(one["tip_radius"])]
+    if unknown:
         found.append(
             "What a blunt tip hides is not known where no tip radius is stated: "
-            f"{', '.join(names[:NAMED])}{more}."
+            f"{_listed(unknown)}."
         )
     return found
+
+
+def _single(known: xr.Dataset) -> list[xr.Dataset]:
+    """Return each of several measurements by itself."""
+    return [known.isel(measurement=place) for place in range(known.sizes["measurement"])]
+
+
+def _listed(names: list[str]) -> str:
+    """Return some names, and how many more there are."""
+    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return f"{', '.join(names[:NAMED])}{more}"
 
 
 def measurement_name(one: xr.Dataset) -> str:

@@ -12,7 +12,7 @@ from hardcontact.answer.canvas import png
 from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.force_curve import model_of
 from hardcontact.answer.html import figure_html, list_html, page, table_html, text_html
-from hardcontact.answer.limits import artificial_edges, limits
+from hardcontact.answer.limits import grave_limits, limits
 from hardcontact.answer.numbers import answer_numbers
 from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.sentences import (
@@ -112,7 +112,8 @@ def _first_screen(given: Datasets) -> str:
     confidence = print_share(given.edges.attrs["confidence"])
     meaning = (
         "Decided by: removing all roughness of shorter wavelengths, or all of longer ones, changes "
-        f"the force by less than {tolerance}. Brackets: {confidence} intervals."
+        f"the force by less than {tolerance}. Brackets: {confidence} intervals; numbers without "
+        "brackets have none."
     )
     more = f'<a href="#{_anchor(LIMITS)}">{LIMITS}</a>.'
     opened = ""
@@ -125,13 +126,13 @@ def _first_screen(given: Datasets) -> str:
 
 
 def _notice(given: Datasets) -> str:
-    """Return which surfaces are substitutes, and which edges lie in artificial roughness."""
+    """Return which surfaces are substitutes, and the gravest limits of each answer."""
     basis = given.topography["basis"].values == "substitute"
     names = ", ".join(map(str, given.topography["label"].values[basis]))
     texts = [f"Not measured: {names}. {SUBSTITUTES}"] if names else []
     for surface, label in given.labels().items():
         of = given.of_surface(surface)
-        texts += [f"{label}: {text}" for text in artificial_edges(of.spectra, of.edges)]
+        texts += [f"{label}: {text}" for text in grave_limits(of.spectra, of.edges, of.force)]
     if not texts:
         return ""
     paragraphs = "".join(f"<p>{text_html(text)}</p>" for text in texts)
@@ -158,9 +159,9 @@ def _spectrum(label: str, of: Datasets) -> str:
         png(psd.draw(of.spectra)),
         f"Power spectral density of {label} against wavelength; reliable from {low} to {high}.",
         f"{label}: the isotropic power spectral density of each scan where it is reliable (colour) "
-        "and where it is not (dotted), and their logarithmic average (points). Contacts are "
-        f"computed with the line. Shaded: no scan is reliable below {low} or above {high}; "
-        "roughness there is uncertain or artificial.",
+        "and where it is not (dotted), and their logarithmic average (points). The line is the "
+        "spectrum of roughness that is added where the scans end. Shaded: no scan is reliable "
+        f"below {low} or above {high}; roughness there is uncertain or artificial.",
     )
 
 

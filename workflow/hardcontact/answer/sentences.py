@@ -11,18 +11,26 @@ from hardcontact.answer.ratios import SIDES
 from hardcontact.figures.style import print_share
 
 __all__ = [
+    "added_forces",
     "band_sentences",
+    "edge_words",
     "fit_sentences",
     "force_sentences",
     "is_open",
     "one_sentence",
     "pooled_sentence",
+    "printed_added_forces",
     "printed_force",
     "printed_pair",
 ]
 
 #: The text of an open edge: bound, reason, and what is said of its interval.
-OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\]|, no interval)?$")
+OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
+#: What an edge without an interval ends with.
+NO_INTERVAL = ", no interval"
+
+#: The wavelengths that are added beyond the scans at each side.
+ADDED = {"small": "shorter", "large": "longer"}
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -41,7 +49,7 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     label : str
         Of the surface.
     edges : xarray.Dataset
-        Part of edges.nc of the surface: `edge_text` (side).
+        Part of edges.nc of the surface: `edge_text` and `unfiltered_force` (side).
     force : xarray.Dataset
         Part of force.nc of the surface.
 
@@ -50,10 +58,41 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     str
         Plain text.
     """
+    added = printed_added_forces(edges, force)
+    if added:
+        added = f" with the wavelengths that its scans show, {added} added,"
     return (
         f"How {label} sticks is decided by roughness with wavelengths {_from_to(edges)}; its "
-        f"predicted pull-off force is {printed_force(force)} {printed_pair(force)}."
+        f"predicted pull-off force is {printed_force(force)}{added} {printed_pair(force)}."
     )
+
+
+def added_forces(edges: xr.Dataset, force: xr.Dataset) -> dict[str, float]:
+    """Return the mean force in N with roughness added that the scans do not show, by side.
+
+    Parameters
+    ----------
+    edges : xarray.Dataset
+        Part of edges.nc of a surface: `unfiltered_force` (side) at 1 J/m².
+    force : xarray.Dataset
+        Part of force.nc of the surface.
+
+    Returns
+    -------
+    dict
+        Of each side on which it changes the force by more than the tolerance of the band.
+    """
+    mean, work = at_range(force)["force"].item(), force.attrs["work_of_adhesion"]
+    forces = {side: edges["unfiltered_force"].sel(side=side).item() * work for side in SIDES}
+    tolerance = edges.attrs["tolerance"]
+    return {side: value for side, value in forces.items() if abs(value / mean - 1) > tolerance}
+
+
+def printed_added_forces(edges: xr.Dataset, force: xr.Dataset) -> str:
+    """Return `added_forces` as "97 nN with shorter and 0.3 µN with longer ones", or nothing."""
+    forces = added_forces(edges, force)
+    texts = [f"{print_quantity(forces[side], 'N')} with {ADDED[side]}" for side in forces]
+    return f"{' and '.join(texts)} ones" if texts else ""
 
 
 def band_sentences(label: str, edges: xr.Dataset) -> str:
@@ -75,7 +114,7 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
     """
     tolerance = print_share(edges.attrs["tolerance"])
     opened = [
-        f" The {name} of these wavelengths is open, not found: {_text(edges, side)}."
+        f" The {name} of these wavelengths is open, not found: {edge_words(edges, side)}."
         for side, name in ENDS.items()
         if is_open(edges, side)
     ]
@@ -105,13 +144,18 @@ def pooled_sentence(edges: xr.Dataset) -> str:
     )
 
 
-def _text(edges: xr.Dataset, side: str) -> str:
-    return str(edges["edge_text"].sel(side=side).item())
+def edge_words(edges: xr.Dataset, side: str) -> str:
+    """Return the edge at one side as a sentence holds it: "at least 5 µm (the scans end here)".
+
+    That there is no interval is said once for all.
+    """
+    text = str(edges["edge_text"].sel(side=side).item()).removesuffix(NO_INTERVAL)
+    return OPEN_TEXT.sub(r"\1\3 (\2)", text)
 
 
 def _from_to(edges: xr.Dataset) -> str:
     """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
-    first, last = (OPEN_TEXT.sub(r"\1\3 (\2)", _text(edges, side)) for side in SIDES)
+    first, last = (edge_words(edges, side) for side in SIDES)
     return f"from {first} to {last}"
 
 
@@ -153,7 +197,7 @@ def force_sentences(label: str, force: xr.Dataset) -> str:
     model = str(here["contact_model"].item())
     return (
         f"The mean pull-off force of {label} is {printed_force(force)} {printed_pair(force)}, for "
-        f"{model} contact ({certainty}). Single contacts differ more: {share} of them lie between "
+        f"{model} contact ({certainty}). Of single contacts {share} lie between "
         f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}. The force is proportional "
         "to the work of adhesion."
     )

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+from hardcontact.answer.quantities import print_quantity
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.study.grids import Grid
 from hardcontact.study.stages import PAPER
@@ -15,6 +16,7 @@ __all__ = [
     "loads",
     "refuse_contact_pixels",
     "refuse_large_map",
+    "refuse_load",
     "refuse_short_range",
     "sections_of_contacts",
 ]
@@ -186,11 +188,42 @@ def refuse_contact_pixels(
     counted = "sets" if section == "sets" else "contact"
     count = config[counted]["count"]
     most = int(CONTACT_PIXELS / count**2 / images)
+    window = config["contact"]["window"]
+    why = (
+        f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
+        f"{counted}.count = {count} and contact.window = {window:.6g} nm"
+    )
     for key, load in loads(config, section):
-        contact_pixels = contact_pixel_count(load, pixel_size)
-        if contact_pixels > most:
-            raise ValueError(
-                f"config key {key}: expected on {surface} at most {most} contact pixels of "
-                f"{pixel_size:.4g} nm with {counted}.count = {count} and "
-                f"contact.window = {config['contact']['window']:.6g} nm, found {contact_pixels}"
-            )
+        refuse_load(key, load, most, pixel_size, why)
+
+
+def refuse_load(key: str, load: Load, most: int, pixel_size: float, why: str) -> None:
+    """Refuse a load that needs too many contact pixels.
+
+    Parameters
+    ----------
+    key : str
+        That the load comes from.
+    load : Load
+        Preload and hardness.
+    most : int
+        Contact pixels that there may be.
+    pixel_size : float
+        In nm.
+    why : str
+        What the limit is, in words.
+
+    Raises
+    ------
+    ValueError
+        In one line, in the unit of the key.
+    """
+    if contact_pixel_count(load, pixel_size) <= most:
+        return
+    preload, hardness = load["preload"], load["hardness"]
+    area = most * (pixel_size * 1e-9) ** 2
+    expected, found = (print_quantity(force, "N") for force in (area * hardness, preload))
+    limit = f"at most {expected}"
+    if key == "robustness.hardnesses":
+        limit, found = f"at least {preload / area / 1e9:.3g} GPa", f"{hardness / 1e9:.4g} GPa"
+    raise ValueError(f"config key {key}: expected {limit}, {why}, found {found}")

@@ -119,7 +119,7 @@ def _choices(schema: Schema) -> list[str]:
     if schema.get("type") == "boolean":
         return [_code(True), _code(False)]
     constants = [schema["const"]] if "const" in schema else []
-    return [_code(value) for value in schema.get("enum", constants)]
+    return [_code(value) for value in schema.get("enum", constants) if value != ""]
 
 
 def _default(value: Any) -> str:

@@ -56,8 +56,9 @@ def refuse_on_master(
     finest = size / pixels
     cutoff_pixel_size = finest if side == "small" else grid.pixel_size
     for name, limit in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
-        wavelengths = config[section][side].get(name, config["scales"][side][name])
-        _refuse_wavelengths(f"{section}.{side}.{name}", wavelengths, surface, limit, size)
+        given = section if name in config[section][side] else "scales"
+        wavelengths = config[given][side][name]
+        _refuse_wavelengths(f"{given}.{side}.{name}", wavelengths, surface, limit, size)
     if section == "sets" or config["scales"]["sphere_roughness"]:
         finest = min(finest, sphere.pixel_size)
         master = grid._replace(size=size / 2)

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from hardcontact.study.checks import check_grids
 from hardcontact.study.configuration import configuration
 from hardcontact.study.faults import refuse_all
+from hardcontact.study.grid_checks import check_grids
 from hardcontact.study.grids import Grid
 from hardcontact.study.inventory import Entry, Found, inventory, printed_table
 from hardcontact.study.measured_forces import measured_forces
@@ -212,10 +212,3 @@ def _told(found: Found, plan: Plan, overlay: str, table: str) -> Iterator[str]:
     yield f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:"
     yield f"{_run(overlay)} --config effort=quick   # a first answer"
     yield _run(overlay)
-
-
-def _shown(value: object) -> object:
-    """Return a value as it is told; of a list its length and ends."""
-    if isinstance(value, list):
-        return f"{len(value)} values, {value[0]} to {value[-1]}"
-    return value

@@ -145,7 +145,9 @@ def proposed_scales(setting: Setting, effort: Effort) -> Scales:
     shortest = min(least_size / 25, math.sqrt(2 * setting.radius * setting.rho) / 16)
     return Scales(
         count,
-        masters if effort is QUICK else min(realizations, 2 * effort.realizations),
+        max(masters, min(setting.scans, 3))
+        if effort is QUICK
+        else min(realizations, 2 * effort.realizations),
         small_pixels,
         max(2 * grid.pixels for grid in grids) * tiles,
         tiles,

@@ -3,6 +3,7 @@
 from itertools import chain
 from typing import Any
 
+from hardcontact.answer.quantities import print_quantity
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.hertz import effective_modulus
@@ -11,6 +12,7 @@ from hardcontact.study.grid_limits import (
     loads,
     refuse_contact_pixels,
     refuse_large_map,
+    refuse_load,
     refuse_short_range,
     sections_of_contacts,
 )
@@ -79,12 +81,8 @@ def _refuse_loads(config: dict[str, Any], surface: str, grid: Grid) -> None:
     available = min(window, 2 * grid.pixels) ** 2 // 4
     sections = sections_of_contacts(config)
     for key, load in chain.from_iterable(loads(config, section) for section in sections):
-        needed = contact_pixel_count(load, grid.pixel_size)
-        if needed > available:
-            raise ValueError(
-                f"config key {key}: expected a load that a quarter of the pixels of "
-                f"{surface}, {available}, can carry, found one that needs {needed}"
-            )
+        why = f"which a quarter of the {4 * available} pixels of {surface} can carry"
+        refuse_load(key, load, available, grid.pixel_size, why)
 
 
 def refuse_on_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> None:
@@ -141,8 +139,10 @@ def _refuse_pressure(config: dict[str, Any], surface: str, edge: float) -> None:
     )
     most = PRESSURE_OVER_MODULUS * modulus * (edge * 1e-9) ** 2
     if config["contact"]["preload"] > most:
+        expected, found = (
+            print_quantity(force, "N") for force in (most, config["contact"]["preload"])
+        )
         raise ValueError(
-            f"config key contact.preload: expected at most {most:.3g} N on "
-            f"{surface}, where elastic contact is solved on {edge:.4g} nm, "
-            f"found {config['contact']['preload']:.4g} N"
+            f"config key contact.preload: expected at most {expected} on {surface}, where elastic "
+            f"contact is solved on {edge:.4g} nm, found {found}"
         )

@@ -17,7 +17,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.reliable_band import ReliableBand, band_of_psd
+from hardcontact.surfaces.reliable_band import ReliableBand, band_of_psd, digits
 from hardcontact.surfaces.spectral_tail import continued_spectrum
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
@@ -128,8 +128,9 @@ def _log_mean(parts: Sequence[_Part]) -> tuple[NDArray[np.float64], NDArray[np.f
 def _too_few(parts: Sequence[_Part], count: int) -> str:
     """Return the line that refuses measurements with too few reliable bins."""
     found = "; ".join(
-        f"{_name(part.measurement)} from {part.band.shortest:.3g} nm ({part.band.shortest_reason}) "
-        f"to {part.band.longest:.3g} nm ({part.band.longest_reason})"
+        f"{_name(part.measurement)} from {digits(part.band.shortest)} nm "
+        f"({part.band.shortest_reason}) to {digits(part.band.longest)} nm "
+        f"({part.band.longest_reason})"
         for part in parts
     )
     return (
@@ -147,7 +148,7 @@ def _gaps(bands: Sequence[ReliableBand]) -> list[str]:
     texts, reached = list[str](), 0.0
     for band in sorted(bands, key=lambda one: one.shortest):
         if reached and band.shortest > reached:
-            texts.append(f"between {reached:.3g} and {band.shortest:.3g} nm interpolated")
+            texts.append(f"between {digits(reached)} and {digits(band.shortest)} nm interpolated")
         reached = max(reached, band.longest)
     return texts
 

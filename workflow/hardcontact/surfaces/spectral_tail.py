@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.measured_spectrum import local_slopes
+from hardcontact.surfaces.reliable_band import digits
 from hardcontact.surfaces.spectral_models import power_law_tail
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
@@ -61,7 +62,7 @@ def continued_spectrum(
     short, long = 2 * np.pi / wavevector[[-1, -count]]
     return spectrum, (
         f"below the wavelengths measured artificial: self-affine with H = {hurst:.2f}, fitted from "
-        f"{short:.3g} to {long:.3g} nm and held within 0 to 1, "
+        f"{digits(short)} to {digits(long)} nm and held within 0 to 1, "
         f"ending at {2 * np.pi / WAVEVECTORS[ends]:.2g} nm: {reason}"
     )
 

@@ -1,0 +1,58 @@
+"""Studies of own surfaces: small scans in the files of microscopes, and the two commands."""
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+from measurements import map_of
+from repository import ROOT, environment, snakemake
+from scan_files import nanoscope
+
+#: Real scans, which stay where they are.
+SHARED = ROOT.parent / "shared" / "scans"
+#: Of the counts of a Nanoscope file, in nm.
+COUNT = 0.1
+
+
+def new(folder, *arguments):
+    """Run `hardcontact new` in a copy of the repository."""
+    program = "import sys; from hardcontact.study.new import main; sys.exit(main())"
+    return subprocess.run(
+        [sys.executable, "-c", program, "new", *map(str, arguments)],
+        cwd=folder, env=environment(folder), text=True, capture_output=True,
+    )  # fmt: skip
+
+
+def quick(folder, name, *arguments, overlays=()):
+    """Run a study that `new` wrote at quick effort, with further overlays (paths)."""
+    files = [f"config/{name}.yaml", *overlays]
+    return snakemake(
+        folder, *arguments, "--configfile", *map(str, files), "--config", "effort=quick"
+    )
+
+
+def made(folder, name, *arguments):
+    """Make a study from files by both commands; return its results and what `new` said."""
+    done = new(folder, name, *arguments)
+    assert done.returncode == 0, done.stderr
+    run = quick(folder, name)
+    assert run.returncode == 0, run.stdout[-3000:]
+    return folder / "results" / f"{name}-quick", done.stdout
+
+
+def numbers(results):
+    """Return the numbers of an answer."""
+    return json.loads((results / "answer.json").read_text("utf-8"))
+
+
+def rough(rng, pixels=128, size=2500.0, rms=None):
+    """Heights (y, x) in nm with the spectrum of UNCD, scaled to an rms height if one is given."""
+    heights = map_of(rng, pixels, size / pixels).heights
+    return heights if rms is None else heights * rms / heights.std()
+
+
+def spm(path, heights, size):
+    """Write heights (y, x) in nm on square pixels as a Nanoscope file; size (nm) along x."""
+    rows, columns = heights.shape
+    return nanoscope(path, np.round(heights / COUNT), (size, size * rows / columns))
