@@ -2,8 +2,8 @@
 
 from repository import PAPER, SCHEMAS
 
-from hardcontact.study.checks import check_grids
 from hardcontact.study.configuration import configuration
+from hardcontact.study.grid_checks import check_grids
 from hardcontact.study.inventory import Entry, Source
 from hardcontact.study.overlay import nested
 from hardcontact.study.proposal import Choice
@@ -18,7 +18,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, **others):
     path = others.pop("path", "scans/one.nc")
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
-        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None,
+        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
         "band": ReliableBand(4 * pixel, size / 3, "4 pixels", "a third of the size"),
         "undefined": 0, "notes": (),
     }  # fmt: skip

@@ -121,3 +121,10 @@ def test_a_surface_without_label_is_an_error():
         all_surfaces.stacked_asperities(
             {("c", 1): xr.Dataset({"patches": ("rho", [1.0])})}, DESCRIBED
         )
+
+
+def test_transitions_stand_with_their_side():
+    scales = xr.Dataset(coords={"side": ["large", "small"]})
+    with_both = all_surfaces.with_transitions(scales, {"small": 20.0, "large": 1000.0})
+    assert with_both.transition.sel(side="small").item() == 20.0
+    assert with_both.transition.sel(side="large").item() == 1000.0

@@ -53,6 +53,11 @@ def test_an_open_end_of_an_interval_is_no_number():
     assert found["edge_text"] == "320 nm [32, open]"
 
 
+def test_an_interval_that_is_open_on_both_sides_is_said_to_be():
+    found = edge("small", [0.0, 0.2, 0.3], [0.0, 0.0, 0.0], [0.2, 0.3, 0.4])
+    assert found["edge_text"] == "32 nm [open, open]"
+
+
 def test_an_open_edge_may_have_a_known_end():
     found = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5], cell=1e3)
     assert found["edge_text"] == "at least 1 µm: the scans end here [0.32, open]"

@@ -3,13 +3,11 @@
 import numpy as np
 import pytest
 from answer_inputs import MEASUREMENTS, SURFACES, spectra
-from matplotlib.figure import Figure
 
 from hardcontact.answer.artificial import (
     artificial_bands,
     measurements,
     reliable_measurements,
-    shade,
     share_inside,
 )
 
@@ -51,12 +49,3 @@ def test_padding_is_no_measurement():
 def test_share_of_an_interval_is_one_of_its_logarithm(low, high, share):
     bands = [(0.0, 10.0), (100.0, np.inf)]
     assert share_inside(low, high, bands) == pytest.approx(share)
-
-
-def test_shades_end_with_the_axes():
-    axes = Figure().subplots()
-    axes.set(xscale="log", xlim=(10, 1000))
-    shade(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
-    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
-    assert np.allclose(spans, [(10, 20), (500, 1000)])
-    assert axes.get_xlim() == (10, 1000)

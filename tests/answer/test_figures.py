@@ -22,7 +22,7 @@ from matplotlib.colors import to_hex
 from matplotlib.text import Text
 
 from hardcontact.answer import canvas, fit_curve, force_curve, maps, psd, ratios
-from hardcontact.answer.artificial import ARTIFICIAL
+from hardcontact.figures.style import ARTIFICIAL
 
 PHONE = 358  # pixels that a figure is wide on a screen of 390
 LEAST_TEXT = 9.0  # pixels, with letters of some 7: as small as footnotes on phones are

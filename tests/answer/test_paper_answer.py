@@ -11,7 +11,7 @@ from refusals import assert_says
 
 from hardcontact.answer.paper_answer import ANSWERS, as_plain
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
-from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
 
 #: How many sentences there are not without a number of the answer.
@@ -75,7 +75,7 @@ def test_settings_for_machines_are_those_of_the_datasets():
 def test_the_answer_prints_the_number_computed(name):
     rows = changed(name, computed=0.0377, low=0.0311, high=0.0433)
     unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
-    printed = print_quantity(0.0377, unit, (0.0311, 0.0433), 2)
+    printed = print_as_paper(0.0377, unit, (0.0311, 0.0433), 2)
     assert printed in said(answer(rows)) and printed not in said(answer())
 
 
@@ -83,7 +83,7 @@ def test_the_answer_prints_the_number_computed(name):
 def test_the_answer_prints_the_number_of_the_paper(name):
     rows = changed(name, published=0.0721)
     unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
-    assert print_quantity(0.0721, unit) in said(answer(rows))
+    assert print_as_paper(0.0721, unit) in said(answer(rows))
 
 
 def test_the_answer_says_in_how_many_sets_the_range_is_large():

@@ -16,7 +16,7 @@ from repository import ROOT
 
 from hardcontact.answer.paper_page import STORY, paper_page
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
-from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.figures.catalogue import FIGURES
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
@@ -93,7 +93,7 @@ def test_every_statement_has_its_numbers_and_verdict(shown):
     assert len(rows) == len(STATEMENTS)
     for cells, claim in zip(rows, by_section.itertuples(), strict=True):
         assert_says(cells[0], claim.statement, claim.id)
-        assert cells[2].startswith(print_quantity(claim.computed, claim.unit).split()[0])
+        assert cells[2].startswith(print_as_paper(claim.computed, claim.unit).split()[0])
         assert ("[" in cells[2]) == np.isfinite(claim.low)
         assert cells[4].startswith(claim.verdict)
     assert not re.search(r"\bnan\b", " ".join(sum(rows, [])), re.I)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.quantity_text import print_as_paper
 
 
 @pytest.mark.parametrize(
@@ -28,18 +28,18 @@ from hardcontact.claims.quantity_text import print_quantity
     ],
 )
 def test_a_quantity_has_a_unit_that_suits_its_size(value, unit, printed):
-    assert print_quantity(value, unit) == printed
+    assert print_as_paper(value, unit) == printed
 
 
 def test_an_interval_has_the_unit_of_its_number():
-    assert print_quantity(1664.0, "nm", (876.0, 2841.0)) == "1.66 [0.876, 2.84] µm"
-    assert print_quantity(0.18, "1", (0.15, 0.29)) == "0.18 [0.15, 0.29]"
+    assert print_as_paper(1664.0, "nm", (876.0, 2841.0)) == "1.66 [0.876, 2.84] µm"
+    assert print_as_paper(0.18, "1", (0.15, 0.29)) == "0.18 [0.15, 0.29]"
 
 
 @pytest.mark.parametrize("interval", [(math.nan, 2.0), (1.0, math.nan)])
 def test_an_interval_without_both_ends_is_none(interval):
-    assert print_quantity(1.5, "nm", interval) == "1.5 nm"
+    assert print_as_paper(1.5, "nm", interval) == "1.5 nm"
 
 
 def test_digits_are_as_asked():
-    assert print_quantity(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"
+    assert print_as_paper(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"

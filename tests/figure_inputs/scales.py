@@ -72,5 +72,6 @@ def scales() -> xr.Dataset:
         named()
         .assign(ratio=band()["scale_ratio"] ** scatter)
         .assign_coords(realization=realization)
+        .assign(transition=("side", [20.0, 1000.0]))
         .assign_attrs(rho=5.6)
     )

@@ -86,3 +86,14 @@ def test_arrows_mark_what_lies_beyond():
     none["critical_wavelength"][:] = np.nan
     none["critical_wavelength_interval"][:] = np.nan
     assert arrows(band()) == 1 and arrows(none) == none["critical_wavelength"].size
+
+
+def test_artificial_roughness_is_shaded_on_the_side_where_it_is():
+    figure = fig6.draw(band(), scales(), sets(), published_constants())
+    for axes, side in zip(figure.axes, ["small", "large"] * 3, strict=True):
+        left, right = axes.get_xlim()
+        ends = (left, 20.0) if side == "small" else (1000.0, right)
+        hatched = [patch for patch in axes.patches if patch.get_hatch()]
+        expected = [ends] if ends[0] < ends[1] else []
+        found = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in hatched]
+        assert np.allclose(found, expected)

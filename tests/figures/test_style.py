@@ -74,3 +74,12 @@ def test_legend_entries_hold_each_label_once():
     entries = style.legend_entries(panels)
     assert list(entries) == ["both", "second"]
     assert entries["both"] is panels[0].lines[0]
+
+
+def test_shades_end_with_the_axes():
+    axes = Figure().subplots()
+    axes.set(xscale="log", xlim=(10, 1000))
+    style.shade_artificial(axes, [(0.0, 20.0), (500.0, np.inf), (2000.0, 3000.0)])
+    spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
+    assert np.allclose(spans, [(10, 20), (500, 1000)])
+    assert axes.get_xlim() == (10, 1000)

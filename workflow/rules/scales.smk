@@ -105,6 +105,9 @@ rule aggregate_scales:
                 "basis": SELECTION.basis,
                 "rho": STUDY["scales"]["range"],
                 "sphere_radius": STUDY["sphere"]["radius"],
+                "transitions": {
+                    side: STUDY["scales"][side]["transition"] for side in ("small", "large")
+                },
             }
         ),
     script:

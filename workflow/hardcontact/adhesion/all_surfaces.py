@@ -15,6 +15,7 @@ __all__ = [
     "stacked_filtered_forces",
     "stacked_pull_off_forces",
     "stacked_ratios",
+    "with_transitions",
 ]
 
 Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
@@ -125,6 +126,26 @@ def stacked_filtered_forces(masters: Mapping[Key, xr.Dataset], described: Descri
     scales.unfiltered_wavelength.attrs = end_of_spectrum
     scales.cutoff_wavelength.attrs = {"units": "nm", "long_name": "cutoff wavelength"}
     return _with_names(scales, described)
+
+
+def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
+    """Return forces of masters with the wavelength (nm) beyond which their roughness is artificial.
+
+    Parameters
+    ----------
+    scales : xarray.Dataset
+        Of `stacked_filtered_forces`.
+    transitions : mapping of str to float
+        By side, in nm.
+
+    Returns
+    -------
+    xarray.Dataset
+        With ``transition`` (side): below it on the small side, above it on the large one.
+    """
+    attributes = {"units": "nm", "long_name": "artificial roughness begins"}
+    lengths = [transitions[str(side)] for side in scales["side"].values]
+    return scales.assign(transition=("side", lengths, attributes))
 
 
 def _end_of_spectrum(part: xr.Dataset, side: str) -> float:

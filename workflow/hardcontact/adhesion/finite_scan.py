@@ -63,21 +63,10 @@ def finite_scan(size: float, rms_height: float, radius: float) -> FiniteScan:
 
 
 def finite_scan_warning(size: float, rms_height: float, radius: float) -> str:
-    """Return a warning that a scan is smaller than it should be, empty if it is large enough.
+    """Return a sentence that warns of a scan too small, with both sizes and the ratio of forces.
 
-    Parameters
-    ----------
-    size : float
-        Edge of the scan in nm.
-    rms_height : float
-        Of the scan in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    str
-        One sentence with both sizes and the ratio of forces.
+    Lengths are those of `finite_scan`, in nm. A scan that is large enough needs no warning: the
+    text is empty.
     """
     found = finite_scan(size, rms_height, radius)
     least, greatest = found.ratio

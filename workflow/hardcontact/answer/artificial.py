@@ -1,28 +1,16 @@
 """Wavelengths at which no scan is reliable: roughness there is artificial."""
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 import xarray as xr
-from matplotlib.axes import Axes
 
 __all__ = [
-    "ARTIFICIAL",
     "artificial_bands",
     "measurements",
     "reliable_measurements",
-    "shade",
     "share_inside",
 ]
-
-#: How artificial wavelengths are shaded in every figure.
-ARTIFICIAL: dict[str, Any] = {
-    "facecolor": "#F7E9CF",
-    "edgecolor": "#D9B97C",
-    "hatch": "///",
-    "lw": 0.0,
-}
 
 #: Kinds of measurement; where a surface has fewer than another its datasets are padded.
 KINDS = ("map", "profile")
@@ -89,12 +77,3 @@ def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) 
         if min(high, last) > max(low, first)
     )
     return float(sum(overlaps) / np.log(high / low))
-
-
-def shade(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
-    """Shade bands of wavelengths (nm) of logarithmic axes as far as their limits reach."""
-    left, right = axes.get_xlim()
-    for first, last in bands:
-        if last > left and first < right:
-            axes.axvspan(max(first, left), min(last, right), zorder=0, **ARTIFICIAL)
-    axes.set_xlim(left, right)

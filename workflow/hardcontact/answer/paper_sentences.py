@@ -4,7 +4,7 @@ import math
 from typing import Any
 
 from hardcontact.answer.paper_answer import PaperAnswer
-from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
 
 __all__ = ["answer_sentences", "basis_sentences"]
@@ -64,7 +64,7 @@ def _meaning(answer: PaperAnswer) -> str:
     return (
         "With all roughness below this band removed, or all above it, the mean pull-off force "
         f"changes by less than {100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
-        f"{print_quantity(answer.settings['rho'], 'nm')}."
+        f"{print_as_paper(answer.settings['rho'], 'nm')}."
     )
 
 
@@ -135,7 +135,7 @@ def _grids(answer: PaperAnswer) -> str:
 def _grid(sizes: dict[str, float]) -> str:
     pixels, contacts = sizes["scan_pixels"], sizes["contacts_per_side"]
     return (
-        f"{pixels:g} x {pixels:g} pixels over {print_quantity(sizes['scan_size'], 'nm')}, "
+        f"{pixels:g} x {pixels:g} pixels over {print_as_paper(sizes['scan_size'], 'nm')}, "
         f"{contacts:g} x {contacts:g} contacts"
     )
 
@@ -151,8 +151,8 @@ def _computed(answer: PaperAnswer, name: str) -> str:
     """Return a computed number with its interval, or with the bound that it is."""
     row: Any = answer.numbers[name]
     if name in answer.open_edges:
-        return f"{answer.open_edges[name]} {print_quantity(row.computed, row.unit, digits=DIGITS)}"
-    computed = print_quantity(row.computed, row.unit, (row.low, row.high), DIGITS)
+        return f"{answer.open_edges[name]} {print_as_paper(row.computed, row.unit, digits=DIGITS)}"
+    computed = print_as_paper(row.computed, row.unit, (row.low, row.high), DIGITS)
     if name in answer.open_ends:
         return f"{computed} (interval open: its {answer.open_ends[name]} end is the last cutoff)"
     return computed
@@ -160,4 +160,4 @@ def _computed(answer: PaperAnswer, name: str) -> str:
 
 def _printed(answer: PaperAnswer, name: str) -> str:
     row: Any = answer.numbers[name]
-    return print_quantity(row.published, row.unit)
+    return print_as_paper(row.published, row.unit)

@@ -10,7 +10,8 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.answer import canvas
-from hardcontact.answer.artificial import ARTIFICIAL, artificial_bands, measurements, shade
+from hardcontact.answer.artificial import artificial_bands, measurements
+from hardcontact.figures import style
 
 __all__ = ["draw"]
 
@@ -52,7 +53,7 @@ def draw(of_surface: xr.Dataset) -> Figure:
     axes.set(xscale="log", yscale="log", xlabel="wavelength", ylabel="isotropic PSD (nm⁴)")
     _limit(axes, wavelength, known, of_surface)
     canvas.label_lengths(axes.xaxis)
-    shade(axes, artificial_bands(of_surface))
+    style.shade_artificial(axes, artificial_bands(of_surface))
     kinds = [kind for kind in KINDS if kind in known["kind"].values]
     figure.legend(handles=_legend_handles(kinds), loc="outside upper center", ncols=2)
     return figure
@@ -86,5 +87,5 @@ def _legend_handles(kinds: list[str]) -> list[Any]:
         Line2D([], [], label="not reliable, not used", **UNRELIABLE),
         Line2D([], [], label="joined", **JOINED),
         Line2D([], [], label="spectrum used", **USED),
-        Patch(label="no reliable scan", **ARTIFICIAL),
+        Patch(label="no reliable scan", **style.ARTIFICIAL),
     ]

@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.answer import canvas
-from hardcontact.answer.artificial import ARTIFICIAL, artificial_bands, shade
+from hardcontact.answer.artificial import artificial_bands
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
 from hardcontact.figures.tables import bounded
@@ -74,7 +74,7 @@ def draw(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
     panels[1].set(xlim=(cutoffs.min() / MARGIN, cutoffs.max() * MARGIN), xlabel="cutoff wavelength")
     canvas.label_lengths(panels[1].xaxis)
     for axes in panels:
-        shade(axes, artificial_bands(spectra))
+        style.shade_artificial(axes, artificial_bands(spectra))
     figure.legend(handles=_legend_handles(edges), loc="outside upper center", ncols=2)
     return figure
 
@@ -124,6 +124,6 @@ def _legend_handles(edges: xr.Dataset) -> list[Any]:
         Line2D([], [], label=f"mean and {confidence} interval", **CURVE),
         Patch(label=f"±{style.print_share(edges.attrs['tolerance'])}", **TOLERANCE),
         Line2D([], [], label="edge of the band", **EDGE),
-        Patch(label="no reliable scan", **ARTIFICIAL),
+        Patch(label="no reliable scan", **style.ARTIFICIAL),
         *([arrow] if open_edges else []),
     ]

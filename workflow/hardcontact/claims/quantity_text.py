@@ -1,8 +1,8 @@
-"""Quantities as people read them: few digits, and a prefix that suits the size."""
+"""Quantities in the units that the paper prints, so that its numbers stand beside computed ones."""
 
 import math
 
-__all__ = ["print_quantity"]
+__all__ = ["print_as_paper"]
 
 #: How each unit of the datasets is printed: by the first of these whose size the number reaches.
 PRINTED = {
@@ -16,7 +16,7 @@ PRINTED = {
 }
 
 
-def print_quantity(
+def print_as_paper(
     value: float, unit: str, interval: tuple[float, float] = (math.nan, math.nan), digits: int = 3
 ) -> str:
     """Return a quantity with its interval, as "1.66 [1.38, 2.84] µm".

@@ -12,7 +12,7 @@ import yaml
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from hardcontact.claims.quantity_text import print_quantity
+from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import summary
 
 __all__ = [
@@ -279,8 +279,8 @@ def _claim(row: Any) -> list[tuple[str, str]]:
     source = f"Follows from {row.follows_from}." if row.follows_from else ""
     return [
         (escape(row.statement) + _small(row.id) + _small(source) + _small(row.note), ""),
-        (escape(print_quantity(row.published, row.unit)), "number"),
-        (escape(print_quantity(row.computed, row.unit, (row.low, row.high))), "number"),
+        (escape(print_as_paper(row.published, row.unit)), "number"),
+        (escape(print_as_paper(row.computed, row.unit, (row.low, row.high))), "number"),
         ("" if np.isnan(row.frequency) else f"{100 * row.frequency:.0f} %", "number"),
         (escape(row.verdict) + _small(row.basis), _kind(row.verdict)),
     ]

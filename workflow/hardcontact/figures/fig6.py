@@ -82,7 +82,7 @@ def draw(
         cutoff_wavelength)`, `critical_wavelength(side, group)` in nm, their intervals, and the
         attribute `scale_tolerance`.
     scales : xarray.Dataset
-        With `ratio(surface, realization, side, cutoff_wavelength)`.
+        With `ratio(surface, realization, side, cutoff_wavelength)` and `transition(side)` in nm.
     sets : xarray.Dataset
         With the variables of `band` without intervals, by `set`.
     published_constants : pandas.DataFrame
@@ -103,6 +103,7 @@ def draw(
         for axes in column:
             axes.axvline(_published_cutoff(published_constants, side), zorder=1, **PUBLISHED)
             axes.label_outer()
+            style.shade_artificial(axes, [_artificial(scales.sel(side=side))])
         style.label_panel(column[0], letter, SIDES[side])
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
     cutoffs = [_published_cutoff(published_constants, side) for side in SIDES]
@@ -110,6 +111,12 @@ def draw(
     figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)
     return figure
+
+
+def _artificial(of_side: xr.Dataset) -> tuple[float, float]:
+    """Return the wavelengths (nm) at which the masters of one side have artificial roughness."""
+    transition = float(of_side["transition"])
+    return (0.0, transition) if of_side["side"].item() == "small" else (transition, np.inf)
 
 
 def _published_cutoff(published_constants: pd.DataFrame, side: str) -> float:
@@ -281,5 +288,6 @@ def _legend_handles(band: xr.Dataset, cutoffs: list[float]) -> list[Line2D | Pat
             label=f"{style.print_share(SHARE_OF_SETS)} of all sets of substitutes",
         ),
         Line2D([], [], label="published: {:g} and {:g} nm".format(*cutoffs), **PUBLISHED),
+        Patch(label="artificial roughness", **style.ARTIFICIAL),
         Line2D([], [], ls="none", marker=">", ms=5, color="0.3", label="beyond the last cutoff"),
     ]

@@ -18,6 +18,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
 __all__ = [
+    "ARTIFICIAL",
     "FOOTER",
     "PUBLISHED",
     "SPHERE",
@@ -34,6 +35,7 @@ __all__ = [
     "print_interval",
     "print_share",
     "print_style",
+    "shade_artificial",
     "surface_handles",
 ]
 
@@ -46,6 +48,14 @@ SUBSTRATES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SPHERE = "#7F7F7F"
 PUBLISHED = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
+
+#: How artificial wavelengths are shaded in every figure.
+ARTIFICIAL: dict[str, Any] = {
+    "facecolor": "#F7E9CF",
+    "edgecolor": "#D9B97C",
+    "hatch": "///",
+    "lw": 0.0,
+}
 
 RC: dict[Any, Any] = {
     "font.family": "DejaVu Sans",  # ships with matplotlib: the same bytes on every machine
@@ -131,6 +141,15 @@ def draw_over_range(axes: Axes, curve: xr.Dataset, band: float, **look: Any) -> 
         curve["rho"], curve["low"], curve["high"], color=look["color"], alpha=band, lw=0
     )
     axes.plot(curve["rho"], curve["value"], **look)
+
+
+def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
+    """Shade bands of wavelengths (nm) of logarithmic axes as far as their limits reach."""
+    left, right = axes.get_xlim()
+    for first, last in bands:
+        if last > left and first < right:
+            axes.axvspan(max(first, left), min(last, right), zorder=0, **ARTIFICIAL)
+    axes.set_xlim(left, right)
 
 
 def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D]:

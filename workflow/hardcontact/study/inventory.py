@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -10,11 +11,10 @@ from numpy.typing import NDArray
 
 from hardcontact.answer.quantities import print_length
 from hardcontact.study.grids import Grid
-from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
-from hardcontact.surfaces.scans import list_measurements, read_measurement
-from hardcontact.surfaces.topography import level, subtract_sphere
+from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
+from hardcontact.surfaces.topography import flat_map
 
 __all__ = ["FILLING", "Entry", "Found", "Source", "inventory", "printed_table"]
 
@@ -69,6 +69,8 @@ class Entry:
         Largest difference in height in nm, levelled or not.
     tip_radius : float or None
         In nm; None if nothing states it.
+    tip_given : bool
+        Whether the user gave it, as its file does not state it.
     band : ReliableBand
         The wavelengths at which it is reliable.
     undefined : int
@@ -88,6 +90,7 @@ class Entry:
     peak_to_valley: float
     relief: float
     tip_radius: float | None
+    tip_given: bool
     band: ReliableBand
     undefined: int
     notes: tuple[str, ...]
@@ -171,11 +174,13 @@ def _read_file(source: Source, tip_radius: float | None) -> tuple[list[Entry], l
 
 def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
     measurement = read_measurement(source.file, dataset, FILLING)
-    levelled = _levelled(measurement, source.sphere_radius)
-    relief = max(np.ptp(measurement.heights), np.ptp(levelled))
-    if np.ptp(measurement.heights) == 0:
+    relief = np.ptp(measurement.heights)
+    if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    radius = measurement.tip_radius if tip_radius is None else tip_radius
+    flat = flattened(measurement, partial(flat_map, sphere_radius=source.sphere_radius))
+    levelled = _levelled(flat)
+    stated = measurement.tip_radius
+    radius = tip_radius if stated is None else stated
     return Entry(
         source=source,
         dataset=dataset,
@@ -186,23 +191,22 @@ def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
         pixel_size=measurement.pixel_size,
         rms_height=float(levelled.std()),
         peak_to_valley=float(np.ptp(levelled)),
-        relief=float(relief),
+        relief=float(max(relief, np.ptp(levelled))),
         tip_radius=radius,
-        band=reliable_band(measurement, radius),
+        tip_given=radius is not stated,
+        band=reliable_band(flat, radius),
         undefined=measurement.undefined,
         notes=measurement.notes,
     )
 
 
-def _levelled(measurement: Measurement, sphere_radius: float | None) -> NDArray[np.float64]:
-    """Return heights (nm) less their mean plane or line, and those of a sphere less its shape."""
-    if measurement.kind == "map":
-        scan = HeightMap(measurement.heights, measurement.pixel_size, False, "measured")
-        flat = level(scan) if sphere_radius is None else subtract_sphere(scan, sphere_radius)
-        return np.asarray(flat.heights)
-    place = np.arange(len(measurement.heights))
-    line = np.polynomial.Polynomial.fit(place, measurement.heights, 1)
-    return np.asarray(measurement.heights - line(place))
+def _levelled(flat: Measurement) -> NDArray[np.float64]:
+    """Return the heights (nm) of a flat map, those of a line scan less their mean line."""
+    if flat.kind == "map":
+        return flat.heights
+    place = np.arange(len(flat.heights))
+    line = np.polynomial.Polynomial.fit(place, flat.heights, 1)
+    return np.asarray(flat.heights - line(place))
 
 
 def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:

@@ -10,9 +10,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from hardcontact.study.checks import check_grids
 from hardcontact.study.configuration import configuration
 from hardcontact.study.faults import refuse_all
+from hardcontact.study.grid_checks import check_grids
 from hardcontact.study.grids import Grid
 from hardcontact.study.inventory import Entry, Found, inventory, printed_table
 from hardcontact.study.measured_forces import measured_forces

@@ -128,7 +128,7 @@ def table_rows(
     contact : sequence of Entry
         Those that contacts are made on.
     tip_radius : str
-        A quantity that the user gave, or nothing.
+        A quantity that the user gave for scans whose files state none, or nothing.
 
     Returns
     -------
@@ -151,7 +151,7 @@ def table_rows(
                     "path": entry.source.path,
                     "dataset": entry.dataset,
                     "use": uses[_among(entry, contact)],
-                    "tip_radius": tip_radius,
+                    "tip_radius": tip_radius if entry.tip_given else "",
                 }
             )
     return rows
@@ -168,7 +168,7 @@ def table_text(rows: Sequence[Mapping[str, str]]) -> str:
 
 
 def write_files(texts: Mapping[Path, str]) -> None:
-    """Write all files or none.
+    """Write all files or, of those that are not there yet, none.
 
     Parameters
     ----------
@@ -180,6 +180,12 @@ def write_files(texts: Mapping[Path, str]) -> None:
     ValueError
         In one line, if a file cannot be written.
     """
-    with ExitStack() as files:
-        for path, text in texts.items():
-            Path(files.enter_context(whole_file(path))).write_text(text, "utf-8")
+    new = [path for path in texts if not path.exists()]
+    try:
+        with ExitStack() as files:
+            for path, text in texts.items():
+                Path(files.enter_context(whole_file(path))).write_text(text, "utf-8")
+    except ValueError:
+        for path in new:
+            path.unlink(missing_ok=True)
+        raise

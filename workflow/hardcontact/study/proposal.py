@@ -18,7 +18,7 @@ from hardcontact.study.proposed_contact import (
     contact_cautions,
     proposed_contact,
 )
-from hardcontact.study.proposed_scales import FULL, QUICK, Effort, Setting, proposed_scales
+from hardcontact.study.proposed_scales import FULL, QUICK, Effort, Scales, Setting, proposed_scales
 
 __all__ = ["Choice", "Proposal", "propose", "quantity"]
 
@@ -136,47 +136,36 @@ def _choices(
         contact.window,
     )
     scales = proposed_scales(setting, effort)
-    shortest, longest, shortest_reason = _transitions(substrates)
-    size = min(scan.size for scan in substrates)
-    pixel = max(2 * scan.size / scales.small_pixels for scan in substrates)
+    ranges = _quantities(_ranges(contact, effort.ranges))
+    permitted = f"these scans permit {contact.least:.3g} nm or more"
+    why = contact.rho_reason or ("as given" if probe.rho_given else "the paper's")
     return [
         Choice("contact.window", quantity(contact.window), contact.window_reason),
         Choice("contact.count", scales.contacts, "contacts along an edge of their array"),
-        Choice(
-            "adhesion.ranges",
-            [quantity(rho) for rho in _ranges(contact, effort.ranges)],
-            f"for the force as a function of it; these scans permit {contact.least:.3g} nm or more",
-        ),
-        Choice(
-            "scales.range",
-            quantity(contact.rho),
-            contact.rho_reason or ("as given" if probe.rho_given else "the paper's"),
-        ),
+        Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
+        Choice("scales.range", quantity(contact.rho), why),
         Choice("scales.realizations", scales.realizations, "masters on each side"),
-        Choice("scales.small.pixels", scales.small_pixels, f"{print_length(pixel)} a pixel"),
-        Choice("scales.small.transition", quantity(shortest), shortest_reason),
-        Choice(
-            "scales.small.cutoffs",
-            [quantity(cutoff) for cutoff in scales.small_cutoffs],
-            "from four pixels to the size of the scan",
-        ),
-        Choice("scales.large.pixels", scales.large_pixels, "those of the scans"),
-        Choice(
-            "scales.large.tiles",
-            scales.tiles,
-            f"mirrored scans along an edge, {print_length(2 * size * scales.tiles)}",
-        ),
-        Choice(
-            "scales.large.transition",
-            quantity(longest),
-            f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial",
-        ),
-        Choice(
-            "scales.large.cutoffs",
-            [quantity(cutoff) for cutoff in scales.large_cutoffs],
-            "to half the size of the master",
-        ),
+        *_master_choices(substrates, scales),
     ]
+
+
+def _master_choices(substrates: Sequence[Entry], scales: Scales) -> Iterator[Choice]:
+    """Yield what masters and their filters are."""
+    shortest, longest, shortest_reason = _transitions(substrates)
+    longest_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    size = 2 * min(scan.size for scan in substrates)
+    pixel = max(2 * scan.size / scales.small_pixels for scan in substrates)
+    edge = f"mirrored scans along an edge, {print_length(size * scales.tiles)}"
+    small, large = (
+        _quantities(cutoffs) for cutoffs in (scales.small_cutoffs, scales.large_cutoffs)
+    )
+    yield Choice("scales.small.pixels", scales.small_pixels, f"{print_length(pixel)} a pixel")
+    yield Choice("scales.small.transition", quantity(shortest), shortest_reason)
+    yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
+    yield Choice("scales.large.pixels", scales.large_pixels, "those of the scans")
+    yield Choice("scales.large.tiles", scales.tiles, edge)
+    yield Choice("scales.large.transition", quantity(longest), longest_reason)
+    yield Choice("scales.large.cutoffs", large, "to half the size of the master")
 
 
 def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
@@ -220,6 +209,10 @@ def _band_cautions(substrates: Sequence[Entry]) -> Iterator[str]:
                 f"{scan.name}: no wavelength is reliable: {scan.band.shortest_reason}, but "
                 f"{scan.band.longest_reason} ends at {print_length(scan.band.longest)}"
             )
+
+
+def _quantities(lengths: Sequence[float]) -> list[str]:
+    return [quantity(length) for length in lengths]
 
 
 def quantity(length: float) -> str:

@@ -110,7 +110,7 @@ def parsed(arguments: Sequence[str]) -> Namespace:
     for name, (key, meaning) in QUANTITIES.items():
         usual = _at(read_yaml("config/config.yaml"), key)
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {usual})")
-    parser.add_argument("--tip", help="radius of the tip, for all files; usually as they state it")
+    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
         "--overwrite", action="store_true", help="replace the files of a study of this name"
@@ -233,11 +233,12 @@ def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str
         if not files:
             faults.append(f"--surface {label}: expected files of scans, found none")
         found += [Source(surface_id(label), label, file, path_from_root(file)) for file in files]
-    labels: dict[str, str] = {}
-    for label in [label for label, _ in given] + [SPHERE] * bool(arguments.sphere):
-        other = labels.setdefault(surface_id(label), label)
-        if other is not label:
-            faults.append(f"--surface {label}: expected a label of its own, found also {other}")
+    labels = [label for label, _ in given] + [SPHERE] * bool(arguments.sphere)
+    ids = [surface_id(label) for label in labels]
+    for place, label in enumerate(labels):
+        if ids[place] in ids[:place]:
+            other = labels[ids.index(ids[place])]
+            faults.append(f"--surface {other}: expected a label of its own, found also {label}")
     found += [
         Source(SPHERE, SPHERE, file, path_from_root(file), radius) for file in arguments.sphere
     ]
@@ -253,7 +254,7 @@ def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str
 def surface_id(label: str) -> str:
     """Return the id of a surface: its label in lower case, other characters as underscores."""
     name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
-    name = name if re.match("[a-z]", name) else f"surface_{name}"
+    name = name if re.match("[a-z]", name) else f"surface_{name}".rstrip("_")
     return name[:40].rstrip("_")
 
 

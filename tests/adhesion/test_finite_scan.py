@@ -1,0 +1,59 @@
+"""Forces on mirrored windows of synthetic surfaces, against the surfaces they are cut out of."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from hardcontact.adhesion.finite_scan import RATIOS, finite_scan, finite_scan_warning
+from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.geometry import bodies
+from hardcontact.random import generator
+from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.topography import level, mirror_stitch
+
+RADIUS, PIXEL = 250e3, 10e3 / 256
+
+
+def mean_force(surface):
+    pair = bodies(surface, None, RADIUS, {"window": 10e3, "count": 4})
+    load = {"preload": 10e-6, "hardness": 25e9}
+    return pull_off_of_pair(pair, load, [5.6]).variables["pull_off_force"][1][1].mean()
+
+
+def force_ratio(rms_height, pixels):
+    """Mean force on windows over that on the surfaces of 10 µm they are cut out of."""
+    large, small = [], []
+    for draw in range(20):
+        surface = random_surface(
+            generator(5, draw), 256, PIXEL, lambda q: smooth_rolloff(q, 1.0, 930.0, 0.84)
+        )
+        factor = rms_height / surface.heights.std()
+        surface = replace(surface, heights=factor * surface.heights)
+        large.append(mean_force(surface))
+        small.append(mean_force(mirror_stitch(level(substitute_scan(surface, pixels)))))
+    return np.mean(small) / np.mean(large)
+
+
+@pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
+def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
+    least, greatest = finite_scan(pixels * PIXEL, rms_height, RADIUS).ratio
+    # Twenty windows, whose forces scatter by a factor of two about their mean.
+    assert 0.75 * least < force_ratio(rms_height, pixels) < 1.25 * greatest
+
+
+def test_a_warning_names_both_sizes_and_the_ratio():
+    assert finite_scan_warning(1000.0, 17.0, RADIUS) == (
+        "a contact finds its peaks within 5.8 µm, the scan is 1 µm, 0.17 of that: on synthetic "
+        "surfaces the mean force on such scans was 2 to 4 times that on large ones"
+    )
+    assert "up to 1.2 times" in finite_scan_warning(10e3, 17.0, RADIUS)
+
+
+def test_a_large_scan_needs_no_warning():
+    assert finite_scan_warning(12e3, 17.0, RADIUS) == ""
+    found = finite_scan(12e3, 17.0, RADIUS)
+    assert found.draw_size == pytest.approx(2 * np.sqrt(2 * 250e3 * 17))
+    assert found.share > max(RATIOS) and found.ratio == (1.0, 1.0)
