@@ -2,12 +2,14 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from periodic_maps import height_map, periodic_noise
 from scipy import stats
 
 from hardcontact.adhesion.force_maps import rigid_pull_off
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.adhesion.scan_maps import force_maps, maps_of_scans, maps_of_surfaces
+from hardcontact.adhesion.scan_maps import force_maps
+from hardcontact.adhesion.surface_maps import maps_of_scans, maps_of_surfaces
 from hardcontact.contact.geometry import bodies
 from hardcontact.records import netcdf
 from hardcontact.surfaces.topography import mirror_stitch
@@ -82,6 +84,11 @@ def test_numbers_of_surfaces_are_those_of_their_scans():
     assert float(maps["between_scans"].sel(at)) == pytest.approx(scatter)
     needed = (scatter * stats.norm.ppf(0.95) / 0.05) ** 2
     assert float(maps["scans_needed"].sel(at)) == pytest.approx(needed)
+    within = [float(scans["high", scan]["variation"].sel(rho=2.0)) for scan in (1, 2, 3)]
+    worth = 1 + np.mean(np.square(within)) / scatter**2
+    assert float(maps["worth_of_scan"].sel(at)) == pytest.approx(worth)
+    least, most = maps["worth_of_scan_interval"].sel(at).transpose("bound")
+    assert least < worth < most
     low, high = maps["scans_needed_interval"].sel(at).transpose("bound")
     assert needed * 2 / stats.chi2.ppf(0.95, 2) == pytest.approx(float(low))
     assert low < needed < high
@@ -97,6 +104,22 @@ def test_a_single_scan_has_no_intervals():
     assert maps["contacts_needed"].sel(sampling="random").notnull().all()
     for name in ("contacts_needed_interval", "scans_needed", "scans_needed_interval"):
         assert maps[name].isnull().all()
+
+
+def test_surfaces_may_have_different_numbers_of_scans():
+    scans = some_maps()
+    alone = maps_of_scans({key: one for key, one in scans.items() if key[0] == "high"}, SETTINGS)
+    fewer = maps_of_scans({key: scans[key] for key in scans if key != ("flat", 3)}, SETTINGS)
+    for name in ("variation", "contacts_needed", "scans_needed", "array_error", "worth_of_scan"):
+        xr.testing.assert_allclose(fewer[name].sel(surface="high"), alone[name].sel(surface="high"))
+        assert fewer[name].sel(surface="flat", rho=2.0).notnull().any()
+
+
+def test_pixels_that_touch_are_those_of_the_scan_or_of_its_mirror_images():
+    heights = np.zeros((32, 32))
+    heights[[3, 28], [20, 9]] = 200.0
+    one = force_maps(mirror_stitch(height_map(heights, 16.0)), SETTINGS)
+    assert int(one["touched_pixels"]) == 2
 
 
 def test_scans_of_different_sizes_are_padded():

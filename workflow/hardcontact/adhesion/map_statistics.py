@@ -28,7 +28,7 @@ def variation(forces: Floats) -> float:
 
 
 def array_error(forces: Floats, count: int) -> float:
-    """Return the error of the mean of a square array of contacts on a scan.
+    """Return the error of the mean of a square array of contacts on the scan and its mirror images.
 
     It is that of all arrays there are: the same array at every shift within one of its steps.
 
@@ -37,18 +37,20 @@ def array_error(forces: Floats, count: int) -> float:
     forces : numpy.ndarray
         (n, n) at every pixel of the scan.
     count : int
-        Contacts along an edge of the array, which spans the scan; at most n.
+        Contacts along an edge of the array, which spans the period of 2n pixels of the stitched
+        scan, as `contact_positions` does.
 
     Returns
     -------
     float
         Root mean square of array mean over map mean minus one.
     """
-    pixels = len(forces)
-    shifts = np.arange(-(-pixels // count))
-    places = shifts[:, None] + np.arange(count) * pixels // count
-    rows = forces[places].mean(axis=1)
-    means = rows[:, places].mean(axis=2)
+    period = 2 * len(forces)
+    shifts = np.arange(-(-period // count))
+    places = (shifts[:, None] + np.arange(count) * period // count) % period
+    on_scan = np.minimum(places, period - 1 - places)
+    rows = forces[on_scan].mean(axis=1)
+    means = rows[:, on_scan].mean(axis=2)
     return float(np.sqrt(np.mean((means / forces.mean() - 1) ** 2)))
 
 

@@ -58,7 +58,7 @@ def draw(maps: xr.Dataset) -> Figure:
     Parameters
     ----------
     maps : xarray.Dataset
-        `scan_maps.maps_of_surfaces`.
+        `surface_maps.maps_of_surfaces`.
 
     Returns
     -------
@@ -150,7 +150,7 @@ def _draw_maps(above: np.ndarray, below: np.ndarray, maps: xr.Dataset) -> None:
         percent = 100 * means.sel(surface=surface).item()
         style.label_panel(below[place], f"b_{place + 1}", f"mean {percent:.2g} %")
     above[0].set_ylabel("height")
-    below[0].set_ylabel("pull-off force")
+    below[0].set_ylabel("pull-off force / mean")
 
 
 def _limit(forces: xr.DataArray) -> float:
@@ -166,7 +166,6 @@ def _draw_bar(axes: Axes, image: object, limit: float) -> None:
     factor = 2 if limit < 8 else 10
     bar.set_ticks([1 / factor, 1, factor], labels=[f"1/{factor}", "1", f"{factor}"])
     bar.minorticks_off()
-    bar.ax.set_title("× mean", fontsize=7, loc="left", pad=5)
     axes.set(xticks=[], yticks=[])
 
 
