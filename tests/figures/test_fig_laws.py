@@ -4,51 +4,14 @@ from functools import cache
 
 import numpy as np
 import pytest
-import xarray as xr
-from figure_inputs.building import bounded, named
-from figure_inputs.scales import CRITICAL, SIDES, TOLERANCE
+from figure_inputs.laws import laws
+from figure_inputs.scales import CRITICAL
 from figure_rows import select
 from paper_numbers import SUBSTRATES
 
 from hardcontact.adhesion.interaction_laws import LAWS, pressure
 from hardcontact.adhesion.law_comparison import CASES
 from hardcontact.figures import fig_laws
-
-BY_LAW = ("law", "case")
-WORK = 0.05
-LENGTHS = np.geomspace(0.1, 40, 50)
-
-
-def laws():
-    """Fits, ratios and edges of every law, as numbers that differ by law and case."""
-    factor = 1 + 0.1 * np.arange(12.0).reshape(4, 3)
-    ratio = factor[..., None] * np.array([22, 1, 0.4, 0.275])
-    edges = factor[..., None, None] * CRITICAL
-    error = 0.2 + abs(np.log(LENGTHS / 5.6)) * np.ones((4, 2, 1))
-    named_laws = {"law": [law.name for law in LAWS], "case": CASES, "side": SIDES}
-    return (
-        named()
-        .assign_coords(
-            **named_laws,
-            group=[*SUBSTRATES, "pooled"],
-            length=LENGTHS,
-            target=["Eq. 1", "published"],
-        )
-        .assign(
-            bounded("range_of_law", BY_LAW, 5.6 * factor, unit="nm")
-            | bounded("work_of_adhesion", BY_LAW, WORK * factor, unit="J m-2")
-            | bounded("fit_error", BY_LAW, 0.1 * factor)
-            | bounded("ratio", (*BY_LAW, "surface"), ratio)
-            | bounded("critical_wavelength", (*BY_LAW, "side", "group"), edges, unit="nm")
-            | bounded("edge_factor", ("law", "side", "group"), np.full((4, 2, 5), 1.2))
-        )
-        .assign(
-            implied_over_known=(BY_LAW, 10 * factor),
-            error=(("law", "target", "length"), error),
-            published_ratio=("surface", [22.0, 1, 0.4, 0.275]),
-        )
-        .assign_attrs(reference_surface="uncd", scale_tolerance=TOLERANCE)
-    )
 
 
 @cache
@@ -95,12 +58,3 @@ def test_laws_are_told_apart_without_colour():
     marks = {line.get_marker() for line in drawn().axes[2].lines} - {"None", "_", "|", ""}
     assert marks == set(fig_laws.MARKERS)
     assert len({line.get_linestyle() for line in drawn().axes[0].lines}) == len(LAWS)
-
-
-def test_substitutes_are_named_and_measured_surfaces_are_not():
-    (note,) = [text.get_text() for text in drawn().texts]
-    assert note.startswith("substitute surfaces: ")
-    data = laws()
-    measured = data.assign(basis=xr.full_like(data["basis"], "measured"))
-    (note,) = [text.get_text() for text in fig_laws.draw(measured).texts]
-    assert note == "all surfaces measured"

@@ -1,15 +1,11 @@
 """Force maps: the maps drawn, distributions, errors of means, what a mean needs."""
 
-import matplotlib as mpl
 import numpy as np
 import pytest
-import xarray as xr
 from figure_inputs.maps import maps
 from figure_rows import select
-from matplotlib.text import Text
-from paper_numbers import LABELS, SUBSTRATES
 
-from hardcontact.figures import fig_maps, style
+from hardcontact.figures import fig_maps
 from hardcontact.statistics import bounds
 
 
@@ -62,33 +58,6 @@ def test_drawn_maps_are_heights_and_forces_over_their_mean():
 
 def forces_mean(data):
     return data["pull_off_force"][1].values.mean(dtype=float)
-
-
-def test_figure_keeps_the_rules_of_all_figures():
-    before, style_before = maps(), dict(mpl.rcParams)
-    data = maps()
-    figure, rows = fig_maps.draw(data), fig_maps.table(data)
-    figure.draw_without_rendering()
-    assert data.identical(before) and dict(mpl.rcParams) == style_before
-    (note,) = [text.get_text() for text in figure.texts]
-    assert note.startswith(f"substitute surfaces: {', '.join(LABELS)} (")
-    assert min(text.get_fontsize() for text in figure.findobj(Text)) >= 7 * 0.99
-    width, height = figure.get_size_inches()
-    assert width == style.WIDTH and 2 < height < 9
-    titles = [axes.get_title(loc="left") for axes in figure.axes]
-    lettered = {title[9] for title in titles if title.startswith(r"$\mathbf{")}
-    assert lettered == set(rows["panel"]) | {"a"} == set("abcdef")
-    assert set(rows["origin"]) == {"computed"} and rows["unit"].notna().all()
-    assert not rows.duplicated().any() and rows["basis"].eq("substitute").all()
-
-
-def test_figure_takes_measured_surfaces_that_the_paper_does_not_know():
-    data = maps().sel(surface=SUBSTRATES[:2])
-    data = data.assign(basis=xr.full_like(data["basis"], "measured"))
-    data["surface"] = ["glass", "steel"]
-    figure = fig_maps.draw(data)
-    assert [text.get_text() for text in figure.texts] == ["all surfaces measured"]
-    assert set(fig_maps.table(data)["surface"]) == {"glass", "steel"}
 
 
 def test_figure_without_intervals():

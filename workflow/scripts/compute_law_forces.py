@@ -12,7 +12,7 @@ MASTERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master
 
 with job(snakemake) as this:
     given = this.parameters
-    surface, realization = given["surface"], given["realization"]
+    surface, number = given["surface"], given["scan"]
     scan = read_height_map(this.input.scan)
     sphere = read_height_map(this.input.sphere) if this.input.sphere else None
     contacts = given["contact"] | {name: given[name] for name in ("radius", "reach")}
@@ -25,7 +25,7 @@ with job(snakemake) as this:
     for side, (synthesize, size) in MASTERS.items():
         scales = given["scales"][side]
         master = synthesize(
-            generator(given["seed"], surface, realization, f"{side}-scale laws"),
+            generator(given["seed"], surface, number, f"{side}-scale laws"),
             scan,
             scales[size],
             scales["transition"],

@@ -112,7 +112,7 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
         axes.plot(GAPS, values, color=colour, ls=dashes, label=law.label)
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
     axes.set_ylim(bottom=1e-4)
-    axes.legend(fontsize=6, loc="lower left")
+    axes.legend(loc="lower left", handlelength=1.5)
     style.label_logarithmic(axes.xaxis, at=(1,))
     style.label_panel(axes, "a", "laws of like force")
 
