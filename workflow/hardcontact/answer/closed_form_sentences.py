@@ -50,7 +50,7 @@ def _accuracy(largest: xr.Dataset) -> str:
 
 def _worst(largest: xr.Dataset) -> str:
     distance = np.abs(np.log(largest["error"])).stack(case=("surface", "rho"))
-    surface, rho = distance["case"][int(distance.argmax())].item()
+    surface, rho = distance["case"][int(np.argmax(distance.values))].item()
     worst = largest.sel(surface=surface, rho=rho)
     # The longer the computed force, the smaller the ratio to it.
     high, low = (worst["predicted_force"].item() / end.item()

@@ -116,7 +116,7 @@ def _fitted(laws: xr.Dataset) -> str:
 
 def _atomic(laws: xr.Dataset) -> str:
     fits = laws.sel(case="atomic")
-    best = fits["law"].values[int(fits["fit_error"].argmin())]
+    best = fits["law"].values[np.argmin(fits["fit_error"].values)]
     error = print_bounded_as_paper(fits.sel(law=best), "fit_error", "1")
     spacing = print_as_paper(laws.attrs["atomic_spacing"], "nm")
     return (
@@ -127,7 +127,7 @@ def _atomic(laws: xr.Dataset) -> str:
 
 def _window(laws: xr.Dataset, others: list[str]) -> str:
     growth = laws["window_growth"].sel(law=others)
-    law = others[int(growth.max("surface").argmax())]
+    law = others[np.argmax(growth.max("surface").values)]
     return (
         "What lies beyond the window of these sums is left out; its second half raises the force "
         f"by at most {print_percent(growth.max().item())} ({_name(laws, law)})."
