@@ -21,7 +21,7 @@ def made_page(text="Said.", substitutes=("UNCD", "NCD")):
         )
         for name, part in PARTS.items()
     }
-    return insight_page(parts, substitutes, published_constants())
+    return insight_page(parts, substitutes, 0.9, published_constants())
 
 
 def test_every_figure_of_the_chapter_has_a_part_in_its_order():
@@ -42,6 +42,7 @@ def test_the_page_shows_question_answer_and_figure_of_each_part():
     assert all(source.startswith("data:image/png;base64,") for source in shown.values("src"))
     assert {link[1:] for link in shown.values("href")} == set(PARTS) <= set(shown.values("id"))
     assert "43 nm" in shown.texts["p"][0].replace("\u00a0", " ")
+    assert shown.texts["p"][0].replace("\u00a0", " ").endswith("intervals of 90 %.")
     assert shown.texts["p"][1].startswith("Substitute surfaces: UNCD and NCD.")
 
 

@@ -64,7 +64,7 @@ def test_the_verdict_on_other_laws_follows_from_the_interval():
         ((0.3, 0.2, 0.4), "not reproduced"),
     ):
         first = law_sentences(of_error(*interval))[0]
-        assert first.endswith(f"and electrostatic {expected}.")
+        assert first.endswith(f"; electrostatic, {expected}.")
 
 
 def test_laws_are_ranked_by_their_error_to_measured_forces():

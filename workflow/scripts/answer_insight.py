@@ -13,7 +13,7 @@ from hardcontact.study.job import job
 WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
 
 with job(snakemake) as this:
-    parts, substitutes = {}, {}
+    parts, substitutes, confidences = {}, {}, set()
     files = zip(this.input.datasets, this.input.figures, this.input.captions, strict=True)
     for dataset, figure, template in files:
         made, name = read(dataset), Path(figure).stem
@@ -24,6 +24,8 @@ with job(snakemake) as this:
             caption(Path(template).read_text("utf-8"), this.parameters),
         )
         substitutes |= dict.fromkeys(made["label"].values[made["basis"].values == "substitute"])
+        confidences.add(float(made.attrs["confidence"]))
+    (confidence,) = confidences
     constants = published.constants(this.input.published_constants)
-    this.write_text(insight_page(parts, list(substitutes), constants), "page")
+    this.write_text(insight_page(parts, list(substitutes), confidence, constants), "page")
     this.record("page")

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import pandas as pd
 
 from hardcontact.answer.html import figure_html, page, text_html
-from hardcontact.answer.part_text import listed
+from hardcontact.answer.part_text import listed, print_percent
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.figures.catalogue import OF_INSIGHT
 from hardcontact.study.captions import Caption
@@ -39,7 +39,10 @@ class AnsweredPart(NamedTuple):
 
 
 def insight_page(
-    parts: Mapping[str, AnsweredPart], substitutes: Sequence[str], constants: pd.DataFrame
+    parts: Mapping[str, AnsweredPart],
+    substitutes: Sequence[str],
+    confidence: float,
+    constants: pd.DataFrame,
 ) -> str:
     """Write the page.
 
@@ -49,6 +52,8 @@ def insight_page(
         By the figures of the parts, in the order of the page.
     substitutes : sequence of str
         Labels of the surfaces that were not measured.
+    confidence : float
+        Of the intervals.
     constants : pandas.DataFrame
         As from `published.constants`.
 
@@ -57,11 +62,11 @@ def insight_page(
     str
         HTML.
     """
-    sections = (_opening(substitutes, constants), _contents(parts), *_parts(parts))
+    sections = (_opening(substitutes, confidence, constants), _contents(parts), *_parts(parts))
     return page(TITLE, "".join(sections))
 
 
-def _opening(substitutes: Sequence[str], constants: pd.DataFrame) -> str:
+def _opening(substitutes: Sequence[str], confidence: float, constants: pd.DataFrame) -> str:
     """Return what the paper found, what is asked here, and what the answers stand on."""
     short, long, reach = (
         print_as_paper(constants["value"][name], "nm")
@@ -72,7 +77,7 @@ def _opening(substitutes: Sequence[str], constants: pd.DataFrame) -> str:
         f"weakly hard bodies stick, at a range of adhesion of {reach}. Do these numbers belong to "
         "the surface, to the attraction or to the sphere? And how far can the method be trusted? "
         "Each part below asks one question, answers it in numbers and shows the figure that they "
-        "are read from. Brackets: 95 % intervals where nothing else is said."
+        f"are read from. Brackets: intervals of {print_percent(confidence)}."
     )
     basis = "All surfaces are measured."
     if substitutes:

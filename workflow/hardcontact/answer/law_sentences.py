@@ -50,13 +50,13 @@ def _name(laws: xr.Dataset, law: str) -> str:
 def _judged(laws: xr.Dataset, law: str) -> str:
     """Return the verdict on forces that differ by less than the tolerance from those of Eq. 1."""
     of_law = laws.sel(law=law, case="equivalent")
-    ends = (end.item() for end in bounds(of_law, "fit_error"))
+    low, high = (end.item() for end in bounds(of_law, "fit_error"))
     limit = laws.attrs["scale_tolerance"]
-    return verdict("below", of_law["fit_error"].item(), *ends, np.nan, limit)
+    return verdict("below", of_law["fit_error"].item(), low, high, np.nan, limit)
 
 
 def _verdicts(laws: xr.Dataset, others: list[str]) -> str:
-    judged = listed(f"{_name(laws, law)} {_judged(laws, law)}" for law in others)
+    judged = "; ".join(f"{_name(laws, law)}, {_judged(laws, law)}" for law in others)
     return (
         "The paper expects similar results from other laws of attraction. Judged by whether their "
         f"best range and work give the forces of its own law on all surfaces within "
@@ -101,7 +101,9 @@ def _strengths(laws: xr.Dataset, others: list[str]) -> str:
     said = listed(
         f"{_name(laws, law)} {strengths.sel(law=law).item():.{DIGITS}g} times" for law in others
     )
-    return f"For this the attraction would have to be stronger than known ones are: {said}."
+    return (
+        f"Of known attractions of their kinds this would take so many times the strength: {said}."
+    )
 
 
 def _fitted(laws: xr.Dataset) -> str:
