@@ -45,7 +45,7 @@ def laws() -> xr.Dataset:
             window_growth=(("law", "surface"), 0.01 * np.arange(16.0).reshape(4, 4)),
         )
         .assign_attrs(
-            reference_surface="uncd",
+            reference_label="UNCD",
             scale_tolerance=TOLERANCE,
             published_range=5.6,
             published_work=WORK,

@@ -28,9 +28,9 @@ def test_table_holds_fits_ratios_and_edges_of_every_law():
                 (row,) = select(rows, law=law, case=case, quantity=name).to_dict("records")
                 assert row["value"] == one[name].item()
                 assert (row["low"], row["high"]) == tuple(one[f"{name}_interval"].values)
-            of_case = select(rows, law=law, case=case, panel="c", surface="mcd")
+            of_case = select(rows, law=law, case=case, panel="c", group="mcd")
             assert of_case["value"].item() == one.ratio.sel(surface="mcd").item()
-            edge = select(rows, law=law, case=case, side="small", surface="pooled")
+            edge = select(rows, law=law, case=case, side="small", group="pooled")
             assert edge["value"].item() == one.critical_wavelength.values[0, -1]
     assert not rows.duplicated().any() and rows["unit"].notna().all()
     assert len(select(rows, origin="published")) == 4
@@ -38,8 +38,8 @@ def test_table_holds_fits_ratios_and_edges_of_every_law():
 
 def test_an_edge_that_is_open_has_no_row():
     edges = select(fig_laws.table(laws()), side="large", quantity="critical_wavelength")
-    assert np.isnan(CRITICAL[1, 0]) and "polished_uncd" not in edges["surface"].values
-    assert set(edges["surface"]) == {*SUBSTRATES[1:], "pooled"}
+    assert np.isnan(CRITICAL[1, 0]) and "polished_uncd" not in edges["group"].values
+    assert set(edges["group"]) == {*SUBSTRATES[1:], "pooled"}
 
 
 def test_pressure_drawn_is_that_of_each_law():

@@ -127,7 +127,7 @@ def compare_laws(
         published_work=choices.published_pair.work_of_adhesion,
         atomic_spacing=choices.spacing,
         scale_tolerance=choices.tolerance,
-        reference_surface=choices.reference_surface,
+        reference_label=str(forces.label.sel(surface=choices.reference_surface).item()),
         confidence=choices.sampling.confidence,
     )
 

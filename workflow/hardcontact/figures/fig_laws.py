@@ -24,7 +24,10 @@ PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
 SIDES = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
 TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
-COLUMNS = [*ROW_COLUMNS, "law", "case", "side", "length", *VALUE_COLUMNS]
+COLUMNS = [
+    *("group" if name == "surface" else name for name in ROW_COLUMNS),
+    "law", "case", "side", "length", *VALUE_COLUMNS,
+]  # fmt: skip
 
 
 def table(laws: xr.Dataset) -> pd.DataFrame:
@@ -40,7 +43,8 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
     pandas.DataFrame
         By law and case its range, work and error (panel a), the error of every length at its best
         work (panel b, `case` its target), the ratios of forces, computed and published (panel c),
-        and the edges of the band, also over those of Eq. 1 (panels d and e).
+        and the edges of the band, also over those of Eq. 1 (panels d and e), of each substrate and
+        of all pooled: a `group`.
     """
     fits = [_rows(bounded(laws, name), name, "a", unit) for name, unit in FITS.items()]
     strengths = _rows(laws[["implied_over_known"]], "implied_over_known", "a", "1")
@@ -53,7 +57,8 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
         for side, (panel, _) in SIDES.items()
     ]
     rows = pd.concat([*fits, strengths, errors, ratios, published, *of_sides])
-    return label_surfaces(rows, laws).reindex(columns=COLUMNS).reset_index(drop=True)
+    rows = rows.rename(columns={"surface": "group"})
+    return label_surfaces(rows, laws, "group").reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
@@ -111,7 +116,7 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
         values = PRESSURE * work / rho * pressure(law, GAPS, rho)
         axes.plot(GAPS, values, color=colour, ls=dashes, label=law.label)
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
-    axes.set_ylim(bottom=1e-4)
+    axes.set_ylim(bottom=1e-7)
     axes.legend(loc="lower left", handlelength=1.5)
     style.label_logarithmic(axes.xaxis, at=(1,))
     style.label_panel(axes, "a", "laws of like force")
@@ -138,14 +143,9 @@ def _draw_ratios(axes: Axes, laws: xr.Dataset) -> None:
     axes.hlines(laws["published_ratio"], places - 0.42, places + 0.42, color="0.6", lw=4, alpha=0.6)
     case = laws.sel(case="fitted")
     _draw_beside(axes, bounded(case, "ratio"), _looks(laws))
-    axes.set(yscale="log", ylabel=f"force / that on {_label(laws)}")
+    axes.set(yscale="log", ylabel=f"force / that on {laws.attrs['reference_label']}")
     axes.set_xticks(places, laws["label"].values, rotation=25, ha="right", rotation_mode="anchor")
     style.label_panel(axes, "c", "grey: published")
-
-
-def _label(laws: xr.Dataset) -> str:
-    """Return the label of the surface that forces are divided by."""
-    return str(laws["label"].sel(surface=laws.attrs["reference_surface"]).item())
 
 
 def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:

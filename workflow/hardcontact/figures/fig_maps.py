@@ -181,7 +181,7 @@ def _draw_distributions(axes: Axes, maps: xr.Dataset) -> None:
     found = shares["relative_force"].where((shares > 0).any(["surface", "sample"]), drop=True)
     axes.set(xscale="log", xlim=(found.min() / 1.1, found.max() * 1.1), ylim=(0, None))
     axes.set(xlabel="pull-off force / that of a smooth sphere", ylabel="share per decade")
-    style.label_logarithmic(axes.xaxis)
+    style.label_logarithmic(axes.xaxis, at=(1,))
     number = maps.attrs["array_contacts"]
     axes.legend(
         handles=[
