@@ -42,8 +42,8 @@ def _accuracy(largest: xr.Dataset) -> str:
     size = print_as_paper(largest["map_size"].item(), "nm")
     return (
         f"From the spectrum alone, the closed form gives the mean pull-off force within a factor "
-        f"of {factors.max().item():.{DIGITS}g}, in half of all cases within "
-        f"{factors.median().item():.{DIGITS}g}, of that computed on random surfaces of {size} "
+        f"of {factors.max().item():.3g}, in half of all cases within "
+        f"{factors.median().item():.3g}, of that computed on random surfaces of {size} "
         f"({largest.sizes['surface']} surfaces, ranges of adhesion from {first} to {last})."
     )
 
