@@ -133,7 +133,7 @@ def edge_factors(
     )
     return with_interval(
         "edge_factor",
-        factors.dims,
+        [str(dimension) for dimension in factors.dims],
         factors.values,
         interval,
         {"units": "1", "long_name": "edge of the band over that of Eq. 1, or its inverse"},
@@ -151,8 +151,7 @@ def _edge_factors(
         band = critical_band(scales, tolerance, replace(sampling, samples=0))
         edges.append(band.critical_wavelength.fillna(_last_cutoffs(scales)))
     stacked = xr.concat(edges, pd.Index([law.name for law in LAWS], name="law"))
-    factors: xr.DataArray = factor(stacked / edges[0])
-    return factors.transpose("law", "side", "group")
+    return factor(stacked / edges[0]).transpose("law", "side", "group")
 
 
 def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
@@ -160,9 +159,10 @@ def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
     known = scales.ratio.notnull().any(["surface", "realization"])
     cutoffs = scales.cutoff_wavelength.where(known)
     small = (scales.unfiltered_wavelength < scales.cutoff_wavelength[0]).all("surface")
-    return xr.where(small, cutoffs.max("cutoff_wavelength"), cutoffs.min("cutoff_wavelength"))
+    shortest: xr.DataArray = cutoffs.min("cutoff_wavelength")
+    return shortest.where(~small, cutoffs.max("cutoff_wavelength"))
 
 
 def factor(ratio: xr.DataArray) -> xr.DataArray:
     """Return ratios as factors of at least one."""
-    return xr.where(ratio < 1, 1 / ratio, ratio)
+    return ratio.where(~(ratio < 1), 1 / ratio)

@@ -195,6 +195,15 @@ def scan_range_forces(
 ) -> Arrays:
     """Return `mean_range_forces` of a scan as they are stored, in the window and in half of it.
 
+    Parameters
+    ----------
+    substrate : HeightMap
+        The scan, stitched.
+    sphere : HeightMap or None
+        Roughness of the sphere; None of a smooth one.
+    parameters : RangeContacts
+        Contacts, sphere and ranges.
+
     Returns
     -------
     Arrays

@@ -88,9 +88,10 @@ def draw(laws: xr.Dataset) -> Figure:
         The figure.
     """
     figure = style.create(5.2)
-    above, below = figure.add_gridspec(2, 1, height_ratios=(1, 1))
-    pressures, errors, ratios = above.subgridspec(1, 3).subplots()
-    small, large = below.subgridspec(1, 2).subplots()
+    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1))
+    above, below = rows[0], rows[1]
+    pressures, errors, ratios = above.subgridspec(1, 3).subplots(squeeze=False)[0]
+    small, large = below.subgridspec(1, 2).subplots(squeeze=False)[0]
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)
     _draw_ratios(ratios, laws)
