@@ -40,7 +40,9 @@ def test_forces_are_direct_sums_with_each_contact():
         for variant, count in zip(one.variant.values, (bearing, larger, recovered, 1), strict=True):
             total = direct_total(gap_map(bodies, place), count, RHO)
             expected = pull_off_force(total, RHO, PIXEL, WORK)
-            assert one.pull_off_force.sel(variant=variant).item() == pytest.approx(expected, rel=1e-10)
+            assert one.pull_off_force.sel(variant=variant).item() == pytest.approx(
+                expected, rel=1e-10
+            )
 
 
 def test_a_rough_surface_keeps_the_force_of_the_bearing_area():

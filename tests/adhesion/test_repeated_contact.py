@@ -105,7 +105,10 @@ def test_summary_of_scans():
     stage = int(summary.stage[-1])
     before = int(summary.stage[-2])
     last = [
-        float(pair.pull_off_force[:, before:stage].sum() / pair.single_pull_off_force[:, before:stage].sum())
+        float(
+            pair.pull_off_force[:, before:stage].sum()
+            / pair.single_pull_off_force[:, before:stage].sum()
+        )
         for pair in pairs.values()
     ]
     assert summary.force_ratio.isel(stage=-1).item() == pytest.approx(np.mean(last))

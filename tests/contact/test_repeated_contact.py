@@ -21,9 +21,7 @@ def places(bodies):
 
 def test_roughness_over_the_window_gives_the_same_gaps():
     bodies = rough_pair()
-    np.testing.assert_array_equal(
-        gap_map(over_window(bodies), (2, 1)), gap_map(bodies, (2, 1))
-    )
+    np.testing.assert_array_equal(gap_map(over_window(bodies), (2, 1)), gap_map(bodies, (2, 1)))
 
 
 def test_the_first_contact_is_the_single_contact():
@@ -73,7 +71,9 @@ def test_the_sphere_loses_what_penetrates_and_nothing_else():
 def test_each_contact_is_that_of_the_sphere_as_it_was_left():
     # The gaps from the whole window, with the depth so far taken off the sphere.
     bodies, depth = rough_pair(), np.zeros((320, 320))
-    for place, one in zip(np.ndindex(3, 3), repeated_contacts(bodies, places(bodies), 40), strict=True):
+    for place, one in zip(
+        np.ndindex(3, 3), repeated_contacts(bodies, places(bodies), 40), strict=True
+    ):
         gap = np.sort((gap_map(bodies, place) + depth).ravel())
         np.testing.assert_allclose(one.contact.gaps, gap[:40], atol=1e-10)
         depth = one.depth.copy()

@@ -50,9 +50,7 @@ class ElasticEstimate(NamedTuple):
     elastic_pixels: int
 
 
-def squared_slopes(
-    bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]
-) -> Floats:
+def squared_slopes(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
     """Return the squared slope (k,) of the gap at offsets (k, 2) in pixels from an apex.
 
     Along each axis it is the mean of the squares of both one-sided slopes, which a pixel between
