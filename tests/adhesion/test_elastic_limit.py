@@ -49,7 +49,8 @@ def test_a_rough_surface_keeps_the_force_of_the_bearing_area():
     bodies = pair(60.0, 2)
     limit = of_pair(bodies)
     assert (limit.plasticity_index >= 1).all()
-    single = pull_off_force(plastic_totals(bodies, [5], RHO)[0], RHO, PIXEL, WORK)
+    (total,) = plastic_totals(bodies, [contact_pixel_count(LOAD, PIXEL)], RHO)
+    single = pull_off_force(total, RHO, PIXEL, WORK)
     for variant in ("bearing_area", "larger_area", "recovered"):
         np.testing.assert_allclose(limit.pull_off_force.sel(variant=variant), single, rtol=1e-12)
 

@@ -26,7 +26,7 @@ def only(estimates):
 
 @pytest.mark.parametrize("preload", [1e-6, 10e-6])
 def test_a_smooth_sphere_is_hertz(preload):
-    pixel_size = 5.0
+    pixel_size = 5.0 * np.sqrt(preload / 10e-6)  # as many contact pixels at both
     load = LOAD | {"preload": preload}
     pair = over(np.zeros((128, 128)), None, pixel_size, 256, 1)
     one = only(elastic_estimates(pair, load, MODULUS))

@@ -1,4 +1,4 @@
-"""Repeated contact of one pair of scans: one place of the sphere meets the whole array of places."""
+"""Repeated contact of one pair of scans: a place of the sphere meets all places of the array."""
 
 from hardcontact import published
 from hardcontact.adhesion.repeated_contact import Adhesion, repeated_contact_of_pair

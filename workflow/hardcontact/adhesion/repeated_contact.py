@@ -179,8 +179,9 @@ def repeated_contact(
     dimensions = ["surface", "preload", "scan"]
     stacked = stack({key: pair.drop_vars("indentation") for key, pair in pairs.items()}, dimensions)
     forces = stacked[["pull_off_force", "single_pull_off_force"]]
-    number = xr.apply_ufunc(np.searchsorted, stacked["stage"], stacked["contact"])
-    of_stages = forces.groupby(number.rename("group")).sum(["contact", "order"], min_count=1)
+    group = np.searchsorted(stacked["stage"].values, stacked["contact"].values)
+    grouped = forces.groupby(xr.DataArray(group, dims="contact", name="group"))
+    of_stages = grouped.sum(["contact", "order"], min_count=1)
     of_stages = of_stages.rename(group="stage").assign_coords(stage=stacked["stage"])
     whole = forces.sum(["contact", "order"], min_count=1)
     ratios = {"force_ratio": of_stages, "mean_ratio": whole}
