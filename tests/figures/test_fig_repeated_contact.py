@@ -9,7 +9,7 @@ from figure_inputs.published_tables import published_constants
 from figure_rows import select
 from paper_numbers import LABELS, SUBSTRATES
 
-from hardcontact.figures import fig_repeated_contact
+from hardcontact.figures import fig_repeated_contact, style
 
 PRELOADS, STAGES = [1e-5, 2e-5], [1, 2, 5, 20, 400]
 BY = ("surface", "preload", "stage")
@@ -70,6 +70,10 @@ def test_map_and_indents_are_those_at_the_preload_of_the_image():
     np.testing.assert_array_equal(
         sizes.lines[0].get_xdata(), repeated().indent_size[2, 1].values.ravel()
     )
+
+
+def test_indents_have_the_colour_of_their_surface():
+    assert drawn().axes[4].lines[0].get_color() == style.colours(SUBSTRATES)["ncd"]
 
 
 def test_curves_of_both_preloads_are_told_apart():

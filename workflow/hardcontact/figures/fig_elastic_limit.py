@@ -103,7 +103,7 @@ def _draw_indices(axes: Axes, limit: xr.Dataset) -> None:
     axes.axvline(1, color="black", lw=0.9)
     axes.set(xscale="log", ylim=(0, 1), ylabel="cumulative share of contacts")
     axes.set_xlabel("elastic pressure on the bearing area / hardness")
-    axes.legend(loc="upper left")
+    axes.legend(loc="lower right")
     style.label_logarithmic(axes.xaxis)
     style.label_panel(axes, "a", "plasticity index")
 
@@ -133,9 +133,9 @@ def _draw_areas(axes: Axes, limit: xr.Dataset) -> None:
     axes.axline((bearing, bearing), slope=1, color="0.6", lw=0.8, ls="--", label="equal")
     axes.set(xscale="log", yscale="log")
     axes.set(xlabel="solved area (nm²)", ylabel="estimated area (nm²)")
-    axes.legend(loc="upper left")
+    axes.legend(loc="lower right")
     for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis, at=(1,))
+        style.label_logarithmic(axis)
     style.label_panel(axes, "c", "elastic contact")
 
 
@@ -151,7 +151,6 @@ def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
             axes.errorbar(place + shift, one["value"], known, fmt=marker, color=colour)
         axes.plot([], [], marker, color="0.3", label=NAMES[variant])
     axes.axhline(1, color="0.7", lw=0.6, zorder=0)
-    axes.set(yscale="log", ylabel="force / that of the bearing area")
-    style.label_logarithmic(axes.yaxis)
+    axes.set_ylabel("force / that of the bearing area")
     axes.legend(loc="best")
     style.label_panel(axes, "d", "pull-off force")

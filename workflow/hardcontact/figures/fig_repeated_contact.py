@@ -97,7 +97,8 @@ def draw(repeated: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     curves[0].legend(handles=style.surface_handles(repeated, ls="none"), loc="best")
     image = _of_image(repeated)
     _draw_map(view, image)
-    _draw_sizes(sizes, image, published_constants)
+    colour = style.colours(repeated["surface"].values)[str(image["surface"].values[0])]
+    _draw_sizes(sizes, image, published_constants, colour)
     style.mark_basis(figure, repeated)
     return figure
 
@@ -141,10 +142,11 @@ def _draw_map(axes: Axes, image: xr.Dataset) -> None:
     style.label_panel(axes, "d", f"after {contacts} contacts on {label}, {preload:g} µN")
 
 
-def _draw_sizes(axes: Axes, image: xr.Dataset, published_constants: pd.DataFrame) -> None:
+def _draw_sizes(
+    axes: Axes, image: xr.Dataset, published_constants: pd.DataFrame, colour: str
+) -> None:
     """Draw depth against size of every indent after the last contact, beside the image."""
     size, depth = (image[name].values.ravel() for name in SIZES)
-    (colour,) = style.colours(image["surface"].values).values()
     axes.plot(size, depth, "o", color=colour, ms=2, alpha=0.3, label="computed")
     (left, right), (low, high) = (
         _published(published_constants, name) for name in ("lateral_size", "depth")
