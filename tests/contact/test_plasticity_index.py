@@ -39,7 +39,7 @@ def test_a_smooth_sphere_is_hertz(preload):
     disc = np.sqrt(contact_pixel_count(load, pixel_size) * pixel_size**2 / np.pi)
     slope = np.sqrt((disc**2 + pixel_size**2) / 2) / RADIUS
     expected = 4 * np.sqrt(2) / (3 * np.pi) * MODULUS * slope / load["hardness"]
-    assert one.index == pytest.approx(expected, rel=0.05) and one.index < 1
+    assert one.plasticity_index == pytest.approx(expected, rel=0.05) and one.plasticity_index < 1
 
 
 def test_slope_over_pressure_is_that_of_a_parabola():
@@ -72,7 +72,7 @@ def test_a_rough_surface_is_plastic():
     pair = over(periodic_noise(128, 40.0, 1), periodic_noise(128, 0.5, 2), 5.0, 320, 3)
     bearing = all_lowest_gaps(pair, contact_pixel_count(LOAD, 5.0))
     for place, one in elastic_estimates(pair, LOAD, MODULUS).items():
-        assert one.index > 1 and one.elastic_pixels <= len(bearing[place].gaps)
+        assert one.plasticity_index > 1 and one.elastic_pixels <= len(bearing[place].gaps)
         np.testing.assert_array_equal(one.contact.gaps, bearing[place].gaps)
         np.testing.assert_array_equal(one.contact.offsets, bearing[place].offsets)
 
@@ -82,7 +82,7 @@ def test_the_index_says_which_area_is_larger(rms):
     pair = over(periodic_noise(128, rms, 4), None, 5.0, 320, 3)
     bearing = contact_pixel_count(LOAD, 5.0)
     for one in elastic_estimates(pair, LOAD, MODULUS).values():
-        assert (one.index >= 1) == (one.elastic_pixels <= bearing)
+        assert (one.plasticity_index >= 1) == (one.elastic_pixels <= bearing)
 
 
 @pytest.mark.parametrize("rms", [0.5, 2.0])

@@ -64,8 +64,8 @@ def elastic_limit_of_pair(
             opened_total(outside[place], one.contact.gaps, count, rho)
             for count in (bearing, len(one.contact.gaps), 1)
         )
-        index[place], pixels[place] = one.index, one.elastic_pixels
-        recovered = plastic if one.index >= 1 else rigid
+        index[place], pixels[place] = one.plasticity_index, one.elastic_pixels
+        recovered = plastic if one.plasticity_index >= 1 else rigid
         totals[(slice(None), *place)] = plastic, larger, recovered, rigid
     contact_yx, numbers = ("contact_y", "contact_x"), np.arange(len(outside))
     force = pull_off_force(totals, rho, pixel_size, work_of_adhesion)

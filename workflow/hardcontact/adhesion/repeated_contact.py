@@ -144,7 +144,7 @@ def _map_about_deepest(depth: Floats, pixel_size: float) -> xr.Dataset:
     """Return the part of a map (n, n) of depths in nm about its deepest pixel."""
     reach = min(round(MAP / pixel_size), len(depth)) // 2
     deepest = np.unravel_index(depth.argmax(), depth.shape)
-    first = [min(max(place - reach, 0), len(depth) - 2 * reach) for place in deepest]
+    first = [min(max(int(place) - reach, 0), len(depth) - 2 * reach) for place in deepest]
     part = depth[first[0] : first[0] + 2 * reach, first[1] : first[1] + 2 * reach]
     axes = {
         axis: (axis, (start + np.arange(2 * reach) - len(depth) // 2) * pixel_size, FROM_APEX)

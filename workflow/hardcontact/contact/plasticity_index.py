@@ -35,7 +35,7 @@ class ElasticEstimate(NamedTuple):
 
     Attributes
     ----------
-    index : float
+    plasticity_index : float
         Mean pressure of elastic contact on the bearing area F/H, over the hardness H. From 1 on
         the bodies yield and the bearing area holds; below, elastic contact carries the preload on
         a larger area with a smaller pressure.
@@ -45,7 +45,7 @@ class ElasticEstimate(NamedTuple):
         Of elastic contact, at most as many as the window has.
     """
 
-    index: float
+    plasticity_index: float
     contact: LowestGaps
     elastic_pixels: int
 

@@ -1,5 +1,7 @@
 """Where the bearing area is wrong: plasticity indices, areas, forces of the variants."""
 
+from typing import Any
+
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -14,7 +16,7 @@ from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, labe
 __all__ = ["draw", "table"]
 
 SHARES = {"plastic_share": "estimated", "solved_plastic_share": "solved"}
-OPEN = {"plastic_share": {}, "solved_plastic_share": {"mfc": "white"}}
+OPEN: dict[str, dict[str, Any]] = {"plastic_share": {}, "solved_plastic_share": {"mfc": "white"}}
 AREAS = ("solved_area", "estimated_area")
 NAMES = {
     "bearing_area": "bearing area",
