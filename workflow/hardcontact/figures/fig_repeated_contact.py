@@ -83,8 +83,8 @@ def draw(repeated: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     figure = style.create(5.2)
     rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.15))
     above, below = rows[0], rows[1]
-    curves = above.subgridspec(1, 3).subplots()
-    view, sizes = below.subgridspec(1, 2).subplots()
+    curves = above.subgridspec(1, 3).subplots(squeeze=False)[0]
+    view, sizes = below.subgridspec(1, 2).subplots(squeeze=False)[0]
     for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
         _draw_curves(axes, repeated, name)
         if name in IMAGE:
