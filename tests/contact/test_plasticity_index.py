@@ -7,7 +7,8 @@ from periodic_maps import over, periodic_noise
 from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.elastic_solvers import contact_at_load
-from hardcontact.contact.gap_map import gap_map, gaps_at
+from hardcontact.contact.gap_map import gap_map
+from hardcontact.contact.pixel_gaps import gaps_at
 from hardcontact.contact.plasticity_index import (
     SLOPE_OVER_PRESSURE,
     elastic_estimates,

@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.contact.bearing_area import LowestGaps
-from hardcontact.contact.gap_map import gaps_at
 from hardcontact.contact.geometry import Bodies
 
 __all__ = ["ContactPixels", "Contacts"]
@@ -105,4 +104,9 @@ def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_
     code = (4 * geometry.window, 1)  # one number a pixel, in the order of rows and columns
     codes, first = np.unique(places @ code, return_index=True)
     places = places[first[~np.isin(codes, offsets @ code)]]
-    return gaps_at(bodies, geometry.positions[list(place)], places)
+    y, x = ((geometry.positions[list(place)] + places) % pixels).T
+    gaps = geometry.paraboloid(places).sum(axis=1) - bodies.substrate.heights[y, x]
+    if bodies.roughness is not None:
+        u, v = (places % bodies.roughness.pixels).T
+        gaps -= bodies.roughness.heights[u, v]
+    return np.asarray(gaps)

@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import Described
+from hardcontact.adhesion.all_surfaces import Described, with_names
 from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.interaction_laws import LAWS, Law
 from hardcontact.adhesion.law_forces import law_forces
@@ -42,17 +42,13 @@ def stacked_law_forces(
     """
     forces = stack(scans, ["surface", "scan"])
     surfaces = [str(surface) for surface in forces.surface.values]
-    names = {
-        "label": ("surface", [described["labels"][surface] for surface in surfaces]),
-        "basis": ("surface", [described["basis"][surface] for surface in surfaces]),
-    }
     by_side = {(*key, side): part for side, parts in sides.items() for key, part in parts.items()}
     masters = stack(
         dict(sorted(by_side.items(), key=lambda one: surfaces.index(str(one[0][0])))),
         ["surface", "realization", "side"],
     )
     ends = masters.unfiltered_wavelength.mean("realization")
-    return forces.assign(names), masters.assign(unfiltered_wavelength=ends)
+    return with_names(forces, described), masters.assign(unfiltered_wavelength=ends)
 
 
 def _scales(law: Law, length: float, masters: xr.Dataset) -> xr.Dataset:

@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from hardcontact.contact.geometry import Bodies
 
-__all__ = ["flattened_gaps", "gap_map", "gaps_at", "part_around_lowest", "plastic_approach"]
+__all__ = ["flattened_gaps", "gap_map", "part_around_lowest", "plastic_approach"]
 
 Floats = NDArray[np.float64]
 
@@ -36,16 +36,6 @@ def gap_map(bodies: Bodies, place: tuple[int, int] | NDArray[np.int_]) -> Floats
         gap -= bodies.roughness.heights[np.ix_(around, around)]
     gap -= bodies.substrate.heights[np.ix_(rows, columns)]
     return gap
-
-
-def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (...) in nm at offsets (..., 2) in pixels from an apex at a position (2,)."""
-    y, x = np.moveaxis((position + offsets) % bodies.substrate.pixels, -1, 0)
-    gaps = bodies.geometry.paraboloid(offsets).sum(axis=-1) - bodies.substrate.heights[y, x]
-    if bodies.roughness is not None:
-        v, u = np.moveaxis(offsets % bodies.roughness.pixels, -1, 0)
-        gaps -= bodies.roughness.heights[v, u]
-    return np.asarray(gaps)
 
 
 def plastic_approach(gap: Floats, contact_pixels: int) -> float:

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.contact.bearing_area import Load, LowestGaps, contact_pixel_count, lowest_gaps
-from hardcontact.contact.gap_map import gaps_at
 from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.pixel_gaps import gaps_at
 from hardcontact.contact.tiles import as_tiles
 
 __all__ = ["SLOPE_OVER_PRESSURE", "ElasticEstimate", "elastic_estimates", "squared_slopes"]
