@@ -15,7 +15,6 @@ __all__ = [
     "stacked_filtered_forces",
     "stacked_pull_off_forces",
     "stacked_ratios",
-    "with_names",
     "with_transitions",
 ]
 
@@ -31,7 +30,7 @@ class Described(TypedDict):
     basis: Mapping[str, str]
 
 
-def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
+def _with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
     """Add label and basis of every surface."""
     return dataset.assign(
         {
@@ -78,7 +77,7 @@ def stacked_pull_off_forces(
         contact_pixels=counts.contact_pixels.max(dimensions, keep_attrs=True),
         window_change=changes.window_change,
     )
-    return with_names(forces, described)
+    return _with_names(forces, described)
 
 
 def stacked_filtered_forces(masters: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
@@ -126,7 +125,7 @@ def stacked_filtered_forces(masters: Mapping[Key, xr.Dataset], described: Descri
     scales.ratio.attrs = {"units": "1", "long_name": "mean pull-off force over that unfiltered"}
     scales.unfiltered_wavelength.attrs = end_of_spectrum
     scales.cutoff_wavelength.attrs = {"units": "nm", "long_name": "cutoff wavelength"}
-    return with_names(scales, described)
+    return _with_names(scales, described)
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
@@ -212,9 +211,9 @@ def stacked_elastic_contacts(scans: Mapping[Key, xr.Dataset], described: Describ
     for (surface, _), scan in scans.items():
         first.setdefault((surface,), scan[["pressure"]])
     pressure = stack(first, ["surface"]).pressure
-    return with_names(contacts.assign(pressure=pressure), described)
+    return _with_names(contacts.assign(pressure=pressure), described)
 
 
 def stacked_asperities(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
     """Return `asperities_of_pair` of all surfaces and scans: (surface, scan, contact, rho)."""
-    return with_names(stack(scans, ["surface", "scan"]), described)
+    return _with_names(stack(scans, ["surface", "scan"]), described)
