@@ -3,48 +3,20 @@
 from functools import cache
 
 import numpy as np
-from figure_inputs.building import bounded, generator, named
+from figure_inputs.elastic_limit import elastic_limit
 from figure_rows import select
 from paper_numbers import LABELS
 
-from hardcontact.adhesion.elastic_limit import VARIANTS
 from hardcontact.figures import fig_elastic_limit
-
-
-def limit():
-    """Indices that grow from surface to surface, areas and forces."""
-    rng = generator()
-    scale = np.reshape([0.2, 1, 2, 4], (4, 1, 1, 1))
-    solved = rng.lognormal(6, 0.5, (4, 3, 2))
-    shares = np.array([0.0, 0.5, 0.9, 1.0])
-    ratios = np.stack([np.ones(4), 3 - 2 * shares, shares, 0.5 * np.ones(4)], axis=1)
-    return (
-        named()
-        .assign_coords(scan=[1, 2, 3], variant=VARIANTS)
-        .assign(
-            bounded("plastic_share", "surface", shares)
-            | bounded("solved_plastic_share", "surface", shares / 2)
-            | bounded("force_ratio", ("surface", "variant"), ratios)
-        )
-        .assign(
-            plasticity_index=(
-                ("surface", "scan", "contact_y", "contact_x"),
-                scale * rng.lognormal(0, 0.3, (4, 3, 4, 4)),
-            ),
-            solved_area=(("surface", "scan", "contact"), solved),
-            estimated_area=(("surface", "scan", "contact"), solved / 2),
-        )
-        .assign_attrs(bearing_area=405.0)
-    )
 
 
 @cache
 def drawn():
-    return fig_elastic_limit.draw(limit())
+    return fig_elastic_limit.draw(elastic_limit())
 
 
 def test_table_holds_indices_shares_areas_and_forces():
-    data, rows = limit(), fig_elastic_limit.table(limit())
+    data, rows = elastic_limit(), fig_elastic_limit.table(elastic_limit())
     of_ncd = data.plasticity_index.sel(surface="ncd")
     index = select(rows, quantity="plasticity_index", surface="ncd")
     assert index["value"].max() == of_ncd.max() and index["value"].min() == of_ncd.min()
@@ -62,7 +34,7 @@ def test_table_holds_indices_shares_areas_and_forces():
 def test_contacts_yield_from_one_on():
     axes = drawn().axes[0]
     assert [list(line.get_xdata()) for line in axes.lines[-1:]] == [[1, 1]]
-    for line, of_surface in zip(axes.lines[:4], limit().plasticity_index, strict=True):
+    for line, of_surface in zip(axes.lines[:4], elastic_limit().plasticity_index, strict=True):
         yields = float((of_surface >= 1).mean())
         below = np.asarray(line.get_ydata())[np.asarray(line.get_xdata()) < 1]
         assert abs(1 - yields - (below.max() if below.size else 0)) < 0.03

@@ -4,51 +4,21 @@ from functools import cache
 
 import numpy as np
 import pytest
-from figure_inputs.building import bounded, generator, named
 from figure_inputs.published_tables import published_constants
+from figure_inputs.repeated_contact import STAGES, repeated_contact
 from figure_rows import select
 from paper_numbers import LABELS, SUBSTRATES
 
 from hardcontact.figures import fig_repeated_contact, style
 
-PRELOADS, STAGES = [1e-5, 2e-5], [1, 2, 5, 20, 400]
-BY = ("surface", "preload", "stage")
-
-
-def repeated():
-    """Numbers at both preloads on NCD, at the smaller one on the others."""
-    rng = generator()
-    there = np.ones((4, 2))
-    there[[0, 1, 3], 1] = np.nan
-    growth = there[..., None] * np.array([1, 1.2, 1.5, 2, 4])
-    sizes = there[:, :, None, None, None] * rng.uniform(5, 90, (4, 2, 2, 2, 30))
-    place = np.arange(-20, 20) * 5.0
-    pit = np.clip(9 - (place[:, None] ** 2 + place**2) / 100, 0, None)
-    indents = ("surface", "preload", "scan", "order", "indent")
-    return (
-        named()
-        .assign_coords(preload=PRELOADS, stage=STAGES, x=place, y=place)
-        .assign(
-            bounded("force_ratio", BY, growth)
-            | bounded("depth", BY, 2 * growth, unit="nm")
-            | bounded("lateral_size", BY, 30 * growth, unit="nm")
-            | bounded("mean_ratio", BY[:2], there)
-        )
-        .assign(
-            indent_size=(indents, sizes),
-            indent_depth=(indents, sizes / 20),
-            indentation=(("surface", "preload", "y", "x"), there[..., None, None] * pit),
-        )
-    )
-
 
 @cache
 def drawn():
-    return fig_repeated_contact.draw(repeated(), published_constants())
+    return fig_repeated_contact.draw(repeated_contact(), published_constants())
 
 
 def test_table_holds_curves_indents_and_the_image():
-    data = repeated()
+    data = repeated_contact()
     rows = fig_repeated_contact.table(data, published_constants())
     for name in ("force_ratio", "depth", "lateral_size"):
         of_name = select(rows, quantity=name, origin="computed")
@@ -68,7 +38,7 @@ def test_map_and_indents_are_those_at_the_preload_of_the_image():
     assert view.get_title(loc="left").endswith("d}$  after 400 contacts on NCD, 20 µN")
     assert view.collections[0].get_array().max() == pytest.approx(9)
     np.testing.assert_array_equal(
-        sizes.lines[0].get_xdata(), repeated().indent_size[2, 1].values.ravel()
+        sizes.lines[0].get_xdata(), repeated_contact().indent_size[2, 1].values.ravel()
     )
 
 
@@ -85,4 +55,4 @@ def test_curves_of_both_preloads_are_told_apart():
 def test_substitutes_are_named():
     (note,) = [text.get_text() for text in drawn().texts]
     assert note.startswith(f"substitute surfaces: {', '.join(LABELS)}")
-    assert list(repeated().surface.values) == SUBSTRATES
+    assert list(repeated_contact().surface.values) == SUBSTRATES

@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
-from hardcontact.answer.part_text import DIGITS, labels, listed
+from hardcontact.answer.part_text import DIGITS, labels, listed, print_within
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.statistics import bounds
 
@@ -56,7 +56,7 @@ def _worst(largest: xr.Dataset) -> str:
     # The longer the computed force, the smaller the ratio to it.
     high, low = (worst["predicted_force"].item() / end.item()
                  for end in bounds(worst, "computed_force"))  # fmt: skip
-    ratio = print_as_paper(worst["error"].item(), "1", (low, high), DIGITS)
+    ratio = print_within(worst["error"].item(), low, high)
     return (
         f"It is farthest off on {worst['label'].item()} at {print_as_paper(rho, 'nm')}: "
         f"{ratio} times the computed force."

@@ -28,12 +28,12 @@ STEPS = np.linspace(0, 1, 101)  # of the distributions
 COLUMNS = [*ROW_COLUMNS, "variant", "scan", "contact", "share", *VALUE_COLUMNS]
 
 
-def table(limit: xr.Dataset) -> pd.DataFrame:
+def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
     Parameters
     ----------
-    limit : xarray.Dataset
+    elastic_limit : xarray.Dataset
         As `draw` takes it.
 
     Returns
@@ -43,13 +43,15 @@ def table(limit: xr.Dataset) -> pd.DataFrame:
         contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
         variant (d), and the bearing area.
     """
-    index = _rows(_distribution(limit).to_dataset(name="value"), "plasticity_index", "a", "1")
-    shares = [_rows(bounded(limit, name), name, "b", "1") for name in SHARES]
-    areas = [_rows(limit[[name]], name, "c", "nm2") for name in AREAS]
-    forces = _rows(bounded(limit, "force_ratio"), "force_ratio", "d", "1")
+    index = _rows(
+        _distribution(elastic_limit).to_dataset(name="value"), "plasticity_index", "a", "1"
+    )
+    shares = [_rows(bounded(elastic_limit, name), name, "b", "1") for name in SHARES]
+    areas = [_rows(elastic_limit[[name]], name, "c", "nm2") for name in AREAS]
+    forces = _rows(bounded(elastic_limit, "force_ratio"), "force_ratio", "d", "1")
     bearing = pd.DataFrame([{"panel": "c", "origin": "given", "quantity": "bearing_area"}])
-    bearing = bearing.assign(value=limit.attrs["bearing_area"], unit="nm2")
-    rows = label_surfaces(pd.concat([index, *shares, *areas, forces]), limit)
+    bearing = bearing.assign(value=elastic_limit.attrs["bearing_area"], unit="nm2")
+    rows = label_surfaces(pd.concat([index, *shares, *areas, forces]), elastic_limit)
     return pd.concat([rows, bearing]).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
@@ -69,12 +71,12 @@ def _distribution(limit: xr.Dataset) -> xr.DataArray:
 
 
 @style.print_style()
-def draw(limit: xr.Dataset) -> Figure:
+def draw(elastic_limit: xr.Dataset) -> Figure:
     """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces.
 
     Parameters
     ----------
-    limit : xarray.Dataset
+    elastic_limit : xarray.Dataset
         As from `elastic_limit`.
 
     Returns
@@ -84,14 +86,14 @@ def draw(limit: xr.Dataset) -> Figure:
     """
     figure = style.create(4.8)
     indices, shares, areas, forces = figure.subplots(2, 2).ravel()
-    _draw_indices(indices, limit)
-    _draw_shares(shares, limit)
-    _draw_areas(areas, limit)
-    _draw_forces(forces, limit)
+    _draw_indices(indices, elastic_limit)
+    _draw_shares(shares, elastic_limit)
+    _draw_areas(areas, elastic_limit)
+    _draw_forces(forces, elastic_limit)
     for axes in (shares, forces):
-        axes.set_xticks(range(limit.sizes["surface"]), limit["label"].values)
-        axes.set_xlim(-0.5, limit.sizes["surface"] - 0.5)
-    style.mark_basis(figure, limit)
+        axes.set_xticks(range(elastic_limit.sizes["surface"]), elastic_limit["label"].values)
+        axes.set_xlim(-0.5, elastic_limit.sizes["surface"] - 0.5)
+    style.mark_basis(figure, elastic_limit)
     return figure
 
 

@@ -26,12 +26,12 @@ SIZES = {"indent_size": "lateral size (nm)", "indent_depth": "depth (nm)"}
 COLUMNS = [*ROW_COLUMNS, "preload", "scan", "order", "indent", "stage", *VALUE_COLUMNS]
 
 
-def table(repeated: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
     Parameters
     ----------
-    repeated, published_constants : xarray.Dataset, pandas.DataFrame
+    repeated_contact, published_constants : xarray.Dataset, pandas.DataFrame
         As `draw` takes them.
 
     Returns
@@ -42,17 +42,17 @@ def table(repeated: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFra
         depths and sizes in an image. The map stays in the dataset.
     """
     curves = [
-        _rows(bounded(repeated, name), name, panel, unit)
+        _rows(bounded(repeated_contact, name), name, panel, unit)
         for name, (panel, unit, _) in CURVES.items()
     ]
-    indents = [_rows(_of_image(repeated)[[name]], name, "e", "nm") for name in SIZES]
+    indents = [_rows(_of_image(repeated_contact)[[name]], name, "e", "nm") for name in SIZES]
     published = [
         {"panel": CURVES[name][0], "quantity": name, "low": low, "high": high}
         for name in IMAGE
         for low, high in [_published(published_constants, name)]
     ]
     given = pd.DataFrame(published).assign(origin="published", unit="nm")
-    rows = label_surfaces(pd.concat([*curves, *indents]), repeated)
+    rows = label_surfaces(pd.concat([*curves, *indents]), repeated_contact)
     return pd.concat([rows, given]).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
@@ -65,12 +65,12 @@ def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFr
 
 
 @style.print_style()
-def draw(repeated: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind.
 
     Parameters
     ----------
-    repeated : xarray.Dataset
+    repeated_contact : xarray.Dataset
         As from `repeated_contact`.
     published_constants : pandas.DataFrame
         With the ranges of depths and sizes (nm) in an image after 400 contacts.
@@ -86,7 +86,7 @@ def draw(repeated: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     curves = above.subgridspec(1, 3).subplots(squeeze=False)[0]
     view, sizes = below.subgridspec(1, 2).subplots(squeeze=False)[0]
     for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
-        _draw_curves(axes, repeated, name)
+        _draw_curves(axes, repeated_contact, name)
         if name in IMAGE:
             axes.axhspan(*_published(published_constants, name), color="0.88", zorder=0)
             axes.set_yscale("log")
@@ -95,12 +95,12 @@ def draw(repeated: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         style.label_logarithmic(axes.xaxis, at=(1,))
         style.label_panel(axes, panel, label)
     curves[0].axhline(1, color="0.7", lw=0.6, zorder=0)
-    curves[0].legend(handles=style.surface_handles(repeated, ls="none"), loc="best")
-    image = _of_image(repeated)
+    curves[0].legend(handles=style.surface_handles(repeated_contact, ls="none"), loc="best")
+    image = _of_image(repeated_contact)
     _draw_map(view, image)
-    colour = style.colours(repeated["surface"].values)[str(image["surface"].values[0])]
+    colour = style.colours(repeated_contact["surface"].values)[str(image["surface"].values[0])]
     _draw_sizes(sizes, image, published_constants, colour)
-    style.mark_basis(figure, repeated)
+    style.mark_basis(figure, repeated_contact)
     return figure
 
 
