@@ -72,10 +72,10 @@ rule compute_law_forces:
                 "contact": STUDY["contact"] | {"count": INSIGHT["count"]},
                 "radius": STUDY["sphere"]["radius"],
                 "reach": INSIGHT["reach"],
-                # The step gives the pressure of every law to 2e-5, these ends that of its tail.
+                # The step gives the pressure of every law to 3e-4, these ends that of its tail.
                 "ranges": {
                     "anchor": STUDY["scales"]["range"],
-                    "step": 0.5,
+                    "step": 0.6,
                     "low": 0.02,
                     "high": 1e5,
                 },

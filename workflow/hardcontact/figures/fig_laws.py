@@ -160,7 +160,7 @@ def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
     hollow = {law: {**look, "mfc": "white"} for law, look in looks.items()}
     _draw_beside(axes, edges.sel(case="atomic"), hollow, 0.07)
     labels = dict(zip(laws["surface"].values, laws["label"].values, strict=True))
-    groups = [str(labels.get(group, group)) for group in laws["group"].values]
+    groups = ["\n".join(str(labels.get(group, group)).split()) for group in laws["group"].values]
     axes.set_xticks(range(len(groups)), groups)
     axes.set(yscale="log", xlabel="full: like Eq. 1; open: atomic spacing")
     style.label_logarithmic(axes.yaxis)
