@@ -116,3 +116,16 @@ def test_summary_of_scans():
     depth = np.mean([pair.depth.mean("order")[-1] for pair in pairs.values()])
     assert summary.depth.isel(stage=-1).item() == pytest.approx(depth)
     assert summary.label.values.tolist() == ["A"]
+
+
+def test_maps_are_of_the_first_scan_of_each_surface_and_preload():
+    keys = [("b", 1e-5, 1), ("b", 1e-5, 2), ("a", 1e-5, 1), ("a", 2e-5, 1)]
+    pairs = dict(zip(keys, map(of_pair, (1, 2, 3, 1)), strict=True))
+    described = {name: {"a": "A", "b": "B"} for name in ("labels", "basis")}
+    summary = repeated_contact(pairs, described, 0.95)
+    assert summary.surface.values.tolist() == ["b", "a"]
+    for surface, preload, scan in (keys[0], *keys[2:]):
+        found = summary.indentation.sel(surface=surface, preload=preload)
+        expected = pairs[surface, preload, scan].indentation
+        assert np.nanmax(found) == expected.max() and np.nansum(found) == expected.sum()
+    assert summary.indentation.sel(surface="b", preload=2e-5).isnull().all()

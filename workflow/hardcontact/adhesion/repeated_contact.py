@@ -28,6 +28,9 @@ FROM_APEX = {"units": "nm", "long_name": "position from the apex"}
 #: Numbers of contacts at which indents are measured, evenly on a logarithmic scale.
 STAGES = 12
 
+#: Attributes that all pairs share; their preloads differ.
+COMMON = ("hardness", "rho", "work_of_adhesion")
+
 #: What is measured of all indents at a stage; lengths and depth are the largest.
 SUMMARY = {
     "depth": "nm",
@@ -166,7 +169,8 @@ def repeated_contact(
     described : Described
         Label and basis of each surface.
     confidence : float
-        Of the intervals, by Student's t over scans: the orders of a scan count as one.
+        Of the intervals, by Student's t over scans: the orders of a scan count as one; those of
+        sizes and numbers are cut at 0.
 
     Returns
     -------
@@ -194,14 +198,17 @@ def repeated_contact(
     for name in SUMMARY:
         of_scans = stacked[name].mean("order", keep_attrs=True)
         summary[name] = of_scans.mean("scan", keep_attrs=True)
-        summary[f"{name}_interval"] = student_interval(of_scans, confidence, "scan")
-    first = {key[:2]: pairs[key]["indentation"] for key in reversed(list(pairs))}
-    drawn = {key: xr.Dataset({"indentation": _centred(one)}) for key, one in first.items()}
+        interval = student_interval(of_scans, confidence, "scan")
+        summary[f"{name}_interval"] = interval.clip(0, keep_attrs=True)
+    drawn: dict[tuple[Any, ...], xr.Dataset] = {}
+    for (*of_surface, _), pair in pairs.items():
+        of_first = {"indentation": _centred(pair["indentation"])}
+        drawn.setdefault(tuple(of_surface), xr.Dataset(of_first))
     return with_names(
         xr.Dataset(summary)
         .merge(stacked[["indent_depth", "indent_size"]])
         .merge(stack(drawn, dimensions[:2]))
-        .assign_attrs(stacked.attrs),
+        .assign_attrs({name: stacked.attrs[name] for name in COMMON}),
         described,
     )
 
