@@ -115,7 +115,7 @@ KEYS = {
     "sets.small.cutoffs": (["43 nm", "120 nm"], {"vary_scales"}),
     "sets.large.pixels": (2048, {"vary_scales"}),
     "sets.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
-    "insight.realizations": (1, {CLOSED, "compare_laws"}),
+    "insight.realizations": (1, {CLOSED, "compare_laws", "aggregate_repeated_contact"}),
     "insight.count": (3, {CLOSED, "compute_law_forces"}),
     "insight.ranges": (["1 nm", "5.6 nm"], {CLOSED, "map_forces"}),
     "insight.mean_error": (0.1, {"map_forces"}),

@@ -115,7 +115,7 @@ def test_one_more_scan(finished):
         "compute_filtered_pull_off": 16 * len(SUBSTRATES),
         "vary_scales": 2 * VARIED,
         "compute_law_forces": 2 * len(SUBSTRATES),
-        "repeat_contact": 3 * (len(SUBSTRATES) + 1),
+        "repeat_contact": 2 * (len(SUBSTRATES) + 1),
         "estimate_elastic_limit": 3 * len(SUBSTRATES),
         **after(*AGGREGATED, "trace_contact", "measure_indents", *BEYOND - {"compare_closed_form"}),
     }

@@ -67,5 +67,6 @@ class InsightFiles(Files):
             ): Repeated(pair.surface, load["preload"], pair.scan)
             for load in (of_study, of_image)
             for pair in self.pairs_in_turn
-            if load is of_study or pair.surface == self._indented
+            if (pair.surface, pair.scan) in self.scans
+            and (load is of_study or pair.surface == self._indented)
         }
