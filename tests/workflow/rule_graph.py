@@ -1,6 +1,6 @@
 """The graph of rules: which of them make what again once others have."""
 
-from hardcontact.figures.catalogue import BEYOND, FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC, OF_INSIGHT
 
 # The rules of one stage
 
@@ -10,13 +10,13 @@ MASTER_SMALL, MASTER_LARGE = "synthesize_small_scale_master", "synthesize_large_
 MASTERS = {MASTER_SMALL, MASTER_LARGE}
 PAIRS = {
     "compute_pull_off", "measure_window_change", "solve_elastic_contact", "find_asperities",
-    "vary_adhesion",
+    "vary_adhesion", "repeat_contact", "estimate_elastic_limit",
 }  # fmt: skip
 CONTACTS = PAIRS | {"trace_contact", "measure_indents", "compare_sphere"}
 FILTERED = {"compute_filtered_pull_off", "vary_scales"}
 #: What concerns substitutes with a published rms height alone.
 POOLED = {"compute_pool", "compare_sphere"}
-FORCES = CONTACTS | FILTERED | POOLED
+FORCES = CONTACTS | FILTERED | POOLED | {"compute_law_forces", "map_forces"}
 FROM_SCANS = SCANS | MASTERS | FORCES
 AGGREGATED = {
     "aggregate_topography", "aggregate_adhesion", "aggregate_elastic", "aggregate_asperities",
@@ -24,9 +24,13 @@ AGGREGATED = {
 }  # fmt: skip
 INFERRED = {
     "infer", "find_critical_band", "aggregate_robustness", "apply_classical_models",
+    "compare_laws",
 }  # fmt: skip
 #: What shows every value of the configuration.
-KEPT = {"keep_configuration", "describe_study", "answer_paper"}
+KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
+#: What makes the datasets of the chapter beyond the paper, at other ranges than the paper's or not.
+BEYOND_AT_RANGES = {"compare_closed_form", "compare_laws", "map_forces"}
+BEYOND = BEYOND_AT_RANGES | {"aggregate_repeated_contact", "aggregate_elastic_limit"}
 #: What concerns measured surfaces alone.
 OF_MEASURED = {
     "measure_spectrum", "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces",
@@ -35,7 +39,7 @@ OF_MEASURED = {
 
 DRAWN = {f"draw_{name}" for name in FIGURES}
 #: What targets make that are no part of the study.
-APART = {"compare_finer_master", *(f"draw_{name}" for name in BEYOND)}
+APART = {"compare_finer_master", *(f"draw_{name}" for name in OF_ATOMIC)}
 #: The rules that make what figures are drawn from.
 DATASETS = {
     "adhesion": "aggregate_adhesion", "asperities": "aggregate_asperities",
@@ -43,6 +47,8 @@ DATASETS = {
     "contact": "trace_contact", "elastic": "aggregate_elastic", "indent": "measure_indents",
     "inference": "infer", "robustness": "aggregate_robustness", "scales": "aggregate_scales",
     "sets": "judge_sets", "topography": "aggregate_topography",
+    "closed_form": "compare_closed_form", "laws": "compare_laws", "maps": "map_forces",
+    "repeated_contact": "aggregate_repeated_contact", "elastic_limit": "aggregate_elastic_limit",
 }  # fmt: skip
 
 
@@ -66,7 +72,7 @@ FOLLOWS = {
     "measure_topography": {"aggregate_topography"},
     "aggregate_topography": {"answer_paper", "judge_sets", "evaluate_claims"},
     "aggregate_adhesion": {"infer", "judge_sets", "evaluate_claims"},
-    "aggregate_elastic": {"evaluate_claims"},
+    "aggregate_elastic": {"evaluate_claims", "aggregate_elastic_limit"},
     "measure_indents": {"evaluate_claims"},
     "aggregate_asperities": {"evaluate_claims"},
     "aggregate_scales": {"answer_paper", "find_critical_band", "evaluate_claims"},
@@ -74,7 +80,14 @@ FOLLOWS = {
     "infer": {"apply_classical_models", "evaluate_claims"},
     "apply_classical_models": {"evaluate_claims"},
     "evaluate_claims": {"describe_study", "answer_paper"},
-    **{rule: {"answer_paper"} for rule in DRAWN},
+    "compute_law_forces": {"compare_laws"},
+    "repeat_contact": {"aggregate_repeated_contact"},
+    "estimate_elastic_limit": {"aggregate_elastic_limit"},
+    **{rule: {"answer_insight"} for rule in BEYOND},
+    **{
+        f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
+        for name in FIGURES
+    },
 }
 for dataset, rule in DATASETS.items():
     FOLLOWS[rule] = FOLLOWS.get(rule, set()) | drawn_from(dataset)
@@ -88,9 +101,17 @@ INTERMEDIATE = {
         *MASTERS,
         "vary_scales",
         "aggregate_topography",
+        "compare_closed_form",
+        "compute_law_forces",
     },
     "condition_scans": {"synthesize_scan", "aggregate_topography"},
-    "measure_spectrum": {*MASTERS, "vary_scales", "aggregate_topography"},
+    "measure_spectrum": {
+        *MASTERS,
+        "vary_scales",
+        "aggregate_topography",
+        "compare_closed_form",
+        "compute_law_forces",
+    },
     "synthesize_scan": {"prepare_scan"},
     "prepare_scan": {
         "measure_topography",
@@ -98,6 +119,8 @@ INTERMEDIATE = {
         *MASTERS,
         *CONTACTS,
         "vary_scales",
+        "compute_law_forces",
+        "map_forces",
     },
     MASTER_SMALL: {"compute_filtered_pull_off"},
     MASTER_LARGE: {"compute_filtered_pull_off"},

@@ -1,6 +1,6 @@
 # Atomic scale: a master of four times the study's pixels, beside these. No part of the study.
 
-from hardcontact.figures.catalogue import BEYOND
+from hardcontact.figures.catalogue import OF_ATOMIC
 from hardcontact.study.memory import master_megabytes
 from hardcontact.study.patterns import STUDY_VARIANT
 
@@ -54,4 +54,4 @@ rule compare_finer_master:
 rule atomic:
     """Compare the study's pixels with finer ones, and draw it: takes minutes and much memory."""
     input:
-        [getattr(rules, f"draw_{name}").output for name in BEYOND],
+        [getattr(rules, f"draw_{name}").output for name in OF_ATOMIC],

@@ -1,8 +1,8 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.figures.catalogue import BEYOND, FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC, OF_PAPER
 
-for name, figure in (FIGURES | BEYOND).items():
+for name, figure in (FIGURES | OF_ATOMIC).items():
 
     rule:
         """Draw a figure, and write the table that it is drawn from."""
@@ -33,6 +33,6 @@ for name, figure in (FIGURES | BEYOND).items():
 
 
 rule figures:
-    """Draw all figures of the study."""
+    """Draw all figures of the paper's story."""
     input:
-        [getattr(rules, f"draw_{name}").output for name in FIGURES],
+        [getattr(rules, f"draw_{name}").output for name in OF_PAPER],

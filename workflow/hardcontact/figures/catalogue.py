@@ -7,7 +7,7 @@ neither these modules nor matplotlib, so that the rules can be made from it.
 
 from typing import NamedTuple
 
-__all__ = ["BEYOND", "FIGURES", "Figure"]
+__all__ = ["FIGURES", "OF_ATOMIC", "OF_INSIGHT", "OF_PAPER", "Figure"]
 
 
 class Figure(NamedTuple):
@@ -37,8 +37,8 @@ class Figure(NamedTuple):
         return (*self.datasets, *self.published)
 
 
-#: The figures by name, in the order of the paper.
-FIGURES = {
+#: The figures of the paper's story by name, in its order.
+OF_PAPER = {
     "fig1": Figure(
         "1. Surfaces",
         "Fig. 1: height maps",
@@ -116,8 +116,48 @@ FIGURES = {
     ),
 }
 
+#: Chapter of the figures beyond the paper.
+INSIGHT = "8. What decides the band"
+#: The figures of that chapter by name, in the order of its page: one a part, from its dataset.
+OF_INSIGHT = {
+    "fig_closed_form": Figure(
+        INSIGHT,
+        "force from a spectrum",
+        "closed form of the pull-off force",
+        ("closed_form",),
+    ),
+    "fig_laws": Figure(
+        INSIGHT,
+        "other laws of attraction",
+        "fits, ratios and band of other laws of attraction",
+        ("laws",),
+    ),
+    "fig_maps": Figure(
+        INSIGHT,
+        "maps of the force",
+        "maps of the pull-off force, and how many contacts a mean needs",
+        ("maps",),
+    ),
+    "fig_repeated_contact": Figure(
+        INSIGHT,
+        "repeated contact",
+        "force and indents of repeated contact",
+        ("repeated_contact",),
+        ("published_constants",),
+    ),
+    "fig_elastic_limit": Figure(
+        INSIGHT,
+        "limit of the bearing area",
+        "contacts that do not yield, and their force",
+        ("elastic_limit",),
+    ),
+}
+
+#: All figures.
+FIGURES = OF_PAPER | OF_INSIGHT
+
 #: Figures of targets that are no part of the study: it is complete without them.
-BEYOND = {
+OF_ATOMIC = {
     "fig_atomic": Figure(
         "Beyond the study",
         "atomic scale",

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from hardcontact import published
 from hardcontact.figures import style
-from hardcontact.figures.catalogue import BEYOND, FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.records import dataset
 from hardcontact.records.whole_file import whole_file
 
@@ -30,14 +30,14 @@ def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
     Parameters
     ----------
     name : str
-        Of the figure, a key of `catalogue.FIGURES` or of `catalogue.BEYOND`.
+        Of the figure, a key of `catalogue.FIGURES` or of `catalogue.OF_ATOMIC`.
     inputs : mapping of str to str
         Paths of the datasets and published tables that it is drawn from.
     outputs : mapping of str to str
         Paths of its "pdf", "png" and "csv".
     """
     module = importlib.import_module(f"hardcontact.figures.{name}")
-    figure = (FIGURES | BEYOND)[name]
+    figure = (FIGURES | OF_ATOMIC)[name]
     drawn_from = {key: _read(key, inputs[key]) for key in figure.inputs}
     save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
 

@@ -56,6 +56,8 @@ class Patterns:
         self.pull_off = f"{store}/pull_off/{_PAIR}"
         self.elastic = f"{store}/elastic/{_PAIR}"
         self.asperities = f"{store}/asperities/{_PAIR}"
+        self.repeated_contact = f"{store}/repeated_contact/{_PAIR}"
+        self.elastic_limit = f"{store}/elastic_limit/{_PAIR}"
         self.window_change = (
             f"{store}/window_change/{{radius}}/{{load}}/{{range}}/"
             "{surface}/{variant}/scan-{scan}.nc"
@@ -64,6 +66,10 @@ class Patterns:
         of_surface = "{radius}/{load}/{surface}/{variant}"
         self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
         self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
+        of_scan = f"{store}/laws/{of_surface}/scan-{{scan}}"
+        self.law_scan, self.law_small, self.law_large = (
+            f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
+        )
 
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")
