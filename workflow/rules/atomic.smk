@@ -6,8 +6,10 @@ from hardcontact.study.patterns import STUDY_VARIANT
 
 SMALL_SCALES = STUDY["scales"]["small"]
 FINER_PIXELS = 4 * SMALL_SCALES["pixels"]
-# The longest cutoff over the transition wavelength: longer ones concern no finer pixel.
-LONGEST = 4
+# Longer cutoffs concern no finer pixel.
+SHORT_CUTOFFS = [
+    cutoff for cutoff in SMALL_SCALES["cutoffs"] if cutoff <= 4 * SMALL_SCALES["transition"]
+]
 
 
 rule compare_finer_master:
@@ -34,11 +36,7 @@ rule compare_finer_master:
                 "transition": SMALL_SCALES["transition"],
                 "compared": {
                     "pixels": [SMALL_SCALES["pixels"], FINER_PIXELS],
-                    "cutoffs": [
-                        cutoff
-                        for cutoff in SMALL_SCALES["cutoffs"]
-                        if cutoff <= LONGEST * SMALL_SCALES["transition"]
-                    ][::2],  # each takes a minute on 32768 pixels
+                    "cutoffs": SHORT_CUTOFFS[::2],  # each takes a minute on 32768 pixels
                     "radius": STUDY["sphere"]["radius"],
                     "rho": STUDY["scales"]["range"],
                     "contact": STUDY["contact"],
