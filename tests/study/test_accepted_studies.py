@@ -165,7 +165,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
         assert_forces(mean_filtered_pull_off(master, probe, parameters))
 
 
-@pytest.mark.parametrize("examples", [10, pytest.param(40, marks=pytest.mark.study)])
+@pytest.mark.parametrize("examples", [3, pytest.param(40, marks=pytest.mark.study)])
 def test_what_is_accepted_can_be_computed(at_root, examples):
     seen = []
 

@@ -439,7 +439,8 @@ def test_more_forces_make_the_fit_again(folder, measured):
 #: Another text of a column in the last row of a surface, and what is made again.
 COLUMNS = {
     "tip_radius": ("20 nm", SPECTRA | MASTERS | TOPOGRAPHY),
-    "use": ("spectrum", {"aggregate_adhesion"} | TOPOGRAPHY | MASTERS),
+    # Masters are made of the first scans, and spectra of all, whatever they are used for.
+    "use": ("spectrum", {"aggregate_adhesion", "find_band_edges"} | TOPOGRAPHY),
 }
 
 

@@ -9,7 +9,9 @@ __all__ = ["Datasets", "Setting"]
 
 
 class Datasets(NamedTuple):
-    """The datasets that an answer is drawn from, all over the same surfaces.
+    """The datasets that an answer is drawn from.
+
+    Topography and spectra may be of the scans of the sphere too, which no answer is asked for.
 
     Attributes
     ----------
@@ -30,8 +32,9 @@ class Datasets(NamedTuple):
         return Datasets(*(part.sel(surface=surface) for part in self[:4]))
 
     def labels(self) -> dict[str, str]:
-        """Return the printed name of each surface; a substitute is called so."""
-        names = (self.topography[name].values for name in ("surface", "label", "basis"))
+        """Return the printed name of each surface with a band; a substitute is called so."""
+        topography = self.topography.sel(surface=self.edges["surface"])
+        names = (topography[name].values for name in ("surface", "label", "basis"))
         return {
             str(surface): f"{label} (substitute)" if basis == "substitute" else str(label)
             for surface, label, basis in zip(*names, strict=True)
