@@ -105,4 +105,4 @@ def test_shares_and_areas_of_all_surfaces():
     ratio = limit.force_ratio.sel(surface="smooth")
     assert ratio.sel(variant="recovered") < ratio.sel(variant="bearing_area").item() == 1
     assert ratio.sel(variant="larger_area") > 1
-    assert limit.label.values.tolist() == ["Smooth", "Rough"]
+    assert limit.label.values.tolist() == ["Smooth", "Rough"] and limit.attrs["confidence"] == 0.95

@@ -115,7 +115,7 @@ def test_summary_of_scans():
     assert summary.force_ratio.isel(stage=0).item() == pytest.approx(1, rel=1e-12)
     depth = np.mean([pair.depth.mean("order")[-1] for pair in pairs.values()])
     assert summary.depth.isel(stage=-1).item() == pytest.approx(depth)
-    assert summary.label.values.tolist() == ["A"]
+    assert summary.label.values.tolist() == ["A"] and summary.attrs["confidence"] == 0.95
 
 
 def test_maps_are_of_the_first_scan_of_each_surface_and_preload():

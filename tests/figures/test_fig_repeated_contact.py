@@ -26,6 +26,8 @@ def test_table_holds_curves_indents_and_the_image():
         one = select(of_name, surface="ncd", preload=2e-5, stage=400)
         assert one["value"].item() == data[name].values[2, 1, -1]
         assert one["low"].item() == data[f"{name}_interval"].values[2, 1, -1, 0]
+    (deepest,) = select(rows, quantity="indentation")["value"]
+    assert deepest == 9
     sizes = select(rows, quantity="indent_size")["value"]
     np.testing.assert_array_equal(sizes, data.indent_size.values[2, 1].ravel())
     image = select(rows, origin="published").set_index("quantity")

@@ -130,7 +130,7 @@ def elastic_limit(
         variables[f"{name}_interval"] = interval.clip(0, 1, keep_attrs=True)
     summary = xr.Dataset(variables).merge(stacked[["plasticity_index", "elastic_area"]])
     summary = summary.merge(_at_solved_contacts(stacked["elastic_area"], elastic))
-    return with_names(summary.assign_attrs(stacked.attrs), described)
+    return with_names(summary.assign_attrs(stacked.attrs, confidence=confidence), described)
 
 
 def _at_solved_contacts(area: xr.DataArray, elastic: xr.Dataset) -> xr.Dataset:

@@ -208,7 +208,7 @@ def repeated_contact(
         xr.Dataset(summary)
         .merge(stacked[["indent_depth", "indent_size"]])
         .merge(stack(drawn, dimensions[:2]))
-        .assign_attrs({name: stacked.attrs[name] for name in COMMON}),
+        .assign_attrs({name: stacked.attrs[name] for name in COMMON}, confidence=confidence),
         described,
     )
 

@@ -3,7 +3,7 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import DIGITS, print_each, print_percent
+from hardcontact.answer.part_text import DIGITS, NEAR_ONE, print_each, print_percent
 
 __all__ = ["elastic_limit_sentences"]
 
@@ -55,7 +55,7 @@ def _forces(limit: xr.Dataset) -> list[str]:
     }
     return [
         f"Mean force {words}, over that of the bearing area: "
-        f"{print_each(limit.sel(variant=variant), 'force_ratio')}."
+        f"{print_each(limit.sel(variant=variant), 'force_ratio', NEAR_ONE)}."
         for variant, words in ends.items()
     ]
 

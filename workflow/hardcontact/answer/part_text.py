@@ -10,6 +10,7 @@ from hardcontact.statistics import bounds
 
 __all__ = [
     "DIGITS",
+    "NEAR_ONE",
     "labels",
     "listed",
     "print_bounded_as_paper",
@@ -21,11 +22,14 @@ __all__ = [
 #: Of computed numbers: their intervals are wider than what more digits would say.
 DIGITS = 2
 
+#: Of ratios that are near one.
+NEAR_ONE = 3
+
 #: An interval that reaches so many times beyond its value says only that there are too few scans.
 BOUNDLESS = 100
 
 
-def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str) -> str:
+def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str, digits: int = DIGITS) -> str:
     """Return a variable without dimensions, its interval `<name>_interval` and its unit.
 
     Parameters
@@ -36,6 +40,8 @@ def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str) -> str:
         Of the variable.
     unit : str
         A key of `quantity_text.PRINTED`.
+    digits : int
+        Significant digits.
 
     Returns
     -------
@@ -43,14 +49,16 @@ def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str) -> str:
         For example "1.7 [1.4, 2.8] µm"; "no number" of NaN.
     """
     low, high = (end.item() for end in bounds(dataset, name))
-    return print_within(dataset[name].item(), low, high, unit) or "no number"
+    return print_within(dataset[name].item(), low, high, unit, digits) or "no number"
 
 
-def print_within(value: float, low: float, high: float, unit: str = "1") -> str:
+def print_within(
+    value: float, low: float, high: float, unit: str = "1", digits: int = DIGITS
+) -> str:
     """Return a number with its interval, in words where so few scans hardly bound it."""
     if max(low, -low, high, -high) > BOUNDLESS * abs(value) or 0 < low * BOUNDLESS < value:
-        return f"{print_as_paper(value, unit, digits=DIGITS)} (not bounded by so few scans)"
-    return print_as_paper(value, unit, (low, high), DIGITS)
+        return f"{print_as_paper(value, unit, digits=digits)} (not bounded by so few scans)"
+    return print_as_paper(value, unit, (low, high), digits)
 
 
 def print_percent(share: float, low: float = math.nan, high: float = math.nan) -> str:
@@ -59,10 +67,10 @@ def print_percent(share: float, low: float = math.nan, high: float = math.nan) -
     return "".join((number, " %", *interval))
 
 
-def print_each(dataset: xr.Dataset, name: str, unit: str = "1") -> str:
-    """Return a variable (surface,) with its interval for every surface of a dataset by label."""
+def print_each(dataset: xr.Dataset, name: str, digits: int = DIGITS) -> str:
+    """Return a number (surface,) with its interval for every surface of a dataset by label."""
     return "; ".join(
-        f"{of_surface['label'].item()} {print_bounded_as_paper(of_surface, name, unit)}"
+        f"{of_surface['label'].item()} {print_bounded_as_paper(of_surface, name, '1', digits)}"
         for of_surface in (dataset.sel(surface=one) for one in dataset["surface"].values)
     )
 

@@ -3,7 +3,7 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import print_bounded_as_paper, print_each
+from hardcontact.answer.part_text import NEAR_ONE, print_bounded_as_paper, print_each
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.statistics import bounds
 
@@ -45,7 +45,7 @@ def _force(of_study: xr.Dataset) -> str:
     return (
         f"The mean force of {of_study['stage'].item()} contacts at one place of the sphere, which "
         "keeps its indents, over that of single contacts at the same places of the substrate: "
-        f"{print_each(of_study, 'mean_ratio')}."
+        f"{print_each(of_study, 'mean_ratio', NEAR_ONE)}."
     )
 
 

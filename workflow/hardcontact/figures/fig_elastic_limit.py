@@ -107,7 +107,7 @@ def _draw_indices(axes: Axes, limit: xr.Dataset) -> None:
     axes.axvline(1, color="black", lw=0.9)
     axes.set(xscale="log", ylim=(0, 1), ylabel="cumulative share of contacts")
     axes.set_xlabel("elastic pressure on the bearing area / hardness")
-    axes.legend(loc="lower right")
+    axes.legend(loc="best")
     style.label_logarithmic(axes.xaxis)
     style.label_panel(axes, "a", "plasticity index")
 

@@ -39,13 +39,15 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
     pandas.DataFrame
         Force ratio, depth (nm) and size (nm) by surface, preload (N) and number of contacts
         (`stage`), and depth and size of every indent after the last. Published: the ranges of
-        depths and sizes in an image. The map stays in the dataset.
+        depths and sizes in an image. Of the map its deepest pixel; the rest stays in the dataset.
     """
     curves = [
         _rows(bounded(repeated_contact, name), name, panel, unit)
         for name, (panel, unit, _) in CURVES.items()
     ]
-    indents = [_rows(_of_image(repeated_contact)[[name]], name, "e", "nm") for name in SIZES]
+    image = _of_image(repeated_contact)
+    deepest = _rows(image[["indentation"]].max(["y", "x"]), "indentation", "d", "nm")
+    indents = [deepest, *(_rows(image[[name]], name, "e", "nm") for name in SIZES)]
     published = [
         {"panel": CURVES[name][0], "quantity": name, "low": low, "high": high}
         for name in IMAGE
