@@ -27,6 +27,7 @@ def claims():
         low=np.where(numbers % 3, 0.9 * numbers, np.nan),
         high=np.where(numbers % 3, 1.1 * numbers, np.nan),
         frequency=np.where(numbers % 3, 0.58, np.nan),
+        stability=np.where(numbers % 3, 0.9, np.nan),
         verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(STATEMENTS))],
         basis="substitute scans",
     )

@@ -9,6 +9,7 @@ from paper_numbers import SUBSTRATES
 from scipy import stats
 
 from hardcontact.claims.evaluation import COLUMNS, values
+from hardcontact.claims.set_spread import STABLE
 
 
 def pick(name):
@@ -118,6 +119,19 @@ def test_claims_that_are_not_replicated_have_no_frequency():
     result = judge(STATEMENTS, make_datasets()).set_index("id")
     replicated = STATEMENTS["replicated"] == "yes"
     assert list(result["frequency"].notna()) == list(replicated)
+
+
+def test_a_verdict_has_a_stability_if_sets_that_differ_decide_it():
+    """Near a limit another draw may change the verdict; what no number decides has none."""
+    name, datasets = "range_of_adhesion", make_datasets()
+    far = judge_one(name, datasets, sets_of(name, np.linspace(5.5, 5.7, 100)))
+    near = judge_one(name, datasets, sets_of(name, [5.0, 5.0, *np.linspace(5.5, 5.7, 98)]))
+    assert (far.stability, near.verdict) == (1.0, "reproduced")
+    assert 0.5 < near.stability < STABLE
+    assert np.isnan(judge_one(name, datasets, sets_of(name, [5.6] * 9)).stability)
+    assert np.isnan(judge_one("sinusoid_short_range", datasets).stability)
+    fixed = judge_one("area_growth_order", datasets)
+    assert fixed.verdict == "by construction" and np.isnan(fixed.stability)
 
 
 def test_sets_that_lack_a_claim_are_refused():

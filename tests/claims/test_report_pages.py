@@ -62,6 +62,7 @@ def evaluated(**values):
             "unit": ["nm", "1", "1"],
             "rule": ["interval", "above", "below"],
             "frequency": [0.87, np.nan, np.nan],
+            "stability": [0.68, np.nan, np.nan],
             "verdict": ["undecided", "not reproduced", "not testable on substitutes"],
             "follows_from": ["", "first", ""],
             "basis": ["substitute scans", "no scan", "substitute scans"],
@@ -87,6 +88,13 @@ def test_claims_show_every_statement_with_its_numbers_and_verdict():
     assert_says(rows[0], "3.25", "[2.75, 3.75]", "nm", "87 %")
     assert_says(rows[1], "Follows from first.")
     assert "nan" not in " ".join(rows).lower() and "[" not in rows[1] and "%" not in rows[1]
+
+
+@pytest.mark.parametrize(("stability", "count"), [(0.68, 1), (0.96, 0), (np.nan, 0)])
+def test_claims_say_which_verdicts_may_change_with_the_seed(stability, count):
+    page = claims_page(evaluated(stability=stability), 0.95)
+    assert f"{count} verdicts may change with the seed" in Reader(page).texts["p"]
+    assert ("kept in 68 % of redraws" in rows_of_claims(page)[0][4]) == (count == 1)
 
 
 def test_claims_begin_with_the_counts_of_independent_findings():
@@ -131,8 +139,9 @@ def test_claims_name_the_confidence_of_their_intervals(confidence, printed):
 
 def test_all_claims_of_the_paper_have_a_row():
     table = STATEMENTS.assign(
-        computed=1.0, low=np.nan, high=np.nan, frequency=0.5, verdict="consistent", basis="no scan"
-    )
+        computed=1.0, low=np.nan, high=np.nan, frequency=0.5, verdict="consistent", basis="no scan",
+        stability=1.0,
+    )  # fmt: skip
     page = claims_page(table, 0.95)
     rows = [" ".join(row) for row in rows_of_claims(page)]
     assert len(rows) == len(STATEMENTS)

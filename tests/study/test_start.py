@@ -5,6 +5,7 @@ import shutil
 import subprocess
 import sys
 
+import pytest
 from refusals import assert_says
 from repository import ROOT, environment, snakemake
 
@@ -86,11 +87,13 @@ def looks_for_work(folder, at_start):
     return int(re.search(r"looks for work: (\d+)", run.stdout)[1])
 
 
+@pytest.mark.study
 def test_snakemake_still_looks_for_work_without_end(tmp_path):
     """Should this fail, Snakemake is mended: `start.lift_rate_limit` can go, and this test."""
     assert looks_for_work(tmp_path / "default", "pass") > 3
 
 
+@pytest.mark.study
 def test_the_study_lets_snakemake_look_for_work_when_a_job_ends(tmp_path):
     lifted = "from hardcontact.study import start; start.lift_rate_limit(workflow)"
     assert looks_for_work(tmp_path / "lifted", lifted) == 0

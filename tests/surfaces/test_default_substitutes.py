@@ -81,17 +81,9 @@ def test_spectra_meet_every_row_of_table_1_but_the_height_over_all_scales(surfac
     np.testing.assert_allclose(moments[1:], table1[list(TAIL_ROWS)], rtol=1e-9)
 
 
-#: Two of them in plain runs: one spectrum that is self-affine, one whose Hurst exponent varies.
-IN_PLAIN_RUNS = ("uncd", "ncd")
-
-
-@pytest.mark.parametrize(
-    "surface",
-    [
-        name if name in IN_PLAIN_RUNS else pytest.param(name, marks=pytest.mark.study)
-        for name in SUBSTRATES
-    ],
-)
+# Plain runs look at the smaller scans of the quick study, below.
+@pytest.mark.study
+@pytest.mark.parametrize("surface", SUBSTRATES)
 def test_the_five_scans_of_a_coating_keep_table_1(surface):
     scan = PAPER["scan"]
     grid = ScanGrid(scan["pixels"], 2500.0, scan["realization_pixels"])

@@ -83,6 +83,7 @@ def forces(scan):
     return 1e6 * pull_off_force(totals, np.array(ranges), scan.pixel_size, 0.0463)
 
 
+@pytest.mark.study
 @pytest.mark.skipif(not AFM.is_file(), reason="no folder ../shared/scans")
 def test_the_scan_that_it_was_fitted_to_is_reproduced():
     """A check of the fit, no test of it: forces within two errors of their mean, summits in 20 %.

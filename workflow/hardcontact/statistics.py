@@ -97,9 +97,11 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
     samples, tail = np.asarray(samples), 50 * (1 - confidence)
     if not len(samples):
         return np.full((*samples.shape[1:], 2), np.nan)
+    # The function for missing samples takes the same numbers one by one, a hundred times slower.
+    percentile = np.nanpercentile if np.isnan(samples).any() else np.percentile
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "All-NaN slice", RuntimeWarning)
-        ends = np.nanpercentile(samples, [tail, 100 - tail], axis=0)
+        ends = percentile(samples, [tail, 100 - tail], axis=0)
     return np.moveaxis(ends, 0, -1)
 
 

@@ -25,7 +25,9 @@ rule evaluate_claims:
     benchmark:
         PATTERNS.benchmark("evaluate_claims")
     params:
-        canonical=canonical({"confidence": STUDY["inference"]["confidence"]}),
+        canonical=canonical(
+            {"confidence": STUDY["inference"]["confidence"], "seed": STUDY["seed"]}
+        ),
     script:
         "../scripts/evaluate_claims.py"
 

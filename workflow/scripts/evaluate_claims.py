@@ -12,6 +12,7 @@ with job(snakemake) as this:
         published.constants(this.input.published_constants),
         this.parameters["confidence"],
         read(this.input.sets),
+        this.parameters["seed"],
     )
     this.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
     this.record("claims")

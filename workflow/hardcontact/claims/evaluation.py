@@ -15,9 +15,11 @@ import xarray as xr
 
 from hardcontact.claims.quantities import estimate
 from hardcontact.claims.selection import Selection, selected_number, selection
+from hardcontact.claims.set_spread import sets_interval, stability, stretched
 from hardcontact.claims.testability import NO_SCAN, basis, fixed_verdict, surfaces_of
-from hardcontact.claims.verdicts import accepts, verdict
-from hardcontact.statistics import bounds, percentile_interval
+from hardcontact.claims.verdicts import BY_CONSTRUCTION, UNTESTABLE, accepts, verdict
+from hardcontact.random import generator
+from hardcontact.statistics import bounds
 
 __all__ = ["COLUMNS", "DATASETS", "evaluate", "read_statements", "values"]
 
@@ -28,9 +30,11 @@ DATASETS = (
 )  # fmt: skip
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
-    "frequency", "verdict", "follows_from", "basis", "note",
+    "frequency", "verdict", "stability", "follows_from", "basis", "note",
 )  # fmt: skip
 NUMBERS = ("published", "published_low", "published_high")
+#: Verdicts that no number decides.
+FIXED = (BY_CONSTRUCTION, UNTESTABLE)
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
@@ -87,6 +91,7 @@ def evaluate(
     constants: pd.DataFrame,
     confidence: float,
     sets: xr.Dataset,
+    seed: int,
 ) -> pd.DataFrame:
     """Compare every claim with the computed number.
 
@@ -104,7 +109,10 @@ def evaluate(
         Of the intervals.
     sets : xarray.Dataset
         As in sets.nc: `value` (set, claim), the numbers of many equally good sets of scans. Those
-        of a replicated claim give its interval, if they vary, and its frequency.
+        of a replicated claim give its frequency and, if they vary, its interval and the stability
+        of its verdict.
+    seed : int
+        The seed of the study.
 
     Returns
     -------
@@ -120,7 +128,8 @@ def evaluate(
     for claim, computed in _all_computed(statements, datasets, constants, confidence):
         if computed is not None:
             with _named(claim):
-                rows.append(_row(claim, computed, datasets["topography"], sets, confidence))
+                row = _row(claim, computed, datasets["topography"], sets, confidence)
+                rows.append(row | {"stability": _stability(claim, row, sets, confidence, seed)})
     return pd.DataFrame(rows, columns=list(COLUMNS))
 
 
@@ -196,7 +205,7 @@ def _named(claim: Any) -> Iterator[None]:
 def _row(
     claim: Any, computed: _Computed, topography: xr.Dataset, sets: xr.Dataset, confidence: float
 ) -> dict[str, Any]:
-    """Return one row of the result, its values by `COLUMNS`."""
+    """Return one row of the result, without the stability of its verdict."""
     surfaces = surfaces_of(claim, computed.parts, computed.chosen, topography)
     value, limits = float(computed.number["value"]), (claim.published_low, claim.published_high)
     replicas = _replicas(claim, sets)
@@ -212,7 +221,7 @@ def _row(
         "basis": basis(surfaces, topography),
         "note": " ".join(filter(None, (claim.note, reason, no_value))),
     }
-    return {name: row[name] for name in COLUMNS}
+    return {name: row[name] for name in COLUMNS if name in row}
 
 
 def _replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
@@ -225,22 +234,38 @@ def _replicas(claim: Any, sets: xr.Dataset) -> np.ndarray:
     return replicas
 
 
+def _vary(replicas: np.ndarray) -> bool:
+    """Return whether the sets that have a number have different ones."""
+    known = replicas[np.isfinite(replicas)]
+    return len(known) > 0 and np.ptp(known) > 0
+
+
 def _interval(
     claim: Any, number: xr.Dataset, replicas: np.ndarray, confidence: float
 ) -> tuple[float, float]:
     """Return the ends of the interval of a number, NaN where none can be given.
 
-    It is the spread of the sets where they vary; none if fewer of them than the confidence have a
-    number. Otherwise it is the number's own; of zero width if no scan enters it. An interval that
-    lies beside the number is stretched to hold it: what is judged is what is printed.
+    It is the spread of the sets where they vary. Otherwise it is the number's own; of zero width if
+    no scan enters it.
     """
     value = float(number["value"])
-    known = replicas[np.isfinite(replicas)]
-    if len(known) and np.ptp(known) > 0:
-        enough = len(known) >= confidence * len(replicas)
-        low, high = percentile_interval(known, confidence) if enough else (np.nan, np.nan)
-    else:
-        low, high = (float(end) for end in bounds(number, "value"))
-    if claim.needs == NO_SCAN and np.isnan(low):
+    ends = sets_interval(replicas, confidence) if _vary(replicas) else bounds(number, "value")
+    if claim.needs == NO_SCAN and np.isnan(ends[0]):
         return value, value
-    return min(float(low), value), max(float(high), value)
+    low, high = stretched(ends, value)
+    return float(low), float(high)
+
+
+def _stability(
+    claim: Any, row: Mapping[str, Any], sets: xr.Dataset, confidence: float, seed: int
+) -> float:
+    """Return how often the verdict stays with other sets, NaN if it does not depend on them."""
+    replicas = _replicas(claim, sets)
+    if not _vary(replicas) or row["verdict"] in FIXED:
+        return np.nan
+
+    def judge(value: float, low: float, high: float) -> str:
+        return verdict(claim.rule, value, low, high, claim.published_low, claim.published_high)
+
+    rng = generator(seed, claim.id, "stability")
+    return stability(judge, row["verdict"], replicas, confidence, rng)

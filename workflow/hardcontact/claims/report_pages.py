@@ -13,6 +13,7 @@ from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
 from hardcontact.claims.quantity_text import print_as_paper
+from hardcontact.claims.set_spread import STABLE
 from hardcontact.claims.verdicts import summary
 
 __all__ = [
@@ -103,15 +104,17 @@ def claims_page(claims: pd.DataFrame, confidence: float) -> str:
         HTML.
     """
     independent = summary(claims)["independent"].sum()
-    sections = (
-        f"<h2>{escape(name)}</h2>\n{table}" for name, table in section_tables(claims).items()
-    )
+    sections = (f"<h2>{escape(k)}</h2>\n{table}" for k, table in section_tables(claims).items())
     return _page(
         f"Verdicts on {independent} findings in {len(claims)} statements of the paper",
         f"<p>Of {len(claims)} statements {independent} are independent findings; the others restate"
         " one of them, follow from it or hold by construction, and say so. Square brackets: "
         f"{100 * confidence:g} % interval. <em>Holds in</em>: the share of many equally good sets "
-        "of scans in which the statement holds.</p>\n" + counts_table(claims) + "\n".join(sections),
+        "of scans in which the statement holds. "
+        f"{(claims['stability'] < STABLE).sum()} verdicts may change with the seed: one redraw of "
+        "all sets in twenty or more gives another. These say how many keep it.</p>\n"
+        + counts_table(claims)
+        + "\n".join(sections),
     )
 
 
@@ -277,12 +280,13 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[tuple[str, str]]]) -> 
 def _claim(row: Any) -> list[tuple[str, str]]:
     """Return the cells of one claim, each with its class."""
     source = f"Follows from {row.follows_from}." if row.follows_from else ""
+    seed = f"kept in {100 * row.stability:.0f} % of redraws" if row.stability < STABLE else ""
     return [
         (escape(row.statement) + _small(row.id) + _small(source) + _small(row.note), ""),
         (escape(print_as_paper(row.published, row.unit)), "number"),
         (escape(print_as_paper(row.computed, row.unit, (row.low, row.high))), "number"),
         ("" if np.isnan(row.frequency) else f"{100 * row.frequency:.0f} %", "number"),
-        (escape(row.verdict) + _small(row.basis), _kind(row.verdict)),
+        (escape(row.verdict) + _small(seed) + _small(row.basis), _kind(row.verdict)),
     ]
 
 
