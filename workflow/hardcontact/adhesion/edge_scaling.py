@@ -115,36 +115,38 @@ def edge_scaling(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> x
         _edges(scaling.isel(realization=np.arange(count) != one), tolerance, unsampled)["edge"]
         for one in range(count if count > 2 else 0)
     ]
-    fits, *others = (_fits(scaling, edge) for edge in (edges["edge"], *left_out))
-    # The jackknife of a positive number is Student's t of its logarithm.
-    interval = np.log(
-        jackknife_interval(
-            np.exp(fits["exponent"].values),
-            np.exp(np.array([other["exponent"].values for other in others])),
-            sampling.confidence,
-        )
-        if others
-        else np.full((*fits["exponent"].shape, 2), np.nan)
-    )
-    exponents = with_interval(
-        "exponent",
-        list(fits["exponent"].dims),
-        fits["exponent"].values,
-        interval,
-        {"units": "1", "long_name": "exponent of the edge of the band"},
+    fits = _with_interval(
+        _fits(scaling, edges["edge"]),
+        [_fits(scaling, edge)["exponent"].values for edge in left_out],
         sampling.confidence,
     )
-    found = fits.drop_vars("exponent").assign(exponents)
     regimes = xr.apply_ufunc(
         regime,
-        found["exponent_interval"],
+        fits["exponent_interval"],
         input_core_dims=[["length", "bound"]],
         vectorize=True,
         output_dtypes=[object],
     ).astype(str)
     kept = scaling[["rms_height", "roll_off", "reach", "contact_area", "label", "basis"]]
-    return xr.merge([edges, found.assign(regime=regimes), kept]).assign_attrs(
+    return xr.merge([edges, fits.assign(regime=regimes), kept]).assign_attrs(
         tolerance=tolerance, confidence=sampling.confidence
+    )
+
+
+def _with_interval(fits: xr.Dataset, left_out: list[np.ndarray], confidence: float) -> xr.Dataset:
+    """Return fits with the interval of their exponents, from those that leave a realization out.
+
+    The jackknife of a positive number is Student's t of its logarithm, here the exponent.
+    """
+    exponent = fits["exponent"]
+    interval = np.full((*exponent.shape, 2), np.nan)
+    if left_out:
+        others = np.exp(np.array(left_out))
+        interval = np.log(jackknife_interval(np.exp(exponent.values), others, confidence))
+    dimensions = [str(name) for name in exponent.dims]
+    attributes = {"units": "1", "long_name": "exponent of the edge of the band"}
+    return fits.drop_vars("exponent").assign(
+        with_interval("exponent", dimensions, exponent.values, interval, attributes, confidence)
     )
 
 
