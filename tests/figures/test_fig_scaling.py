@@ -53,7 +53,7 @@ def test_table_holds_every_edge_but_the_open_one_and_every_exponent():
     chosen = {"side": "large", "surface": "mcd", "radius": 1e6, "area": 50.0, "rho": 5.6}
     (row,) = select(edges, **chosen).to_dict("records")
     assert row["value"] == data["edge"].sel(chosen).item()
-    assert row["high"] == data["edge_interval"].sel(chosen, bound="high").item()
+    assert row["high"] == data["edge_interval"].sel({**chosen, "bound": "high"}).item()
     assert row["reach"] == pytest.approx(np.sqrt(2 * 1e6 * 5.6))
     assert len(select(rows, quantity="exponent", regime="surface")) == 2 * 4 * 3 * 2
     assert select(rows, origin="published")["value"].tolist() == [43.0, 1800.0]
