@@ -50,6 +50,10 @@ onstart:
     start.say_left_out(STUDY)
 
 
+onsuccess:
+    start.say_answer(workflow, PATTERNS.result("answer.html"))
+
+
 rule all:
     """Make the whole study: datasets, verdicts, figures, pages and their description."""
     default_target: True

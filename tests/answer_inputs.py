@@ -149,9 +149,7 @@ def edges(count=1):
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
     texts = ["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]
-    unfiltered = np.tile(0.64e-6 / WORK * np.arange(1, count + 1)[:, None], 2)  # as on the scans
     data = data.assign(
-        unfiltered_force=(("surface", "side"), unfiltered),
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
         interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
@@ -207,6 +205,8 @@ def force(count=1):
     data["label"] = "surface", LABELS[:count]
     data["interval_note"] = "surface", ["from 3 scans"] * count
     data["conditional"] = "surface", [0] * count
+    data = data.merge(continued_force(count))
+    data["correlation_of_parts"] = "surface", [0.0] * count
     data["finite_scan_note"] = "surface", [""] * count
     data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
@@ -215,6 +215,32 @@ def force(count=1):
         work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
         contact_area=400.0,
     )  # fmt: skip
+
+
+def continued_force(count=1):
+    """Return forces with continued roughness, as on the scans."""
+    continued = np.tile(0.64e-6 * np.arange(1, count + 1)[:, None], 2)
+    axes = ("surface", "side")
+    data = xr.Dataset(
+        between_multiples("continued_force", axes, continued, (0.8, 1.25), CONFIDENCE, units="N"),
+        {"surface": SURFACES[:count], "side": SIDES},
+    )
+    return data.assign(
+        continued_note=(axes, [["from 3 scans"] * 2] * count),
+        continued_end=(axes, [[5.0, 2560.0]] * count),
+        continued_differs=(axes, [[0, 0]] * count),
+        transition=("side", [20.0, 1000.0]),
+    )
+
+
+def continued(data, **factors):
+    """Return forces that continued roughness changes by a factor on a side, beyond the interval."""
+    changed = data.copy(deep=True)
+    for side, factor in factors.items():
+        for name in ("continued_force", "continued_force_interval"):
+            changed[name].loc[{"side": side}] *= factor
+        changed["continued_differs"].loc[{"side": side}] = 1
+    return changed
 
 
 def without_interval(of_force):
@@ -229,7 +255,7 @@ def without_interval(of_force):
 def fit(count=1):
     """Return the fit to forces measured on so many surfaces: W(RANGE) = WORK on each of them."""
     surfaces = SURFACES[:count]
-    rho = np.geomspace(RHOS[0], RHOS[-1], 41)
+    rho = np.union1d(np.geomspace(RHOS[0], RHOS[-1], 41), RHOS)
     exponents = np.array([0.5, 0.9])[:count]
     work = WORK * (rho / RANGE) ** exponents[:, None] * np.array([0.5, 1.0])[:, None, None]
     data = xr.Dataset(
@@ -246,19 +272,36 @@ def fit(count=1):
     text = "one mean force: every range of adhesion has its own work of adhesion"
     if count > 1:
         text = "range 5.6 nm, work 46 mJ/m² (mean relative error 0.05); region: ranges from 3.2 nm"
-    return data.assign(
-        region=region.where(low < high),
-        best_range=("contact_model", RANGE * best * np.ones(2), {"units": "nm"}),
-        best_work=("contact_model", WORK * best * np.array([0.5, 1]), {"units": "J m-2"}),
-        best_error=("contact_model", 0.05 * best * np.ones(2)),
-        region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
-        region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
-        region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
-        fit_text=("contact_model", [text] * 2),
-        tests=("surface", [40] * count),
-        label=("surface", LABELS[:count]),
-        interval_note=("surface", ["40 tests; scans: from 3 scans"] * count),
-    ).assign_attrs(basis="measured", confidence=CONFIDENCE)
+    return (
+        data.assign(
+            region=region.where(low < high),
+            best_range=("contact_model", RANGE * best * np.ones(2), {"units": "nm"}),
+            best_work=("contact_model", WORK * best * np.array([0.5, 1]), {"units": "J m-2"}),
+            best_error=("contact_model", 0.05 * best * np.ones(2)),
+            region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
+            region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
+            region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
+            fit_text=("contact_model", [text] * 2),
+            tests=("surface", [40] * count),
+            label=("surface", LABELS[:count]),
+            interval_note=("surface", ["40 tests; scans: from 3 scans"] * count),
+        )
+        .assign(continued_work(count))
+        .assign_attrs(basis="measured", confidence=CONFIDENCE, range_of_adhesion=RANGE)
+    )
+
+
+def continued_work(count):
+    """Return the works of adhesion with continued roughness, half of WORK, on so many surfaces."""
+    axes = ("surface", "side")
+    work = np.full((count, 2), WORK / 2)
+    return between_multiples(
+        "continued_work", axes, work, (0.8, 1.25), CONFIDENCE, units="J m-2"
+    ) | {
+        "continued_differs": (axes, [[0, 0]] * count),
+        "transition": ("side", [20.0, 1000.0]),
+        "side": SIDES,
+    }
 
 
 def datasets(count=1, **others):

@@ -36,6 +36,10 @@ onstart:
     start.lift_rate_limit(workflow)
 
 
+onsuccess:
+    start.say_answer(workflow, PATTERNS.result("answer.html"))
+
+
 rule redraw:
     """Draw all figures and write all pages of a finished study again."""
     default_target: True

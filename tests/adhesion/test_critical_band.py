@@ -11,7 +11,11 @@ from hardcontact.statistics import bounds, student_log_interval
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 SMALL = [1.0, 1.2, np.nan, np.nan]
 LARGE = [np.nan, np.nan, 3.0, 1.0]
-LEAVES = {"small": 10**1.5, "large": 10**3.95}  # where SMALL and LARGE cross 1.1
+SHARES = np.log(1.1) / np.log([1.2, 3.0])  # where ln(SMALL) and ln(LARGE) cross ln(1.1)
+LEAVES = {
+    "a": {"small": 10 ** (1 + SHARES[0]), "large": 10 ** (4 - SHARES[1])},
+    "pooled": {"small": 10**1.5, "large": 10**3.95},  # of |ratio - 1|
+}
 
 
 def scales(ratios):
@@ -32,15 +36,20 @@ def scales(ratios):
 
 def test_critical_wavelength_interpolates_in_log_wavelength():
     cutoffs, changes = np.array([1.0, 10.0, 100.0]), np.array([0.0, 0.05, 0.15])
-    assert band.critical_wavelength(cutoffs, changes, 0.1) == pytest.approx(10**1.5)
-    assert band.critical_wavelength(cutoffs, 2 * changes, 0.1) == pytest.approx(10.0)
-    assert np.isnan(band.critical_wavelength(cutoffs, np.array([0.0, 0.05, 0.1]), 0.1))
+    limits = (-0.1, 0.1)
+    assert band.critical_wavelength(cutoffs, changes, limits) == pytest.approx(10**1.5)
+    assert band.critical_wavelength(cutoffs, -changes, limits) == pytest.approx(10**1.5)
+    assert band.critical_wavelength(cutoffs, 2 * changes, limits) == pytest.approx(10.0)
+    assert np.isnan(band.critical_wavelength(cutoffs, np.array([0.0, 0.05, 0.1]), limits))
+    # From -0.1 to 0.2 through zero: two thirds of the decade, not none of it.
+    through = np.array([0.0, -0.1, 0.2])
+    assert band.critical_wavelength(cutoffs, through, limits) == pytest.approx(10 ** (1 + 2 / 3))
 
 
 def test_each_side_is_read_from_its_unfiltered_end():
     computed = band.critical_band(scales([[[SMALL, LARGE]] * 3]), 0.1, Sampling(0, 20, 0.95))
-    for side, expected in LEAVES.items():
-        for group in ("a", "pooled"):
+    for group, sides in LEAVES.items():
+        for side, expected in sides.items():
             chosen = computed.sel(side=side, group=group)
             assert float(chosen.critical_wavelength) == pytest.approx(expected)
             np.testing.assert_allclose(chosen.critical_wavelength_interval, expected)
@@ -56,7 +65,10 @@ def test_pooled_change_is_the_mean_of_the_changes_whatever_their_sign():
     )
     assert computed.scale_ratio.dims == ("side", "surface", "cutoff_wavelength")
     np.testing.assert_allclose(computed.scale_ratio.sel(surface="b"), down)
-    np.testing.assert_allclose(computed.critical_wavelength.sel(side="small"), 10**1.5)
+    down = 10 ** (1 + np.log(0.9) / np.log(0.8))
+    np.testing.assert_allclose(
+        computed.critical_wavelength.sel(side="small"), [LEAVES["a"]["small"], down, 10**1.5]
+    )
     assert computed.critical_wavelength_interval.isnull().all()
 
 
@@ -86,7 +98,7 @@ def test_intervals_are_over_realizations():
     np.testing.assert_allclose(small.scale_change_interval.sel(group="a"), expected - 1, rtol=0.2)
     low, high = bounds(computed.sel(side="small", group="a"), "critical_wavelength")
     # Ends of the change are those of the wavelength, the other way round.
-    near = 10 ** (1 + 0.1 / (expected.values - 1))
+    near = 10 ** (1 + np.log(1.1) / np.log(expected.values))
     np.testing.assert_allclose([high, low], near, rtol=0.3)
     assert computed.critical_wavelength_interval.attrs["confidence"] == 0.9
 

@@ -5,7 +5,8 @@ import pytest
 import xarray as xr
 
 from hardcontact.adhesion.filtered_pull_off import filtered_pull_off
-from hardcontact.adhesion.open_edges import Masters, band_edges
+from hardcontact.adhesion.master_forces import Masters
+from hardcontact.adhesion.open_edges import band_edges
 from hardcontact.random import generator
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
@@ -106,7 +107,8 @@ def test_the_interval_of_one_scan_holds_the_edge_of_the_mean(edges_of_draws, sid
     assert held.sum() >= 18
     # An interval that is open on both sides would hold anything.
     assert np.isfinite(low).sum() + np.isfinite(high).sum() >= 24
-    assert np.nanmedian(high) < 3 * TRUTH[side] and np.nanmedian(low) > TRUTH[side] / 3
+    # Ends are computed cutoffs, which lie a factor of two and more apart.
+    assert np.nanmedian(high) < 4 * TRUTH[side] and np.nanmedian(low) > TRUTH[side] / 4
 
 
 def test_no_end_lies_outside_the_cutoffs_and_none_is_the_edge_itself(edges_of_draws):
@@ -115,7 +117,7 @@ def test_no_end_lies_outside_the_cutoffs_and_none_is_the_edge_itself(edges_of_dr
         of_side = edges_of_draws.sel(side=side)
         for ends in (of_side.edge, *of_side.edge_interval.transpose("bound", ...)):
             known = ends.values[np.isfinite(ends.values)]
-            assert (known > cutoffs[0]).all() and (known < cutoffs[-1]).all()
+            assert (known >= cutoffs[0]).all() and (known <= cutoffs[-1]).all()
         assert not (of_side.edge_interval == of_side.edge).any()
         crossed = np.abs(of_side.scale_ratio - 1).max("cutoff_wavelength") > 0.1
         assert not (of_side.edge.notnull() & ~crossed).any()

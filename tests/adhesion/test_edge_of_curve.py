@@ -12,19 +12,55 @@ UNKNOWN = [np.nan] * 3
 def edge(side, value, least=UNKNOWN, greatest=UNKNOWN, cell=5000.0):
     """The edge of changes that are given in the order of growing effect."""
     cutoffs = CUTOFFS if side == "small" else CUTOFFS[::-1]
-    return described_edge(Curve(side, cell, cutoffs, np.array([value, least, greatest])), 0.1)
+    values = np.array([value, least, greatest])
+    return described_edge(Curve(side, cell, cutoffs, values, (-np.inf, 0.1)))
+
+
+def edge_of_ratios(side, cutoffs, ratio, low, high):
+    """The edge of one surface, whose ratios have a sign."""
+    limits = (np.log(0.9), np.log(1.1))
+    return described_edge(Curve(side, 1e6, cutoffs, np.log([ratio, low, high]), limits))
+
+
+def test_a_ratio_that_passes_through_one_between_cutoffs_leaves_where_it_is_known_to():
+    # ln(ratio) falls by ln(3) a decade of the cutoff and is zero at 3 µm.
+    cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
+    ratio = (3e3 / cutoffs) ** np.log10(3)
+    ratio[0] = 0.95  # flat again where nothing is left to be removed
+    ratio[1] = 0.93
+    found = edge_of_ratios("large", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
+    line = np.log([0.93, ratio[2]])
+    share = (np.log(1.1) - line[0]) / (line[1] - line[0])
+    assert found["edge"] == pytest.approx(5380 * (1450 / 5380) ** share)
+    # The known curve reaches 1.1 at 2.46 µm; |ratio - 1| would put it at 4.9 µm.
+    assert found["edge"] == pytest.approx(3e3 / 1.1 ** (1 / np.log10(3)), rel=0.35)
+    np.testing.assert_allclose(found["edge_interval"], [1450, 5380])
+
+
+@pytest.mark.parametrize("spread", [0.02, 0.3])
+def test_the_bracket_holds_the_edge_of_a_curve_that_is_not_straight(spread):
+    rng = np.random.default_rng(5)
+    for _ in range(50):
+        true, power = 10 ** rng.uniform(1.3, 3.4), rng.uniform(0.5, 6)
+        cutoffs = 10.0 ** np.arange(1, 4.5, 0.6)
+        ratio = 1 + 0.1 * (cutoffs / true) ** power
+        found = edge_of_ratios(
+            "small", cutoffs, ratio, ratio * np.exp(-spread), ratio * np.exp(spread)
+        )
+        low, high = found["edge_interval"]
+        assert not low > true and not high < true
 
 
 def test_an_edge_and_its_interval_are_found_between_cutoffs():
     small = edge("small", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
     assert small["edge"] == pytest.approx(10**1.5)
-    np.testing.assert_allclose(small["edge_interval"], [10**1.1, 10**2.5])
+    np.testing.assert_allclose(small["edge_interval"], [10, 1000])
     assert small["edge_status"] == "found" and np.isnan(small["edge_bound"])
     assert small["interval_status"].tolist() == ["found", "found"]
-    assert small["edge_text"] == "32 nm [13, 320]"
+    assert small["edge_text"] == "32 nm [10, 1000]"
     large = edge("large", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
     assert large["edge"] == pytest.approx(10**2.5)
-    np.testing.assert_allclose(large["edge_interval"], [10**1.5, 10**2.9])
+    np.testing.assert_allclose(large["edge_interval"], [10, 1000])
 
 
 @pytest.mark.parametrize(
@@ -49,13 +85,13 @@ def test_an_edge_beyond_what_was_computed_is_open(side, changes, cell, bound, st
 def test_an_open_end_of_an_interval_is_no_number():
     found = edge("large", [0.0, 0.2, 0.3], [0.0, 0.0, 0.2], [0.2, 0.3, 0.4])
     assert found["interval_status"].tolist() == ["found", "open"]
-    np.testing.assert_allclose(found["edge_interval"], [10**1.5, np.nan])
-    assert found["edge_text"] == "320 nm [32, open]"
+    np.testing.assert_allclose(found["edge_interval"], [10, np.nan])
+    assert found["edge_text"] == "320 nm [above 10 nm]"
 
 
 def test_an_interval_that_is_open_on_both_sides_is_said_to_be():
     found = edge("small", [0.0, 0.2, 0.3], [0.0, 0.0, 0.0], [0.2, 0.3, 0.4])
-    assert found["edge_text"] == "32 nm [open, open]"
+    assert found["edge_text"] == "32 nm [not bounded]"
 
 
 def test_an_open_edge_has_no_interval_that_is_open_on_both_sides():
@@ -65,17 +101,17 @@ def test_an_open_edge_has_no_interval_that_is_open_on_both_sides():
 
 def test_an_open_edge_may_have_a_known_end():
     found = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5], cell=1e3)
-    assert found["edge_text"] == "at least 1 µm: the scans end here [0.32, open]"
+    assert found["edge_text"] == "at least 1 µm: the scans end here [above 0.1 µm]"
     assert np.isnan(found["edge"]) and np.isnan(found["edge_interval"][1])
 
 
-def test_an_interval_without_width_is_none():
+def test_a_curve_that_is_known_exactly_has_its_edge_between_two_cutoffs():
     changes = [0.05, 0.15, 0.4]
-    found = edge("small", changes, changes, changes)
-    assert np.isnan(found["edge_interval"]).all()
-    assert found["edge_text"] == "32 nm, no interval"
+    assert edge("small", changes, changes, changes)["edge_interval"].tolist() == [10, 100]
 
 
 def test_numbers_have_the_digits_that_tell_them_apart():
-    narrow = edge("small", [0.05, 0.15, 0.4], [0.05, 0.1495, 0.4], [0.05, 0.1505, 0.4])
-    assert narrow["edge_text"] == "31.6 nm [31.4, 31.8]"
+    cutoffs = np.array([31.4, 31.8, 40.0])
+    ratio = np.array([1.05, 1.15, 1.4])
+    found = edge_of_ratios("small", cutoffs, ratio, ratio, ratio)
+    assert found["edge_text"] == "31.6 nm [31.4, 31.8]"

@@ -5,6 +5,7 @@ import pytest
 from answer_inputs import (
     MEASUREMENTS,
     SURFACES,
+    continued,
     edges,
     force,
     open_edges,
@@ -112,14 +113,14 @@ def test_a_window_that_cuts_forces_off_is_named():
     assert "holds 90% of the force on a smooth sphere at a range of 14 nm." in longest
 
 
-def test_forces_that_added_roughness_changes_are_named():
-    data = edges()
-    data["unfiltered_force"].loc[{"side": "small"}] *= 0.45
-    text = said(of_edges=data)
-    assert "The force of 640 nN is that of the scans as they are, without" in text
-    assert "its mean is 288 nN with shorter ones." in text and "as they are" not in said()
-    data["unfiltered_force"].loc[{"side": "large"}] *= 1.25
-    assert "is 288 nN with shorter and 800 nN with longer ones." in said(of_edges=data)
+def test_forces_that_continued_roughness_changes_are_named():
+    text = said(of_force=continued(force(), small=0.45))
+    assert (
+        "The force of 640 nN is that of the scans as they are. With roughness below 20 nm" in text
+    )
+    assert "down to 5 nm, it is 288 nN [230, 360]." in text and "as they are" not in said()
+    both = said(of_force=continued(force(), small=0.45, large=1.25))
+    assert "above 1 µm that follows the joined spectrum, up to 2.56 µm, it is 800 nN" in both
 
 
 def test_pixels_larger_than_the_contact_are_named():
@@ -150,10 +151,10 @@ def test_what_changes_the_answer_stands_on_the_first_screen():
 
 
 def test_intervals_of_few_scans_are_conditional():
-    assert "Intervals of the band: conditional on this scan" in said(of_edges=open_edges())
     assert "conditional" not in said()
-    data = force().assign(conditional=("surface", [1]))
-    assert "Interval of the mean force: from 3 scans." in said(of_force=data)
+    quarters = force().assign(conditional=("surface", [1]), correlation_of_parts=("surface", [0.2]))
+    text = said(of_force=quarters)
+    assert text.count("conditional on the scans at hand") == 1 and "correlate by 0.20" in text
 
 
 def test_a_force_without_interval_says_so():

@@ -114,7 +114,7 @@ def test_every_surface_has_its_pictures():
 
 def test_open_edges_are_answered_in_words():
     text = text_of("one, open, one force")
-    assert_says(text, "at least 2.56 µm (the scans end here)", "is open: it was not found")
+    assert_says(text, "The long edge of the band is open: at least 2.56 µm (the scans end here)")
     assert "not found" not in text_of("one")
 
 

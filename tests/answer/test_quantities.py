@@ -45,3 +45,7 @@ def test_variables_are_printed_with_their_interval():
 def test_units_have_their_size_in_that_of_the_dataset():
     assert best_unit(2500.0, "nm") == ("µm", 1000.0)
     assert print_length(0.0) == "0 nm"
+
+
+def test_an_interval_that_bounds_nothing_says_so():
+    assert print_quantity(3.0, "nm", 0.0, np.inf) == "3 nm [not bounded]"

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from answer_inputs import SURFACES, edges, fit, force, open_edges, without_interval
+from answer_inputs import SURFACES, continued, edges, fit, force, open_edges, without_interval
 from refusals import assert_says
 
 from hardcontact.answer import fit_curve
@@ -35,19 +35,22 @@ def test_one_sentence_holds_band_force_range_and_work():
     )
 
 
-def test_forces_with_added_roughness_stand_beside_that_of_the_scans():
-    data = of_first(edges())
-    data["unfiltered_force"] = data["unfiltered_force"] * [0.25, 1.05]
-    sentence = one_sentence("x", data, of_first(force()))
+def test_forces_with_continued_roughness_stand_beside_that_of_the_scans():
+    changed = of_first(continued(force(), small=0.25))
+    sentence = one_sentence("x", of_first(edges()), changed)
     assert sentence.endswith(
-        "its predicted pull-off force is 640 nN [512, 800] with the wavelengths that its scans "
-        "show, 160 nN with shorter ones added, at a range of adhesion of 5.6 nm and a work of "
+        "its predicted pull-off force is between 160 nN [128, 200], if the roughness goes on below "
+        "20 nm as its spectrum does, and 640 nN [512, 800], if it ends there (the scans that "
+        "contacts are made on do not tell), at a range of adhesion of 5.6 nm and a work of "
         "adhesion of 46.3 mJ/m²."
     )
-    data["unfiltered_force"].loc[{"side": "large"}] *= 0.5
-    assert ", 160 nN with shorter and 336 nN with longer ones added, at" in one_sentence(
-        "x", data, of_first(force())
-    )
+    larger = one_sentence("x", of_first(edges()), of_first(continued(force(), large=2.0)))
+    assert_says(
+        larger, "between 640 nN [512, 800], if it ends there, and 1.28 µN",
+        "if the roughness goes on above 1 µm as its spectrum does (the",
+    )  # fmt: skip
+    both = one_sentence("x", of_first(edges()), of_first(continued(force(), small=0.25, large=2)))
+    assert "if it ends there or 1.28 µN [1.02, 1.6], if it goes on above 1 µm (the" in both
 
 
 @pytest.mark.parametrize(
@@ -77,7 +80,7 @@ def test_a_band_says_which_end_is_open():
 
 def test_a_band_that_is_found_says_what_it_means():
     text = band_sentences("my coating", of_first(edges()))
-    assert_says(text, "changes by less than 10 %", "95 % intervals, from 3 scans.")
+    assert_says(text, "changes by less than 10 %", "95 % intervals, from 3 scans;")
     assert "open" not in text
 
 
@@ -107,16 +110,24 @@ def test_one_force_gives_the_work_at_each_range():
     text = fit_sentences(fit_curve.of_answer(fit()))
     assert_says(
         text, "Measured: 640 nN [576, 704] on my coating (40 tests; scans: from 3 scans)",
-        "One mean force: every range", "19.6 mJ/m² [15.7, 24.5] at a range of 1 nm",
-        "73.2 mJ/m² [58.6, 91.5] at a range of 14 nm", "95 % intervals",
+        "One mean force: every range", "46.3 mJ/m² [37, 57.9] at the range of 5.6 nm asked for",
+        "19.6 mJ/m² [15.7, 24.5] at 1 nm", "73.2 mJ/m² [58.6, 91.5] at 14 nm", "95 % intervals",
     )  # fmt: skip
-    assert "published" not in text.lower()
+    assert "published" not in text.lower() and "goes on" not in text
+
+
+def test_the_work_with_continued_roughness_stands_beside_that_of_the_scans():
+    data = fit_curve.of_answer(fit())
+    data["continued_differs"].loc[{"side": "small"}] = 1
+    assert "asked for, or 23.1 mJ/m² [18.5, 28.9] there if the roughness goes on below 20 nm" in (
+        fit_sentences(data)
+    )
 
 
 def test_several_forces_give_range_and_work():
     text = fit_sentences(fit_curve.of_answer(fit(2)))
     assert_says(text, "1.3 µN [1.17, 1.43] on twin", "Range 5.6 nm, work 46 mJ/m²", "region:")
-    assert "It runs" not in text
+    assert_says(text, "my coating: 46.3 mJ/m²", "twin: 46.3 mJ/m²")
 
 
 def test_a_fit_without_intervals_has_none():

@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 from matplotlib import rcParams
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
 
@@ -83,3 +84,37 @@ def test_shades_end_with_the_axes():
     spans = [(patch.get_x(), patch.get_x() + patch.get_width()) for patch in axes.patches]
     assert np.allclose(spans, [(10, 20), (500, 1000)])
     assert axes.get_xlim() == (10, 1000)
+
+
+def logarithmic(*bars):
+    """Return axes with values from 2 to 8, each with an error bar from `low` to `high`."""
+    axes = Figure().subplots()
+    axes.axvline(1.0)
+    for x, (value, low, high) in enumerate(bars):
+        axes.errorbar([x], [value], [[value - low], [high - value]])
+    axes.set_yscale("log")
+    return axes
+
+
+def test_an_endless_bar_leaves_the_frame_a_decade_beyond_the_values():
+    axes = logarithmic((2, 1.9, 2.1), (8, 1e-9, 1e19))
+    style.end_near_values([axes])
+    assert np.allclose(axes.get_ylim(), (0.2, 80))
+
+
+def test_bars_of_reasonable_length_leave_the_axes_as_they_are():
+    axes = logarithmic((2, 1, 4), (8, 5, 20))
+    before = axes.get_ylim()
+    style.end_near_values([axes])
+    assert axes.get_ylim() == before
+
+
+def test_a_legend_has_no_more_columns_than_fit():
+    def columns(letters):
+        figure = style.create(4)
+        style.legend_above(figure, [Line2D([], [], label="x" * letters) for _ in range(5)])
+        (legend,) = figure.legends
+        assert letters > 100 or legend.get_window_extent().width <= figure.bbox.width
+        return legend._ncols
+
+    assert [columns(letters) for letters in (5, 60, 200)] == [4, 1, 1]

@@ -154,6 +154,13 @@ def test_what_the_scans_do_not_permit_is_told_in_the_units_of_the_user(folder, m
     assert_says(done.errors[2], "--preload: expected at most 156 mN", "found 1 N")
 
 
+def test_a_scan_without_reliable_wavelengths_is_refused_beforehand(folder, monkeypatch, capsys):
+    own_scan(folder / "blunt.nc")
+    done = run(monkeypatch, capsys, NAME, "blunt.nc", "--tip", "100 um")
+    assert done.code == 1 and len(done.errors) == 1
+    assert_says(done.errors[0], "at least 3 bins", "found 0", "blunt.nc from", "tip of 100000 nm")
+
+
 def test_a_study_is_replaced_only_when_told(folder, monkeypatch, capsys):
     own_scan(folder / "one.nc")
     (folder / f"config/{NAME}.yaml").write_text("mine")
@@ -177,6 +184,8 @@ def test_a_study_is_replaced_only_when_told(folder, monkeypatch, capsys):
         ((NAME, "--surface", "sphere", "one.nc", "--sphere", "two.nc"), ["label of its own"]),
         ((NAME, "--surface", "smooth", "one.nc"), ["surface", "found 'smooth'"]),
         ((NAME, "--surface", "$x$", "one.nc"), ["label", "without $"]),
+        ((NAME, "--surface", "$x$", "one.nc", "two.nc"), ["--surface", "label", "without $"]),
+        ((NAME, "."), [".: expected a scan", "found a folder"]),
         ((NAME, "one.nc", "--forces", "none.csv"), ["--forces", "none.csv"]),
         ((NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"), ["sphere.radius", "2500 nm"]),
     ],

@@ -97,3 +97,28 @@ def test_snakemake_still_looks_for_work_without_end(tmp_path):
 def test_the_study_lets_snakemake_look_for_work_when_a_job_ends(tmp_path):
     lifted = "from hardcontact.study import start; start.lift_rate_limit(workflow)"
     assert looks_for_work(tmp_path / "lifted", lifted) == 0
+
+
+ANSWER = """
+from hardcontact.study import start
+rule answer:
+    output: "results/answer.html"
+    shell: "touch {output}"
+rule other:
+    output: "results/other.nc"
+    shell: "touch {output}"
+onsuccess:
+    start.say_answer(workflow, "results/answer.html")
+"""
+
+
+@pytest.mark.study
+@pytest.mark.parametrize(("target", "said"), [("answer", True), ("other", False)])
+def test_the_page_that_a_run_makes_is_named_at_its_end(tmp_path, target, said):
+    (tmp_path / "Snakefile").write_text(ANSWER)
+    run = subprocess.run(
+        [sys.executable, "-m", "snakemake", target, "--cores", "1"],
+        cwd=tmp_path, env=environment(ROOT), text=True, capture_output=True,
+    )  # fmt: skip
+    assert run.returncode == 0, run.stderr
+    assert ("open results/answer.html" in run.stdout + run.stderr) == said

@@ -27,6 +27,11 @@ __all__ = [
     "with_interval",
 ]
 
+#: Logarithms of samples are held within this of that of the mean. Student's t of one degree of
+#: freedom, from two scans, has no moments: its extremes would leave the range of floating-point
+#: numbers, up or down, and products of samples with them. No end of an interval comes near.
+ENDLESS = 150.0
+
 #: The ends of an interval, in their order along the dimension `bound`.
 BOUNDS = ["low", "high"]
 
@@ -192,7 +197,7 @@ def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: i
     normal = rng.standard_normal((samples, count))
     share = np.sqrt(rng.chisquare(count - 1, samples) / (count - 1))
     drawn = np.tensordot(normal / share[:, None], deviations, axes=1)
-    return np.asarray(values.mean(axis=0) * np.exp(drawn))
+    return np.asarray(values.mean(axis=0) * np.exp(np.clip(drawn, -ENDLESS, ENDLESS)))
 
 
 def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float) -> np.ndarray:

@@ -25,9 +25,7 @@ rule evaluate_claims:
     benchmark:
         PATTERNS.benchmark("evaluate_claims")
     params:
-        canonical=canonical(
-            {"confidence": STUDY["inference"]["confidence"], "seed": STUDY["seed"]}
-        ),
+        canonical=canonical({"confidence": STUDY["inference"]["confidence"], "seed": STUDY["seed"]}),
     script:
         "../scripts/evaluate_claims.py"
 

@@ -48,6 +48,7 @@ rule predict_force:
     """Predict the pull-off force at the range and work of adhesion that are asked for: force.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
+        scales=rules.aggregate_scales.output[0],
         topography=rules.aggregate_topography.output[0],
         code=code_inputs("predict_force.py"),
     output:
@@ -63,6 +64,9 @@ rule predict_force:
                 "rho": STUDY["scales"]["range"],
                 "radius": STUDY["sphere"]["radius"],
                 "contact": STUDY["contact"],
+                "scans": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
+                "tiles": STUDY["scales"]["large"]["tiles"],
+                "tolerance": STUDY["scales"]["tolerance"],
                 "confidence": STUDY["inference"]["confidence"],
             }
         ),
@@ -74,6 +78,7 @@ rule fit_forces:
     """Fit range and work of adhesion to own pull-off forces: fit.nc."""
     input:
         adhesion=rules.aggregate_adhesion.output[0],
+        force=rules.predict_force.output[0],
         topography=rules.aggregate_topography.output[0],
         forces=[] if STUDY["forces"] == NONE else STUDY["forces"],
         code=code_inputs("fit_forces.py"),

@@ -1,5 +1,6 @@
 """Range and work of adhesion that the user's own forces allow."""
 
+from hardcontact.adhesion.continued_work import with_continued_work
 from hardcontact.adhesion.own_fit import fit_measured
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records import dataset
@@ -9,12 +10,13 @@ from hardcontact.study.measured_forces import measured_forces
 with job(snakemake) as this:
     given = this.parameters
     sizes = dataset.read(this.input.topography)["scan_size"].to_series().to_dict()
+    fitted = fit_measured(
+        dataset.read(this.input.adhesion),
+        measured_forces(this.input.forces, list(sizes)),
+        sizes,
+        Sampling(given["seed"], given["samples"], given["confidence"]),
+    )
     this.write(
-        fit_measured(
-            dataset.read(this.input.adhesion),
-            measured_forces(this.input.forces, list(sizes)),
-            sizes,
-            Sampling(given["seed"], given["samples"], given["confidence"]),
-        ),
+        with_continued_work(fitted, dataset.read(this.input.force)),
         title="range and work of adhesion from measured forces",
     )

@@ -1,10 +1,12 @@
 """The pull-off forces that a work and a range of adhesion predict."""
 
+from hardcontact.adhesion.continued_force import continued_force, with_continued_force
 from hardcontact.adhesion.finite_scan import (
     with_contact_area,
     with_finite_scan_notes,
     with_window_share,
 )
+from hardcontact.adhesion.master_forces import Masters
 from hardcontact.adhesion.predicted_force import Prediction, predicted_force
 from hardcontact.records import dataset
 from hardcontact.study.job import job
@@ -16,6 +18,13 @@ with job(snakemake) as this:
         dataset.read(this.input.adhesion),
         Prediction(given["work"], given["rho"], sizes, given["confidence"]),
     )
+    continued = continued_force(
+        dataset.read(this.input.scales),
+        Masters(given["scans"], given["tiles"]),
+        given["work"],
+        given["confidence"],
+    )
+    force = with_continued_force(force, continued, given["tolerance"])
     force = with_finite_scan_notes(force, topography, given["radius"])
     force = with_window_share(force, given["contact"]["window"], given["radius"])
     this.write(

@@ -6,7 +6,13 @@ import xarray as xr
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.statistics import student_log_samples
 
-__all__ = ["POOLED", "critical_band", "critical_wavelength", "find_critical_band"]
+__all__ = [
+    "POOLED",
+    "critical_band",
+    "critical_wavelength",
+    "find_critical_band",
+    "logarithmic_limits",
+]
 
 #: The group of all surfaces.
 POOLED = "pooled"
@@ -58,8 +64,8 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
         scale_ratio (1) over side, surface and cutoff_wavelength; scale_change (1) and
         critical_wavelength (nm) over side and group, and scale_change over cutoff_wavelength; all
         with intervals. The change is |ratio - 1|; that of the group POOLED is the mean over
-        surfaces. A sampled change that stays within the tolerance counts as the last cutoff of its
-        side, a bound on where it leaves.
+        surfaces. A surface leaves the tolerance where ln(ratio) does. A sampled change that stays
+        within the tolerance counts as the last cutoff of its side, a bound on where it leaves.
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
@@ -68,11 +74,11 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     cutoffs = scales.cutoff_wavelength.values
     ends = scales.unfiltered_wavelength.transpose("side", "surface").values
     ends = np.concatenate([ends, ends.mean(axis=1, keepdims=True)], axis=1)
-    critical = _along_curves(ends, cutoffs, change[None], tolerance)[0]
+    critical = _critical_wavelengths(ends, cutoffs, ratio[None], tolerance)[0]
     known = np.isfinite(change)
     last = [np.where(known, cutoffs, limit) for limit in (-np.inf, np.inf)]
     last = np.where(ends < cutoffs[0], last[0].max(axis=-1), last[1].min(axis=-1))
-    critical_samples = _along_curves(ends, cutoffs, changes, tolerance)
+    critical_samples = _critical_wavelengths(ends, cutoffs, sampled, tolerance)
     stays = np.isnan(critical_samples) & np.isfinite(changes).any(axis=-1)
     critical_samples = np.where(stays, last, critical_samples)
     one, long_name = {"units": "1"}, "long_name"
@@ -126,46 +132,68 @@ def _changes(ratios: np.ndarray) -> np.ndarray:
     return np.concatenate([changes, changes.mean(axis=-2, keepdims=True)], axis=-2)
 
 
-def critical_wavelength(cutoffs: np.ndarray, changes: np.ndarray, tolerance: float) -> float:
-    """Return the cutoff where a change leaves the tolerance, coming from no filter.
+def logarithmic_limits(tolerance: float) -> tuple[float, float]:
+    """Return the limits of ln(ratio) within which a force is as good as unchanged."""
+    return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
-    Linear in the change and in log wavelength.
+
+def critical_wavelength(
+    cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]
+) -> float:
+    """Return the cutoff where a curve leaves its limits, coming from no filter.
+
+    Linear in the curve and in log wavelength.
 
     Parameters
     ----------
     cutoffs : ndarray (k,)
-        In nm, in the order of growing effect; the first is the end of the spectrum, where no
-        filter acts.
-    changes : ndarray (k,)
-        Relative changes of the force; the first is 0.
-    tolerance : float
-        Relative change of the force that counts.
+        In nm, in the order of growing effect.
+    curve : ndarray (k,)
+        Of one surface ln(ratio): it passes through no change where the ratio crosses one, which
+        |ratio - 1| does not. Of several surfaces the mean of |ratio - 1|, which has no sign. The
+        first lies within the limits.
+    limits : tuple of float
+        Lower and upper.
 
     Returns
     -------
     float
         In nm; NaN if the curve never leaves.
     """
-    outside = np.flatnonzero(changes > tolerance)
+    lower, upper = limits
+    outside = np.flatnonzero((curve < lower) | (curve > upper))
     if not len(outside):
         return np.nan
     last, first = outside[0] - 1, outside[0]
-    share = (tolerance - changes[last]) / (changes[first] - changes[last])
+    limit = upper if curve[first] > upper else lower
+    share = (limit - curve[last]) / (curve[first] - curve[last])
     return float(np.exp(np.log(cutoffs[last]) + share * np.log(cutoffs[first] / cutoffs[last])))
 
 
-def _along_curves(
-    ends: np.ndarray, cutoffs: np.ndarray, curves: np.ndarray, tolerance: float
+def _critical_wavelengths(
+    ends: np.ndarray, cutoffs: np.ndarray, ratios: np.ndarray, tolerance: float
 ) -> np.ndarray:
-    """Return critical wavelengths (n, side, group) of changes (n, side, group, cutoff).
+    """Return critical wavelengths (n, side, group) of ratios (n, side, surface, cutoff).
 
     ends: (side, group) nm, the unfiltered end: below all cutoffs, or above.
     """
+    pooled = _changes(ratios)[:, :, -1:]
+    of_surfaces = _along_curves(
+        ends[:, :-1], cutoffs, np.log(ratios), logarithmic_limits(tolerance)
+    )
+    of_all = _along_curves(ends[:, -1:], cutoffs, pooled, (-np.inf, tolerance))
+    return np.concatenate([of_surfaces, of_all], axis=-1)
+
+
+def _along_curves(
+    ends: np.ndarray, cutoffs: np.ndarray, curves: np.ndarray, limits: tuple[float, float]
+) -> np.ndarray:
+    """Return where curves (n, side, group, cutoff), zero without a filter, leave their limits."""
     wavelengths = np.full(curves.shape[:3], np.nan)
     for n, s, g in np.ndindex(wavelengths.shape):
         known = np.flatnonzero(np.isfinite(curves[n, s, g]))
         order = known if ends[s, g] < cutoffs[0] else known[::-1]
         wavelengths[n, s, g] = critical_wavelength(
-            np.append(ends[s, g], cutoffs[order]), np.append(0.0, curves[n, s, g, order]), tolerance
+            np.append(ends[s, g], cutoffs[order]), np.append(0.0, curves[n, s, g, order]), limits
         )
     return wavelengths

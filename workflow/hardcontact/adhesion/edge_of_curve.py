@@ -1,4 +1,4 @@
-"""Where a curve of changes of the force leaves its tolerance: found, or open with a bound.
+"""Where a curve of the force against cutoffs leaves its tolerance: found, or open with a bound.
 
 An edge is found between two cutoffs that were computed. Where the curve has left before the first
 one, or does not leave up to the last, the edge is open, and a bound is all that is known.
@@ -10,13 +10,11 @@ import numpy as np
 
 from hardcontact.adhesion.critical_band import critical_wavelength
 
-__all__ = ["SIDES", "Curve", "Edge", "described_edge", "edge_of_curve"]
-
-SIDES = ["small", "large"]
+__all__ = ["Curve", "Edge", "described_edge"]
 
 
 class Curve(NamedTuple):
-    """Changes |ratio - 1| of the force on one side, from no filter on.
+    """A measure of the change of the force on one side, zero without a filter.
 
     Attributes
     ----------
@@ -26,15 +24,18 @@ class Curve(NamedTuple):
         Longest wavelength of the filtered surfaces in nm.
     cutoffs : numpy.ndarray
         (k,) nm, in the order of growing effect: growing on the small side, falling on the large.
-    changes : numpy.ndarray
+    values : numpy.ndarray
         (3, k): as computed, the least and the greatest within the interval; the latter NaN where
-        there is no interval.
+        there is no interval. Of one surface ln(ratio), of several the mean of |ratio - 1|.
+    limits : tuple of float
+        Lower and upper; within them a change counts as none.
     """
 
     side: str
     cell: float
     cutoffs: np.ndarray
-    changes: np.ndarray
+    values: np.ndarray
+    limits: tuple[float, float]
 
 
 class Edge(NamedTuple):
@@ -55,46 +56,19 @@ class Edge(NamedTuple):
     at_least: bool
 
 
-def edge_of_curve(curve: Curve, changes: np.ndarray, tolerance: float) -> Edge:
-    """Return the edge of one row of changes of a curve.
-
-    Parameters
-    ----------
-    curve : Curve
-        Its side and cutoffs.
-    changes : numpy.ndarray
-        (k,) changes of the force.
-    tolerance : float
-        The change that counts.
-
-    Returns
-    -------
-    Edge
-        Found by `critical_wavelength`, or open.
-    """
-    small = curve.side == "small"
-    if changes[0] > tolerance:
-        return Edge(np.nan, float(curve.cutoffs[0]), not small)
-    found = critical_wavelength(curve.cutoffs, changes, tolerance)
-    if np.isnan(found):
-        return Edge(np.nan, float(curve.cutoffs[-1]), small)
-    return Edge(found, np.nan, small)
-
-
-def described_edge(curve: Curve, tolerance: float) -> dict[str, Any]:
+def described_edge(curve: Curve) -> dict[str, Any]:
     """Return the edge of a curve with its interval, status and text.
 
-    The interval holds the wavelengths at which the tolerance lies within the interval of the
-    change: it begins where the greatest change leaves the tolerance, and ends where the least one
-    does. At the true edge the change is the tolerance, which its interval holds with the confidence
-    asked for.
+    The edge is that of `critical_wavelength`. The ends of its interval are cutoffs that were
+    computed: the last one before any value within the intervals leaves the limits, and the first
+    one at which all values have left. At the true edge the curve is at a limit, which its interval
+    holds with the confidence asked for. Between two cutoffs nothing was computed, so that nothing
+    but a curve that has no further crossing there is taken for granted, not a straight one.
 
     Parameters
     ----------
     curve : Curve
         With its interval.
-    tolerance : float
-        The change that counts.
 
     Returns
     -------
@@ -102,15 +76,18 @@ def described_edge(curve: Curve, tolerance: float) -> dict[str, Any]:
         ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
         ``edge_status``, ``interval_status`` (2,) and ``edge_text``.
     """
-    edge, late, early = (edge_of_curve(curve, row, tolerance) for row in curve.changes)
-    ends = [early, late] if curve.side == "small" else [late, early]
-    interval = np.array([end.wavelength for end in ends])
+    _, least, greatest = curve.values
+    edge = _edge(curve)
+    begins, ends = _first_outside(curve, greatest, least), _first_outside(curve, least, greatest)
+    interval = np.array([_cutoff(curve, begins - 1), _cutoff(curve, ends) if ends else np.nan])
+    if curve.side == "large":
+        interval = interval[::-1]
     status, reason = _status(edge, curve.cell)
-    known = not np.isnan(curve.changes).any() and interval[0] != interval[1]
+    known = not np.isnan(curve.values).any()
     if reason and not np.isfinite(interval).any():  # which says no more than that it is open
         known = False
     if not known:
-        interval[:] = np.nan
+        interval = np.full(2, np.nan)
     return {
         "edge": edge.wavelength,
         "edge_bound": edge.bound,
@@ -119,6 +96,32 @@ def described_edge(curve: Curve, tolerance: float) -> dict[str, Any]:
         "interval_status": np.where(np.isfinite(interval), "found", "open"),
         "edge_text": _text(edge, interval, reason, known),
     }
+
+
+def _first_outside(curve: Curve, above: np.ndarray, below: np.ndarray) -> int:
+    """Return the place of the first cutoff beyond the limits, the number of cutoffs if none is.
+
+    Beyond the upper limit count values of one row, beyond the lower one those of another.
+    """
+    lower, upper = curve.limits
+    outside = np.flatnonzero((above > upper) | (below < lower))
+    return int(outside[0]) if len(outside) else len(curve.cutoffs)
+
+
+def _cutoff(curve: Curve, place: int) -> float:
+    """Return a cutoff in nm, NaN beyond those computed."""
+    return float(curve.cutoffs[place]) if 0 <= place < len(curve.cutoffs) else np.nan
+
+
+def _edge(curve: Curve) -> Edge:
+    """Return where the curve as computed leaves its limits, or that it is open."""
+    small, value = curve.side == "small", curve.values[0]
+    first = _first_outside(curve, value, value)
+    if first == 0:
+        return Edge(np.nan, float(curve.cutoffs[0]), not small)
+    if first == len(curve.cutoffs):
+        return Edge(np.nan, float(curve.cutoffs[-1]), small)
+    return Edge(critical_wavelength(curve.cutoffs, value, curve.limits), np.nan, small)
 
 
 def _status(edge: Edge, cell: float) -> tuple[str, str]:
@@ -144,14 +147,21 @@ def _text(edge: Edge, interval: np.ndarray, reason: str, known: bool) -> str:
     text = f"{number} {unit}"
     if reason:
         text = f"at {'least' if edge.at_least else 'most'} {text}: {reason}"
-    return f"{text} [{low}, {high}]" if known else f"{text}, no interval"
+    if not known:
+        return f"{text}, no interval"
+    if np.isfinite(interval).all():
+        return f"{text} [{low}, {high}]"
+    if not np.isfinite(interval).any():
+        return f"{text} [not bounded]"
+    bound = f"above {low}" if np.isfinite(interval[0]) else f"below {high}"
+    return f"{text} [{bound} {unit}]"
 
 
 def _numbers(values: np.ndarray) -> list[str]:
-    """Return numbers with as few digits, two or more, as tell them apart; NaN is open."""
+    """Return numbers with as few digits, two or more, as tell them apart; NaN is "nan"."""
     known = np.unique(values[np.isfinite(values)])
     for digits in range(2, 7):
         texts = [f"{float(f'{value:.{digits}g}'):.10g}" for value in values]
         if len({*texts} - {"nan"}) == len(known):
             break
-    return ["open" if text == "nan" else text for text in texts]
+    return texts

@@ -12,7 +12,7 @@ def fit_note(parts: Parts, tests: int) -> str:
     """Return what the interval of the work of adhesion of one surface comes from."""
     if tests < 2:
         return "no interval: the scatter of a single test is unknown"
-    return f"{tests} tests; scans: {parts.note()}"
+    return f"{tests} tests; computed forces: {parts.note()}"
 
 
 def fit_text(fitted: xr.Dataset) -> str:

@@ -54,7 +54,7 @@ class _Curve(NamedTuple):
 def fit_measured(
     adhesion: xr.Dataset, forces: pd.DataFrame, sizes: Mapping[str, float], sampling: Sampling
 ) -> xr.Dataset:
-    """Fit range and work of adhesion to measured forces.
+    """Fit range and work of adhesion to measured forces, with the roughness of the scans.
 
     Parameters
     ----------
@@ -106,8 +106,8 @@ def fit_measured(
 
 
 def _fine(rhos: np.ndarray) -> np.ndarray:
-    """Return the ranges of the curves in nm; a single one stays single."""
-    return np.geomspace(rhos[0], rhos[-1], FINE_RANGES if len(rhos) > 1 else 1)
+    """Return the ranges of the curves in nm, with those computed; a single one stays single."""
+    return np.union1d(np.geomspace(rhos[0], rhos[-1], FINE_RANGES if len(rhos) > 1 else 1), rhos)
 
 
 def _tests(measured: Mapping[str, MeasuredTests], sampling: Sampling) -> dict[str, Any]:

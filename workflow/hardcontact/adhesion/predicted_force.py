@@ -7,7 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.scan_forces import forces_of_scans
-from hardcontact.adhesion.scan_parts import half_width_of_logarithm
+from hardcontact.adhesion.scan_parts import half_width_of_logarithm, logarithmic_interval
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import with_interval
 
@@ -56,10 +56,11 @@ def predicted_force(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
     -------
     xarray.Dataset
         Over surface, contact_model and rho in N: ``force``, the mean over contacts and scans, with
-        its interval by Student's t on logarithms, over scans or quarters of one or two; and
-        ``force_quantile`` of single contacts over `quantile`. Over surface ``conditional`` (1 of
-        quarters), ``interval_note``, label and basis. The range asked for is the attribute
-        ``range_of_adhesion``.
+        its interval by Student's t on logarithms, over scans or quarters of one or two, from zero
+        to infinity where it is not bounded; and ``force_quantile`` of single contacts over
+        `quantile`. Over surface ``conditional`` (1 of quarters), ``interval_note``,
+        ``correlation_of_parts`` at the range asked for, label and basis. The range asked for is the
+        attribute ``range_of_adhesion``.
 
     Raises
     ------
@@ -105,7 +106,7 @@ def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
             for scans in models
         ]
     )
-    interval = mean[..., None] * np.exp(np.stack([-half, half], axis=-1))
+    interval = logarithmic_interval(mean, half)
     quantiles = forces.quantile(QUANTILES, CONTACTS).transpose("contact_model", "rho", "quantile")
     parts = models[0].parts[int(np.abs(adhesion.rho.values - prediction.rho).argmin())]
     newton, dimensions = {"units": "N"}, ("contact_model", "rho")
@@ -115,6 +116,7 @@ def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, newton),
             "conditional": int(parts.conditional),
             "interval_note": parts.note(),
+            "correlation_of_parts": ((), parts.shared, {"units": "1"}),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
     )

@@ -7,13 +7,19 @@ which the paraboloid r²/2R enters Eq. 3 of the paper, so that contacts of diffe
 the same peaks. How much is known from R, rho and the size of the scan, and corrects the variance.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 __all__ = [
     "Parts",
+    "Variance",
+    "half_width",
     "half_width_of_logarithm",
+    "jackknife_variance",
+    "logarithmic_interval",
     "parts_of_scans",
     "quarters_of_contacts",
     "sampled_deviations",
@@ -25,8 +31,26 @@ ENOUGH_SCANS = 3
 #: Half widths of logarithms: what is less is rounding, what is more as good as infinite.
 ROUNDING, ENDLESS = 1e-9, 50.0
 
+#: An interval that spans a wider factor to each side bounds nothing of use.
+UNBOUNDED = float(np.log(1e3))
+
 #: Parts that correlate more are the same.
 SAME = 1 - 1e-9
+
+
+class Variance(NamedTuple):
+    """Variance of the logarithm of a statistic from one source.
+
+    Attributes
+    ----------
+    value : numpy.ndarray
+        (...), NaN where it is not known.
+    freedom : float
+        Degrees of freedom it is known with.
+    """
+
+    value: np.ndarray
+    freedom: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,10 +90,7 @@ class Parts:
         count = len(self.correlation)
         if count < 2 or self.shared > SAME:
             return f"no interval: every contact feels all of {scans}"
-        return (
-            f"conditional on {scans}: from {count} quarters, whose forces correlate by "
-            f"{self.shared:.2f} because their contacts feel the same peaks"
-        )
+        return f"conditional on {scans}: from the scatter between {count} quarters"
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
@@ -140,10 +161,55 @@ def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
     return np.kron(halves, halves)
 
 
-def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: float) -> np.ndarray:
-    """Return the half width of the interval of the logarithm of a statistic.
+def jackknife_variance(left_out: np.ndarray, parts: Parts) -> Variance:
+    """Return the variance of the delete-one jackknife, corrected as `_widening` says.
 
-    Student's t with the variance of the delete-one jackknife, corrected as `_widening` says.
+    Parameters
+    ----------
+    left_out : numpy.ndarray
+        (part, ...) logarithms of the statistic of all parts but one.
+    parts : Parts
+        As many.
+
+    Returns
+    -------
+    Variance
+        NaN of fewer than two parts, and of parts that are the same.
+    """
+    widened, freedom = _widening(parts)
+    return Variance((len(left_out) - 1) * left_out.var(axis=0) * widened, freedom)
+
+
+def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
+    """Return the half width of the interval of a logarithm whose variance has several sources.
+
+    Student's t with the sum of the variances v_i of independent sources, and the degrees of freedom
+    of Welch and Satterthwaite: (sum v_i)²/sum(v_i²/f_i).
+
+    Parameters
+    ----------
+    sources : sequence of Variance
+        Of the same shape (...).
+    confidence : float
+        Probability that the interval holds the logarithm.
+
+    Returns
+    -------
+    numpy.ndarray
+        (...), NaN where a variance is, and where all are rounding.
+    """
+    from scipy import stats
+
+    total = np.asarray(sum(source.value for source in sources))
+    whole = np.where(total > 0, total, 1.0)
+    inverse = sum((source.value / whole) ** 2 / source.freedom for source in sources)
+    inverse = np.where(total > 0, inverse, 1.0)
+    half = np.minimum(stats.t.ppf((1 + confidence) / 2, 1 / inverse) * np.sqrt(total), ENDLESS)
+    return np.where(half > ROUNDING, half, np.nan)
+
+
+def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: float) -> np.ndarray:
+    """Return the half width of the interval of the logarithm of a statistic of parts.
 
     Parameters
     ----------
@@ -157,14 +223,19 @@ def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: floa
     Returns
     -------
     numpy.ndarray
-        (...), NaN of fewer than two parts, and of parts that are the same.
+        (...), as of `half_width` with the variance of `jackknife_variance`.
     """
-    from scipy import stats
+    return half_width([jackknife_variance(left_out, parts)], confidence)
 
-    widened, freedom = _widening(parts)
-    error = np.sqrt((len(left_out) - 1) * left_out.var(axis=0) * widened)
-    half = np.minimum(stats.t.ppf((1 + confidence) / 2, freedom) * error, ENDLESS)
-    return np.where(half > ROUNDING, half, np.nan)
+
+def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
+    """Return the interval (..., 2) of a positive value from the half width of its logarithm.
+
+    From zero to infinity, which is no bound, where it would span a factor of a thousand or more to
+    each side: Student's t of one degree of freedom, from two realizations, can span any.
+    """
+    finite = value[..., None] * np.exp(np.stack([-half, half], axis=-1))
+    return np.where((half > UNBOUNDED)[..., None], [0.0, np.inf], finite)
 
 
 def sampled_deviations(

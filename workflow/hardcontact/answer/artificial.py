@@ -5,8 +5,11 @@ from collections.abc import Iterable
 import numpy as np
 import xarray as xr
 
+from hardcontact.answer.quantities import print_length
+
 __all__ = [
     "artificial_bands",
+    "artificial_words",
     "measurements",
     "reliable_measurements",
     "share_inside",
@@ -51,6 +54,21 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
             bands.append((reached, shortest))
         reached = max(reached, longest)
     return [*bands, (float(of_surface["longest_measured"]), np.inf)]
+
+
+def artificial_words(bands: Iterable[tuple[float, float]]) -> str:
+    """Return bands of wavelengths (nm) in words: "below 13 nm, between 77 nm and 0.2 µm"."""
+    *others, last = [_band_words(*ends) for ends in bands]
+    return f"{', '.join(others)} or {last}" if others else last
+
+
+def _band_words(low: float, high: float) -> str:
+    """Return a band of wavelengths (nm) in words."""
+    if low == 0:
+        return f"below {print_length(high)}"
+    if np.isinf(high):
+        return f"above {print_length(low)}"
+    return f"between {print_length(low)} and {print_length(high)}"
 
 
 def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) -> float:

@@ -11,7 +11,13 @@ from hardcontact.answer.artificial import (
 )
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.quantities import print_length, print_quantity
-from hardcontact.answer.sentences import edge_words, is_open, printed_added_forces
+from hardcontact.answer.sentences import (
+    differing_sides,
+    edge_words,
+    is_open,
+    printed_continued_force,
+    transition_words,
+)
 
 __all__ = ["artificial_edges", "grave_limits", "limits", "measurement_name"]
 
@@ -23,6 +29,9 @@ WHOLE = 0.99
 
 #: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
 SPARSE = 2.0
+
+#: How roughness that is continued at each side ends.
+END = {"small": "down to", "large": "up to"}
 
 EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
 
@@ -48,7 +57,7 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *artificial_edges(spectra, edges),
         *_of_window(force),
         *_of_scan_size(force),
-        *_of_added_roughness(edges, force),
+        *_of_continued_roughness(force),
         *_of_pixels(force),
         *_of_intervals(edges, force),
         *_of_cutoffs(edges),
@@ -181,28 +190,36 @@ def _of_pixels(force: xr.Dataset) -> list[str]:
     ]
 
 
-def _of_added_roughness(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return that the force changes once roughness that the scans do not show is added."""
-    added = printed_added_forces(edges, force)
-    if not added:
-        return []
+def _of_continued_roughness(force: xr.Dataset) -> list[str]:
+    """Return how the force changes once the roughness goes on where the scans do not show it."""
     return [
         f"The force of {print_quantity(at_range(force)['force'].item(), 'N')} is that of the scans "
-        "as they are, without wavelengths that they do not show. With roughness of the joined "
-        f"spectrum added, as for the band, its mean is {added}."
+        f"as they are. With roughness {transition_words(force, side)} that follows the joined "
+        f"spectrum, {END[side]} "
+        f"{print_length(force['continued_end'].sel(side=side).item())}, it is "
+        f"{printed_continued_force(force, side)}."
+        for side in differing_sides(force)
     ]
 
 
 def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
     """Return that intervals are conditional on the scans at hand, or that there are none."""
-    return [
+    texts = [
         f"{name}: {part['interval_note'].item()}."
         for name, part, interval in (
             ("Intervals of the band", edges, "scale_ratio_interval"),
             ("Interval of the mean force", force, "force_interval"),
         )
-        if part["conditional"].item() or not np.isfinite(part[interval]).any()
+        if not (part[interval] >= 0).any()
     ]
+    if force["conditional"].item() and len(texts) < 2:
+        texts.append(
+            "Intervals are conditional on the scans at hand: they follow from quarters of these "
+            "scans, and other scans of the same surface may differ by more. The contacts of "
+            "different quarters feel the same peaks; that the mean forces of quarters correlate by "
+            f"{force['correlation_of_parts'].item():.2f} for this reason is taken into account."
+        )
+    return texts
 
 
 def _of_cutoffs(edges: xr.Dataset) -> list[str]:
@@ -213,7 +230,7 @@ def _of_cutoffs(edges: xr.Dataset) -> list[str]:
         if longer > SPARSE * shorter:
             texts.append(
                 f"{EDGES[side]} is interpolated between cutoffs of {print_length(shorter)} and "
-                f"{print_length(longer)}; its interval does not hold the error of this."
+                f"{print_length(longer)}: all that was computed is that it lies between them."
             )
     return texts
 

@@ -11,7 +11,7 @@ from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
 from hardcontact.answer.ratios import SIDES, computed_cutoffs
-from hardcontact.answer.sentences import added_forces, one_sentence
+from hardcontact.answer.sentences import one_sentence
 from hardcontact.statistics import bounds
 
 __all__ = ["METRICS", "answer_numbers"]
@@ -76,7 +76,7 @@ def _of_surface(label: str, given: Datasets) -> dict[str, Any]:
         "scans": _scans(given.topography),
         "spectrum": _spectrum(given.spectra),
         "band": {side: _edge(given.edges.sel(side=side)) for side in SIDES},
-        "force": _force(given.force, given.edges),
+        "force": _force(given.force),
         "limits": limits(basis, given.spectra, given.edges, given.force),
     }
 
@@ -142,14 +142,12 @@ def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
     }
 
 
-def _force(force: xr.Dataset, edges: xr.Dataset) -> dict[str, Any]:
+def _force(force: xr.Dataset) -> dict[str, Any]:
     """Return the force at the range asked for, its spread, and the force over the range."""
     here = at_range(force)
     return {
         **_of(here, "force", "N"),
-        "with_added_roughness": {
-            side: _number(value, "N") for side, value in added_forces(edges, force).items()
-        },
+        "with_continued_roughness": {side: _continued(force.sel(side=side)) for side in SIDES},
         "contact_model": str(here["contact_model"].item()),
         "interval_note": str(force["interval_note"].item()),
         "quantiles_of_contacts": {
@@ -163,6 +161,16 @@ def _force(force: xr.Dataset, edges: xr.Dataset) -> dict[str, Any]:
             str(model): _bounded_numbers(force.sel(contact_model=model), "force", "N")
             for model in force["contact_model"].values
         },
+    }
+
+
+def _continued(of_side: xr.Dataset) -> dict[str, Any]:
+    """Return the force with roughness continued at one side of a surface."""
+    return _of(of_side, "continued_force", "N") | {
+        "differs": bool(of_side["continued_differs"].item()),
+        "from": _of(of_side, "transition", "nm"),
+        "to": _of(of_side, "continued_end", "nm"),
+        "interval_note": str(of_side["continued_note"].item()),
     }
 
 

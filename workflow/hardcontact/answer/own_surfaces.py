@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import xarray as xr
 
 from hardcontact.answer import fit_curve, force_curve, maps, psd, ratios
+from hardcontact.answer.artificial import artificial_bands, artificial_words
 from hardcontact.answer.canvas import png
 from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.force_curve import model_of
@@ -111,14 +112,16 @@ def _first_screen(given: Datasets) -> str:
     tolerance = print_share(given.edges.attrs["tolerance"])
     confidence = print_share(given.edges.attrs["confidence"])
     meaning = (
-        "Decided by: removing all roughness of shorter wavelengths, or all of longer ones, changes "
-        f"the force by less than {tolerance}. Brackets: {confidence} intervals; numbers without "
-        "brackets have none."
+        "If all roughness of shorter wavelengths than these were removed, or all of longer ones, "
+        f"the force would change by less than {tolerance}. Brackets hold {confidence} intervals; a "
+        "number without brackets has none."
     )
     more = f'<a href="#{_anchor(LIMITS)}">{LIMITS}</a>.'
     opened = ""
     if (given.edges["edge_status"] != "found").any():
-        opened = " An edge given as “at least” or “at most” is open: it was not found."
+        opened = (
+            " “At least” and “at most” mean that this end was not found within what was computed."
+        )
     return (
         f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
         "</div>\n" + _notice(given)
@@ -152,16 +155,14 @@ def _map(label: str, of: Datasets) -> str:
 
 
 def _spectrum(label: str, of: Datasets) -> str:
-    low, high = (
-        print_length(of.spectra[f"{name}_measured"].item()) for name in ("shortest", "longest")
-    )
+    shaded = artificial_words(artificial_bands(of.spectra))
     return figure_html(
         png(psd.draw(of.spectra)),
-        f"Power spectral density of {label} against wavelength; reliable from {low} to {high}.",
+        f"Power spectral density of {label} against wavelength; no scan is reliable {shaded}.",
         f"{label}: the isotropic power spectral density of each scan where it is reliable (colour) "
         "and where it is not (dotted), and their logarithmic average (points). The line is the "
-        "spectrum of roughness that is added where the scans end. Shaded: no scan is reliable "
-        f"below {low} or above {high}; roughness there is uncertain or artificial.",
+        "spectrum of roughness that is added where the scans end. Shaded: wavelengths at which "
+        f"no scan is reliable, {shaded}; roughness there is uncertain or artificial.",
     )
 
 
@@ -177,8 +178,10 @@ def _ratios(label: str, of: Datasets) -> str:
         f"Pull-off force of {label} with roughness below or above a cutoff removed. Edges of the "
         f"band: {edges}.",
         f"{label}: mean pull-off force with all roughness below (upper panel) or above (lower "
-        f"panel) a cutoff removed, over that with all, at ρ = {rho}. Grey: a change of {tolerance} "
-        f"that counts as none. Edges of the band: {edges}.",
+        f"panel) a cutoff removed, over that with all, at ρ = {rho}. Bars: intervals, not "
+        f"bounded where they leave the panel. Grey band: a change of {tolerance} that counts as "
+        "none. Shaded wavelengths: no scan is reliable, "
+        f"{artificial_words(artificial_bands(of.spectra))}. Edges of the band: {edges}.",
     )
 
 

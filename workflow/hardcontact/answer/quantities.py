@@ -41,12 +41,13 @@ def best_unit(value: float, unit: str) -> tuple[str, float]:
 
 
 def print_quantity(value: float, unit: str, low: float = math.nan, high: float = math.nan) -> str:
-    """Return a number with its unit and, if both ends are finite, its interval.
+    """Return a number with its unit and its interval, unless its ends are not known.
 
     Parameters
     ----------
     value, low, high : float
-        The number and the ends of its interval, in `unit`.
+        The number and the ends of its interval, in `unit`: NaN of one that is not known, zero and
+        infinity of one that bounds nothing.
     unit : str
         A key of UNITS: "nm", "N" or "J m-2".
 
@@ -59,6 +60,8 @@ def print_quantity(value: float, unit: str, low: float = math.nan, high: float =
     interval = ""
     if math.isfinite(low + high):
         interval = f" [{_digits(low / size)}, {_digits(high / size)}]"
+    elif low == 0 and math.isinf(high):
+        interval = " [not bounded]"
     return f"{_digits(value / size)} {name}{interval}"
 
 

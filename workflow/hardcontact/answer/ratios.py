@@ -26,6 +26,8 @@ CURVE: dict[str, Any] = {"color": "#0072B2", "marker": "o"}
 EDGE: dict[str, Any] = {"color": "#D55E00", "lw": 1.4}
 EDGE_INTERVAL: dict[str, Any] = {"color": "#D55E00", "alpha": 0.25, "lw": 0}
 TOLERANCE: dict[str, Any] = {"color": "0.82", "lw": 0}
+FAR = 10.0  # factor beyond the ratios, where a panel ends if bars do not end before
+EDGE_ROOM = 1.3  # factor by which a panel goes beyond what it shows
 MARGIN = 2.0  # factor by which the wavelengths shown go beyond the cutoffs
 
 
@@ -83,8 +85,17 @@ def _draw_ratio(axes: Axes, of_side: xr.Dataset, tolerance: float) -> None:
     """Draw ratio and interval against cutoff (nm), and the change that counts as none."""
     axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0.5, **TOLERANCE)
     curve = bounded(of_side, "scale_ratio").sel(cutoff_wavelength=computed_cutoffs(of_side))
-    axes.errorbar(curve["cutoff_wavelength"], curve["value"], reach(curve), elinewidth=0.8, **CURVE)
-    axes.set(xscale="log", yscale="log")
+    value = curve["value"]
+    far = curve.assign(  # an interval without bounds leaves the panel
+        low=np.maximum(curve["low"], value / FAR**2), high=np.minimum(curve["high"], value * FAR**2)
+    )
+    axes.errorbar(curve["cutoff_wavelength"], value, reach(far), elinewidth=0.8, **CURVE)
+    low, high = (far[end].fillna(value) for end in ("low", "high"))
+    shown = (
+        max(float(low.min()), float(value.min()) / FAR),
+        min(float(high.max()), float(value.max()) * FAR),
+    )
+    axes.set(xscale="log", yscale="log", ylim=(shown[0] / EDGE_ROOM, shown[1] * EDGE_ROOM))
     canvas.label_numbers(axes.yaxis)
 
 

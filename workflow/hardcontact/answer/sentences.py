@@ -11,17 +11,18 @@ from hardcontact.answer.ratios import SIDES
 from hardcontact.figures.style import print_share
 
 __all__ = [
-    "added_forces",
     "band_sentences",
+    "differing_sides",
     "edge_words",
     "fit_sentences",
     "force_sentences",
     "is_open",
     "one_sentence",
     "pooled_sentence",
-    "printed_added_forces",
+    "printed_continued_force",
     "printed_force",
     "printed_pair",
+    "transition_words",
 ]
 
 #: The text of an open edge: bound, reason, and what is said of its interval.
@@ -29,8 +30,8 @@ OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
 #: What an edge without an interval ends with.
 NO_INTERVAL = ", no interval"
 
-#: The wavelengths that are added beyond the scans at each side.
-ADDED = {"small": "shorter", "large": "longer"}
+#: Where the wavelengths lie that continue the roughness of the scans at each side.
+BEYOND = {"small": "below", "large": "above"}
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -49,7 +50,7 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     label : str
         Of the surface.
     edges : xarray.Dataset
-        Part of edges.nc of the surface: `edge_text` and `unfiltered_force` (side).
+        Part of edges.nc of the surface: `edge_text` (side).
     force : xarray.Dataset
         Part of force.nc of the surface.
 
@@ -58,41 +59,59 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     str
         Plain text.
     """
-    added = printed_added_forces(edges, force)
-    if added:
-        added = f" with the wavelengths that its scans show, {added} added,"
     return (
         f"How {label} sticks is decided by roughness with wavelengths {_from_to(edges)}; its "
-        f"predicted pull-off force is {printed_force(force)}{added} {printed_pair(force)}."
+        f"predicted pull-off force is {_force_or_two(force)} {printed_pair(force)}."
     )
 
 
-def added_forces(edges: xr.Dataset, force: xr.Dataset) -> dict[str, float]:
-    """Return the mean force in N with roughness added that the scans do not show, by side.
+def _force_or_two(force: xr.Dataset) -> str:
+    """Return the force of a surface; with continued roughness too, where that differs."""
+    sides = differing_sides(force)
+    of_scans = (at_range(force)["force"].item(), f"{printed_force(force)}, if it ends there")
+    if not sides:
+        return printed_force(force)
+    first, *others = sides
+    continued = (
+        force["continued_force"].sel(side=first).item(),
+        f"{printed_continued_force(force, first)}, if the roughness goes on "
+        f"{transition_words(force, first)} as its spectrum does",
+    )
+    lower, upper = sorted([continued, of_scans])
+    also = "".join(
+        f" or {printed_continued_force(force, side)}, if it goes on {transition_words(force, side)}"
+        for side in others
+    )
+    return (
+        f"between {lower[1]}, and {upper[1]}{also} (the scans that contacts are made on do not "
+        "tell),"
+    )
+
+
+def differing_sides(data: xr.Dataset) -> list[str]:
+    """Return the sides on which continued roughness changes the force beyond its interval.
 
     Parameters
     ----------
-    edges : xarray.Dataset
-        Part of edges.nc of a surface: `unfiltered_force` (side) at 1 J/m².
-    force : xarray.Dataset
-        Part of force.nc of the surface.
+    data : xarray.Dataset
+        Part of force.nc or fit.nc of a surface: `continued_differs` (side).
 
     Returns
     -------
-    dict
-        Of each side on which it changes the force by more than the tolerance of the band.
+    list of str
+        Of `small` and `large`.
     """
-    mean, work = at_range(force)["force"].item(), force.attrs["work_of_adhesion"]
-    forces = {side: edges["unfiltered_force"].sel(side=side).item() * work for side in SIDES}
-    tolerance = edges.attrs["tolerance"]
-    return {side: value for side, value in forces.items() if abs(value / mean - 1) > tolerance}
+    return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
 
 
-def printed_added_forces(edges: xr.Dataset, force: xr.Dataset) -> str:
-    """Return `added_forces` as "97 nN with shorter and 0.3 µN with longer ones", or nothing."""
-    forces = added_forces(edges, force)
-    texts = [f"{print_quantity(forces[side], 'N')} with {ADDED[side]}" for side in forces]
-    return f"{' and '.join(texts)} ones" if texts else ""
+def transition_words(data: xr.Dataset, side: str) -> str:
+    """Return from where on roughness follows the spectrum: "below 200 nm"."""
+    return f"{BEYOND[side]} {print_length(data['transition'].sel(side=side).item())}"
+
+
+def printed_continued_force(force: xr.Dataset, side: str) -> str:
+    """Return the force with roughness continued at one side, with its interval if it has one."""
+    return print_bounded(force.sel(side=side), "continued_force", "N")
 
 
 def band_sentences(label: str, edges: xr.Dataset) -> str:
@@ -128,7 +147,10 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
     note = str(edges["interval_note"].item())
     intervals = f"{_capital(note)}."
     if np.isfinite(edges["scale_ratio_interval"]).any():
-        intervals = f"Brackets are {print_share(edges.attrs['confidence'])} intervals, {note}."
+        intervals = (
+            f"Brackets are {print_share(edges.attrs['confidence'])} intervals, {note}; their ends "
+            "are cutoffs that were computed."
+        )
     return (
         f"The pull-off force of {label} is decided by roughness with wavelengths "
         f"{_from_to(edges)}. {remainder}{''.join(opened)} {intervals}"
@@ -210,7 +232,8 @@ def fit_sentences(fit: xr.Dataset) -> str:
     ----------
     fit : xarray.Dataset
         Part of fit.nc of one contact model: `measured_force` in N with its interval, `tests`,
-        `label` and `interval_note` (surface), `work_of_adhesion` (surface, rho), `fit_text`.
+        `label` and `interval_note` (surface), `work_of_adhesion` (surface, rho), `fit_text`,
+        `continued_work` and `continued_differs` (surface, side), `transition` (side).
 
     Returns
     -------
@@ -224,16 +247,31 @@ def fit_sentences(fit: xr.Dataset) -> str:
         for one in surfaces
     )
     text = f"Measured: {forces}. {_capital(str(fit['fit_text'].item()))}."
-    if len(surfaces) == 1:
-        first, last = (_work_at_range(surfaces[0].isel(rho=place)) for place in (0, -1))
-        text += f" It runs from {first} to {last}."
-    return f"{text} Brackets: {print_share(fit.attrs['confidence'])} intervals."
+    works = "; ".join(_works(one) for one in surfaces)
+    return f"{text} {works}. Brackets: {print_share(fit.attrs['confidence'])} intervals."
 
 
-def _work_at_range(fit: xr.Dataset) -> str:
+def _works(fit: xr.Dataset) -> str:
+    """Return the works of adhesion of one surface: at the range asked for and at the ends."""
+    asked = fit.attrs["range_of_adhesion"]
+    here = fit.sel(rho=asked, method="nearest")
+    text = f"{fit['label'].item()}: {_work(here)} at the range of {print_length(asked)} asked for"
+    for side in differing_sides(fit):
+        continued = print_bounded(fit.sel(side=side), "continued_work", "J m-2")
+        text += (
+            f", or {continued} there if the roughness goes on {transition_words(fit, side)} as its "
+            "spectrum does, because the work is the measured force over the computed one"
+        )
+    first, last = (
+        f"{_work(end)} at {print_length(end['rho'].item())}"
+        for end in (fit.isel(rho=0), fit.isel(rho=-1))
+    )
+    return f"{text}; from {first} to {last} over all ranges computed"
+
+
+def _work(fit: xr.Dataset) -> str:
     """Return the work of adhesion that fits at one range, as printed."""
-    work = print_bounded(fit, "work_of_adhesion", "J m-2")
-    return f"{work} at a range of {print_length(fit['rho'].item())}"
+    return print_bounded(fit, "work_of_adhesion", "J m-2")
 
 
 def _capital(text: str) -> str:

@@ -108,13 +108,13 @@ def claims_page(claims: pd.DataFrame, confidence: float) -> str:
     return _page(
         f"Verdicts on {independent} findings in {len(claims)} statements of the paper",
         f"<p>Of {len(claims)} statements {independent} are independent findings; the others restate"
-        " one of them, follow from it or hold by construction, and say so. Square brackets: "
-        f"{100 * confidence:g} % interval. <em>Holds in</em>: the share of many equally good sets "
-        "of scans in which the statement holds. "
+        " one of them, follow from it or hold by construction. On coarse grids rows of Table 1"
+        " that scans cannot be made to meet count as findings, too. Square brackets: "
+        f"{100 * confidence:g} % interval. <em>Holds in</em>: the share of equally good sets of "
+        "scans in which the statement holds. "
         f"{(claims['stability'] < STABLE).sum()} verdicts may change with the seed: one redraw of "
         "all sets in twenty or more gives another. These say how many keep it.</p>\n"
-        + counts_table(claims)
-        + "\n".join(sections),
+        + "\n".join([counts_table(claims), *sections]),
     )
 
 

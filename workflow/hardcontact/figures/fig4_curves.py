@@ -153,6 +153,7 @@ def draw_ratios(
     _draw_levels(axes, ratios.drop(reference), fit, "-")
     best = value_and_bounds(fit, "range_from_ratios")
     along = [best[name] for name in ("low", "value", "high")]
+    style.end_near_values([axes])
     axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
     axes.set_ylabel(f"force / that of {fit['label'].sel(surface=reference).item()}")
     style.label_panel(axes, "b", "ratios of forces, for any $W$")
@@ -182,6 +183,7 @@ def draw_forces(
             zorder=4,
             **look | AT_FIT,
         )
+    style.end_near_values([axes])
     axes.set_ylabel("mean pull-off force (µN)")
     style.label_panel(axes, "c", rf"curves: at the published $W$ = {work / MILLIJOULE:.3g} mJ/m²")
 

@@ -105,9 +105,13 @@ def draw(
             axes.label_outer()
             style.shade_artificial(axes, [_artificial(scales.sel(side=side))])
         style.label_panel(column[0], letter, SIDES[side])
+    for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
+        style.end_near_values(row)
+        for axes in row:
+            style.label_logarithmic(axes.yaxis, at=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
     cutoffs = [_published_cutoff(published_constants, side) for side in SIDES]
-    figure.legend(handles=_legend_handles(band, cutoffs), loc="outside upper center", ncols=4)
+    style.legend_above(figure, _legend_handles(band, cutoffs))
     figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)
     return figure
@@ -229,7 +233,6 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: x
     )
     axes.set(xscale="log", yscale="log")
     style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
-    style.label_logarithmic(axes.yaxis)
 
 
 def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
@@ -245,7 +248,6 @@ def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
     axes.errorbar(cutoff, pooled["value"], reach(pooled), elinewidth=0.9, lw=1.8, **look)
     axes.axhline(100 * of_side.attrs["scale_tolerance"], color="0.6", lw=0.8, zorder=0)
     axes.set(yscale="log", ylabel="|ratio − 1| (%)")
-    style.label_logarithmic(axes.yaxis, at=(1,))
 
 
 def _draw_critical(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:

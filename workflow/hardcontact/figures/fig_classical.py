@@ -18,6 +18,7 @@ __all__ = ["draw", "table"]
 MICRONEWTON = 1e-6
 MILLIJOULE = 1e-3
 VANISHED = 1e-12  # N; a model that predicts less predicts no force at all
+LONGEST_BAR = 3  # panel c shows bars up to this many times the highest value
 METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
 AGAINST = {"published": style.PUBLISHED, "computed": "0.55"}
 EFFECTIVE_WORKS = {  # forces, Tabor parameter, marker
@@ -223,10 +224,12 @@ def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
         for label, value in zip(classical["label"].values, printed["value"].values, strict=True)
     ]
     axes.set_xticks(range(len(colours)), labels)
-    highest = (works["high"] / printed["value"]).max().item()
-    axes.set(ylim=(0, 1.7 * max(highest, 1.3)), ylabel="$W_{eff}$ / printed")
+    high, value = ((works[name] / printed["value"]).max().item() for name in ("high", "value"))
+    highest = max(min(high, LONGEST_BAR * value), 1.3)
+    axes.set(ylim=(0, 1.7 * highest), ylabel="$W_{eff}$ / printed")
     axes.set_xlabel("printed $W_{eff}$ (mJ/m²)")
-    axes.legend(loc="upper right", borderaxespad=0.1)
+    framed = {"frameon": True, "framealpha": 1, "edgecolor": "white"}  # above bars that are long
+    axes.legend(loc="upper right", borderaxespad=0.1, **framed)
     style.label_panel(axes, "c", "effective work of adhesion")
 
 

@@ -1,12 +1,13 @@
 """Style of all figures: fonts, colours and markers of surfaces, axes, note on substitutes."""
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from itertools import cycle
 from typing import Any
 
 import matplotlib as mpl
+import numpy as np
 import xarray as xr
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
@@ -26,9 +27,11 @@ __all__ = [
     "colours",
     "create",
     "draw_over_range",
+    "end_near_values",
     "freeze_layout",
     "label_logarithmic",
     "label_panel",
+    "legend_above",
     "legend_entries",
     "looks",
     "mark_basis",
@@ -48,6 +51,9 @@ SUBSTRATES = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 SPHERE = "#7F7F7F"
 PUBLISHED = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
+
+BEYOND = 10.0  # how many times farther than all values a logarithmic axis may reach
+MOST_COLUMNS = 4  # of a legend above a figure
 
 #: How artificial wavelengths are shaded in every figure.
 ARTIFICIAL: dict[str, Any] = {
@@ -135,6 +141,29 @@ def label_logarithmic(axis: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
     axis.set_minor_formatter(NullFormatter())
 
 
+def end_near_values(panels: Sequence[Axes]) -> None:
+    """End the logarithmic y axes of panels a decade beyond the values drawn as lines, at most.
+
+    Error bars and bands do not count: an interval of two scans may span twenty decades, and all
+    values would lie in one line. What is longer leaves the frame.
+
+    Parameters
+    ----------
+    panels : sequence of matplotlib.axes.Axes
+        That share their y axis, or one.
+    """
+    heights = [
+        np.asarray(line.get_ydata(), float)
+        for axes in panels
+        for line in axes.lines
+        if line.get_transform().contains_branch_seperately(axes.transData)[1]
+    ]
+    values = np.concatenate(heights)
+    values = values[np.isfinite(values) & (values > 0)]
+    low, high = panels[0].get_ylim()
+    panels[0].set_ylim(max(low, values.min() / BEYOND), min(high, values.max() * BEYOND))
+
+
 def draw_over_range(axes: Axes, curve: xr.Dataset, band: float, **look: Any) -> None:
     """Draw `value` against `rho`, and the band from `low` to `high` with the opacity `band`."""
     axes.fill_between(
@@ -148,7 +177,7 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     left, right = axes.get_xlim()
     for first, last in bands:
         if last > left and first < right:
-            axes.axvspan(max(first, left), min(last, right), zorder=0, **ARTIFICIAL)
+            axes.axvspan(max(first, left), min(last, right), zorder=-1, **ARTIFICIAL)
     axes.set_xlim(left, right)
 
 
@@ -158,6 +187,15 @@ def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D]:
     return [
         Line2D([], [], **of_surface, **look, label=str(label)) for of_surface, label in labelled
     ]
+
+
+def legend_above(figure: Figure, handles: Sequence[Artist]) -> None:
+    """Write a legend above all axes, in as many columns as fit the width of the figure."""
+    for columns in range(MOST_COLUMNS, 0, -1):
+        legend = figure.legend(handles=handles, loc="outside upper center", ncols=columns)
+        if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
+            return
+        legend.remove()
 
 
 def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:

@@ -75,8 +75,8 @@ def _refuse_deep_contacts(config: dict[str, Any], section: str, rho: float, grid
         if rho < depth / PENETRATION_OVER_RANGE:
             raise ValueError(
                 "config key scales.range: expected at least "
-                f"{depth / PENETRATION_OVER_RANGE:.3g} nm, for contacts "
-                f"that {key} makes some {depth:.3g} nm deep, found {rho:.4g} nm"
+                f"{depth / PENETRATION_OVER_RANGE:.3g} nm, as {key} "
+                f"presses the bodies some {depth:.3g} nm into each other, found {rho:.4g} nm"
             )
 
 

@@ -24,7 +24,7 @@ from hardcontact.study.overlay import (
     table_text,
     write_files,
 )
-from hardcontact.study.proposal import Choice, Proposal, propose
+from hardcontact.study.proposal import Choice, Proposal, propose, refuse_unreliable
 from hardcontact.study.proposed_contact import Probe
 from hardcontact.study.request import (
     QUANTITIES,
@@ -100,6 +100,7 @@ def new_study(arguments: Namespace) -> str:
     plans: list[Plan] = []
     checks: list[Callable[[], object]] = [
         partial(_refuse_lines, [*name_faults(arguments.name, arguments.overwrite), *faults]),
+        partial(_refuse_labels, arguments),
         partial(_refuse_cells, table_rows(found.entries, [], tip)),
     ]
     if arguments.forces is not None:
@@ -130,10 +131,24 @@ def _refuse_forces(path: str, surfaces: Sequence[str]) -> None:
         raise ValueError(str(error).replace("config key forces", "--forces")) from None
 
 
+def _refuse_labels(arguments: Namespace) -> None:
+    """Refuse labels that figures cannot have; the name of a study is one if files follow it."""
+    label = read_yaml("workflow/schemas/surfaces.schema.yaml")["properties"]["label"]
+    given = [("--surface", text) for text, *_ in arguments.surface]
+    if arguments.files and not list(name_faults(arguments.name, True)):
+        given.append(("NAME", arguments.name))
+    refuse_all(
+        partial(refuse, {f"{key}: label": text}, {"properties": {f"{key}: label": label}}, "")
+        for key, text in given
+    )
+
+
 def _refuse_cells(rows: Sequence[Mapping[str, str]]) -> None:
-    """Refuse labels, paths and names that the table of surfaces cannot have."""
+    """Refuse paths and names of scans that the table of surfaces cannot have."""
     schema = read_yaml("workflow/schemas/surfaces.schema.yaml")
-    refuse_all(partial(refuse, row, schema, f"{row['path']!r}: ") for row in rows)
+    # The label of a surface is refused by itself, not with each of its files.
+    labelled = ({**row, "label": row["surface"]} for row in rows)
+    refuse_all(partial(refuse, row, schema, f"{row['path']!r}: ") for row in labelled)
 
 
 def _plan(arguments: Namespace, given: Mapping[str, Option], entries: Sequence[Entry]) -> Plan:
@@ -152,6 +167,7 @@ def _plan(arguments: Namespace, given: Mapping[str, Option], entries: Sequence[E
     choices.sort(key=lambda choice: order.index(choice.key.split(".")[0]))
     quick = [Choice("study", arguments.name + QUICK_NAME, ""), *proposal.quick]
     _check(proposal.contact, choices, quick)
+    refuse_unreliable(entries)
     return Plan(proposal, choices, quick)
 
 

@@ -19,8 +19,10 @@ from hardcontact.study.proposed_contact import (
     proposed_contact,
 )
 from hardcontact.study.proposed_scales import FULL, QUICK, Effort, Scales, Setting, proposed_scales
+from hardcontact.surfaces.joined_spectrum import FEWEST
+from hardcontact.surfaces.spectrum import BIN_EDGES
 
-__all__ = ["Choice", "Proposal", "propose", "quantity"]
+__all__ = ["Choice", "Proposal", "propose", "quantity", "refuse_unreliable"]
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
@@ -91,8 +93,9 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     Raises
     ------
     ValueError
-        In one line a problem: no height map, surfaces with scans too different for one study, a
-        range of adhesion that is too short, a preload that is too high.
+        In one line a problem: no height map,
+        surfaces with scans too different for one study, a range of adhesion that is too short, a
+        preload that is too high.
     """
     scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
@@ -106,6 +109,46 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
         [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
         reasons,
         [*contact_cautions(substrates, probe, contact), *_band_cautions(substrates)],
+    )
+
+
+def refuse_unreliable(entries: Sequence[Entry]) -> None:
+    """Refuse surfaces of which too few wavelengths are reliable for a spectrum.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+        All that was read.
+
+    Raises
+    ------
+    ValueError
+        In one line a surface.
+    """
+    wavelength = 2 * np.pi / np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
+    faults = []
+    for surface in dict.fromkeys(entry.source.surface for entry in entries):
+        scans = [entry for entry in entries if entry.source.surface == surface]
+        reliable = [
+            (scan.band.shortest <= wavelength) & (wavelength <= scan.band.longest) for scan in scans
+        ]
+        count = int(np.any(reliable, axis=0).sum())
+        if count < FEWEST:
+            found = "; ".join(map(_band_ends, scans))
+            faults.append(
+                f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
+                f"wavelengths (ten a decade), found {count}: {found}; add one of another size"
+            )
+    if faults:
+        raise ValueError("\n".join(faults))
+
+
+def _band_ends(scan: Entry) -> str:
+    """Return what ends the reliable wavelengths of a scan, in words."""
+    band = scan.band
+    return (
+        f"{scan.name} from {print_length(band.shortest)} ({band.shortest_reason}) "
+        f"to {print_length(band.longest)} ({band.longest_reason})"
     )
 
 

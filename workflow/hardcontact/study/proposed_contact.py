@@ -140,7 +140,9 @@ def _least_range(
         edge = math.sqrt(probe.load["preload"] / probe.load["hardness"]) * 1e9
         depth = min(edge, scan.relief)
         least = float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}")
-        limits.append((least, f"the preload makes contacts some {depth:.3g} nm deep"))
+        limits.append(
+            (least, f"the preload presses the bodies some {depth:.3g} nm into each other")
+        )
     return max(limits)
 
 

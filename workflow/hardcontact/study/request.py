@@ -40,7 +40,7 @@ QUICK_NAME = "-quick"
 #: Options that are quantities: the key of the configuration, and their meaning.
 QUANTITIES = {
     "radius": ("sphere.radius", "radius of the sphere"),
-    "hardness": ("contact.hardness", "of the softer body"),
+    "hardness": ("contact.hardness", "hardness of the softer body"),
     "preload": ("contact.preload", "load on a contact"),
     "range": ("scales.range", "range of adhesion"),
     "work": ("adhesion.work", "work of adhesion of the predicted force"),
@@ -106,7 +106,10 @@ def parsed(arguments: Sequence[str]) -> Namespace:
         "--surface", nargs="+", action="append", default=[], metavar=("LABEL", "FILE"),
         help="a label and the files of a surface; again for each surface",
     )  # fmt: skip
-    parser.add_argument("--sphere", nargs="+", default=[], metavar="FILE", help="scans of its top")
+    parser.add_argument(
+        "--sphere", nargs="+", default=[], metavar="FILE",
+        help="scans of the sphere where it touches; without them it is smooth",
+    )  # fmt: skip
     for name, (key, meaning) in QUANTITIES.items():
         usual = _at(read_yaml("config/config.yaml"), key)
         parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {usual})")

@@ -37,6 +37,7 @@ __all__ = [
     "kept_configuration",
     "lift_rate_limit",
     "prepare",
+    "say_answer",
     "say_left_out",
     "with_effort",
 ]
@@ -179,6 +180,20 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     except ValueError as error:
         _refuse(error)
     return Selection(rows, configuration["sphere"]["surface"])
+
+
+def say_answer(workflow: Any, page: str) -> None:
+    """Say which page to open at the end of a run that was asked for it.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        The run that ends.
+    page : str
+        Path of the answer.
+    """
+    if any(page in job.output for job in workflow.dag.jobs):
+        logger.info(f"The answer is made: open {page}")
 
 
 def hold_folders(*folders: str) -> None:

@@ -8,6 +8,9 @@ import pint
 
 __all__ = ["magnitude", "printed", "token"]
 
+#: A quantity of each unit, as users may write it.
+_EXAMPLES = {"nm": "5.6 nm or 250 um", "N": "10 uN", "Pa": "25 GPa", "J/m2": "46.3 mJ/m2"}
+
 _registry: pint.UnitRegistry[float] = pint.UnitRegistry(cache_folder=None)
 
 # A number and the name of a unit, and no expression: pint would evaluate 9**9**9 nm.
@@ -48,7 +51,7 @@ def magnitude(text: object, unit: str) -> float:
     except (pint.PintError, ValueError, AttributeError):
         pass  # not a unit, or not of this dimension: refused below
     raise ValueError(
-        f"expected a number with a unit convertible to {unit}, such as '1 {unit}', "
+        f"expected a number with a unit convertible to {unit}, such as {_EXAMPLES[unit]}, "
         f"found {reprlib.repr(text)}"
     )
 

@@ -24,7 +24,7 @@ from hardcontact.surfaces.spectrum import spectrum_dataset
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["joined_spectrum", "stacked_spectra"]
+__all__ = ["FEWEST", "joined_spectrum", "stacked_spectra"]
 
 #: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
 #: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many

@@ -110,7 +110,9 @@ def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> Measureme
 
 
 def _check_file(path: Path) -> None:
-    """Refuse a file that is missing, empty or too large."""
+    """Refuse a folder, and a file that is missing, empty or too large."""
+    if path.is_dir():
+        raise RefusedScan("expected a scan, found a folder: name the files in it")
     if not path.is_file():
         raise RefusedScan("expected a scan, found no such file")
     size = path.stat().st_size

@@ -1,0 +1,47 @@
+"""Forces on masters whose ratios to the unfiltered ones are known, as in scales.nc."""
+
+import numpy as np
+import xarray as xr
+
+CUTOFFS = np.array([10.0, 100.0, 1000.0, 2000.0, 4000.0])
+SMALL = [1.02, 1.3, 1.6, np.nan, np.nan]
+LARGE = [np.nan, np.nan, 2.0, 1.3, 1.02]
+SURFACE = ("surface", "realization", "side")
+
+
+def scales(curves, spread=0.0, realizations=3, seed=0, count=4):
+    """Forces of surfaces with ratios (surface, side, cutoff), spread over scans and contacts."""
+    rng = np.random.default_rng(seed)
+    curves = np.array(curves)
+    shape = (len(curves), realizations, 2, 1, count, count)
+    unfiltered = np.exp(0.3 * rng.standard_normal((*shape[:3], count, count)))
+    factor = np.exp(spread * rng.standard_normal(shape[:4] + (1, 1)))
+    factor = factor * np.exp(0.5 * spread * rng.standard_normal(shape))
+    grows = np.where(np.isnan(curves), 1, np.log(curves))[:, None, :, :, None, None]
+    ratio = (
+        np.exp(grows * factor) * np.where(np.isnan(curves), np.nan, 1)[:, None, :, :, None, None]
+    )
+    dataset = xr.Dataset(
+        {
+            "pull_off_force": (
+                (*SURFACE, "cutoff_wavelength", "contact_y", "contact_x"),
+                ratio * unfiltered[:, :, :, None],
+            ),
+            "unfiltered_pull_off_force": ((*SURFACE, "contact_y", "contact_x"), unfiltered),
+            "unfiltered_wavelength": (("surface", "side"), [[1.0, 10e3]] * len(curves)),
+            "label": ("surface", list("AB"[: len(curves)])),
+            "basis": ("surface", ["measured"] * len(curves)),
+        },
+        {
+            "surface": list("ab"[: len(curves)]),
+            "side": ["small", "large"],
+            "realization": np.arange(1, realizations + 1),
+            "cutoff_wavelength": CUTOFFS,
+        },
+        {"rho": 5.0, "sphere_radius": 5e3},
+    )
+    contacts = ["contact_y", "contact_x"]
+    return dataset.assign(
+        ratio=dataset.pull_off_force.mean(contacts)
+        / dataset.unfiltered_pull_off_force.mean(contacts)
+    )
