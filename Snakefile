@@ -29,9 +29,11 @@ if COMPARED:
     include: "workflow/rules/robustness.smk"
     include: "workflow/rules/sets.smk"
     include: "workflow/rules/claims.smk"
+    include: "workflow/rules/insight.smk"
     include: "workflow/rules/figures.smk"
     include: "workflow/rules/report.smk"
     include: "workflow/rules/answer_paper.smk"
+    include: "workflow/rules/answer_insight.smk"
 
 else:
 

@@ -13,7 +13,7 @@ from PIL import Image
 from hardcontact.answer.paper_answer import paper_answer
 from hardcontact.answer.paper_page import paper_page
 from hardcontact.claims.verdicts import VERDICTS
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import OF_PAPER
 from hardcontact.study.captions import Caption
 
 DEPARTURES = "# Where it departs\n\n1. **First.** 1 < 2.\n\n## Substitutes\n\nRandom surfaces.\n"
@@ -59,12 +59,12 @@ def png(colour, size=(12, 8)):
 
 def figures():
     """A picture for each figure of the study, each of another colour."""
-    return {name: png((20 * place, 0, 0)) for place, name in enumerate(FIGURES)}
+    return {name: png((20 * place, 0, 0)) for place, name in enumerate(OF_PAPER)}
 
 
 def captions():
     """A caption for each figure."""
-    return {name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.") for name in FIGURES}
+    return {name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.") for name in OF_PAPER}
 
 
 def made_page(of=None, departures=DEPARTURES):

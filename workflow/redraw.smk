@@ -19,6 +19,7 @@ if COMPARED:
     include: "rules/figures.smk"
     include: "rules/report.smk"
     include: "rules/answer_paper.smk"
+    include: "rules/answer_insight.smk"
 
 else:
 
@@ -28,7 +29,7 @@ else:
 
 
 #: What is drawn from the final datasets alone.
-DRAWN = [target for target in made(STUDY) if target in ("figures", "pages", "answer")]
+DRAWN = [target for target in made(STUDY) if target in ("figures", "pages", "answer", "insight")]
 
 
 onstart:

@@ -17,7 +17,7 @@ from repository import ROOT
 from hardcontact.answer.paper_page import STORY, paper_page
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
 from hardcontact.claims.quantity_text import print_as_paper
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import OF_PAPER
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
@@ -53,11 +53,11 @@ def test_the_page_reads_on_a_phone(html, shown):
 @needs_browser
 def test_a_browser_shows_the_page_on_a_phone_and_on_a_desk(tmp_path):
     departures = (ROOT / "workflow/report/departures.md").read_text()
-    wide = {name: png((90, 90, 90), (1400, 900)) for name in FIGURES}
+    wide = {name: png((90, 90, 90), (1400, 900)) for name in OF_PAPER}
     page = paper_page(answer(), wide, captions(), departures)
     for measured in shown_by_browser(page.replace("<details>", "<details open>"), tmp_path):
         assert measured["overflow"] == 0 and measured["requests"] == 0
-        assert measured["loaded"] == len(FIGURES)
+        assert measured["loaded"] == len(OF_PAPER)
 
 
 def test_question_and_answer_come_first(html, shown):
@@ -76,13 +76,13 @@ def test_figures_stand_in_the_order_of_the_story_with_their_captions(shown):
     expected = list(captions().values())
     assert list(zip(shown.texts["h4"], shown.texts["figcaption"], strict=True)) == expected
     alternatives = [of["alt"] for of in shown.attributes["img"]]
-    expected = [(figure.label, figure.title) for figure in FIGURES.values()]
+    expected = [(figure.label, figure.title) for figure in OF_PAPER.values()]
     for said, parts in zip(alternatives, expected, strict=True):
         assert_says(said, *parts)
 
 
 def test_every_chapter_of_figures_is_introduced_once(shown):
-    chapters = list(dict.fromkeys(figure.chapter for figure in FIGURES.values()))
+    chapters = list(dict.fromkeys(figure.chapter for figure in OF_PAPER.values()))
     assert list(STORY) == chapters == shown.texts["h3"][: len(chapters)]
     assert [text for text in STORY.values() if shown.texts["p"].count(text) != 1] == []
 
@@ -143,4 +143,4 @@ def test_a_page_without_the_numbers_of_the_answer_has_all_the_rest():
     table = claims().assign(computed=np.nan, low=np.nan, high=np.nan, frequency=np.nan)
     shown = Page(made_page(answer(table)))
     assert shown.texts["strong"][0] == answer_sentences(answer(table))[-1]
-    assert len(shown.attributes["img"]) == len(FIGURES)
+    assert len(shown.attributes["img"]) == len(OF_PAPER)

@@ -8,7 +8,10 @@ import xarray as xr
 
 from figure_inputs.adhesion import adhesion, inference, robustness
 from figure_inputs.classical import classical
+from figure_inputs.closed_form import closed_form
 from figure_inputs.contact import asperities, contact, elastic, indent
+from figure_inputs.laws import laws
+from figure_inputs.maps import maps
 from figure_inputs.published_tables import (
     published_constants,
     published_pull_off,
@@ -35,6 +38,9 @@ INPUTS = {
         asperities,
         classical,
         robustness,
+        closed_form,
+        laws,
+        maps,
         published_constants,
         published_pull_off,
         published_table1,

@@ -121,11 +121,15 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     run = snakemake(study, *REDRAW, *REPORT)
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
-    assert jobs == {f"draw_{name}" for name in FIGURES} | {"describe_study", "answer_paper"}
+    assert jobs == {f"draw_{name}" for name in FIGURES} | {
+        "describe_study",
+        "answer_paper",
+        "answer_insight",
+    }
     assert {path.name for path in (study / "results").iterdir()} == {"quick"}
     drawn = finished / "results/quick"
     for path in [*(drawn / "figures").iterdir(), *(drawn / "report").iterdir(),
-                 drawn / "answer.html", drawn / "answer.json"]:  # fmt: skip
+                 drawn / "answer.html", drawn / "answer.json", drawn / "insight.html"]:  # fmt: skip
         assert (results / path.relative_to(drawn)).read_bytes() == path.read_bytes(), path
     assert "fig6" in (results / "report.html").read_text()
 

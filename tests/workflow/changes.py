@@ -8,6 +8,7 @@ import yaml
 from repository import PARTS, QUICK, ROOT
 from rule_graph import (
     AGGREGATED,
+    BEYOND,
     DRAWN,
     FILTERED,
     FORCES,
@@ -32,30 +33,35 @@ from hardcontact.study.patterns import PUBLISHED
 #: What a substitute that robustness makes otherwise runs through.
 MADE_OTHERWISE = {"synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scales"}
 
+#: What reads spectra and no scan.
+CLOSED = "compare_closed_form"
+
 #: Another value of every key, and the rules that it concerns. Every value also stands in the
 #: configuration kept with the results and on the page of parameters.
 KEYS = {
-    "study": ("second", AGGREGATED | {"trace_contact", "measure_indents", "infer"}),
-    "store": ("results/other", FROM_SCANS | SPECTRA),
+    "study": ("second", AGGREGATED | BEYOND | {"trace_contact", "measure_indents", "infer"}),
+    "store": ("results/other", FROM_SCANS | SPECTRA | {CLOSED}),
     "surfaces": ("config/same.tsv", set()),
     "scans": ([1, 2, 3], FROM_SCANS | {"condition_scans"}),
     "effort": ("quick", set()),
     "quick": ({"seed": 3}, set()),
-    "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer"}),
-    "seed": (1, FROM_SCANS | {"condition_scans", *INFERRED}),
-    "sphere.surface": ("mcd", FROM_SCANS - POOLED | {"condition_scans"}),
-    "sphere.radius": ("300 um", SCANS | FORCES),
+    "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer",
+                                  "compare_laws"}),
+    "seed": (1, FROM_SCANS | {"condition_scans", CLOSED, *INFERRED}),
+    "sphere.surface": ("mcd", FROM_SCANS - POOLED | {"condition_scans", CLOSED}),
+    "sphere.radius": ("300 um", SCANS | FORCES | {CLOSED}),
     "scan.pixels": (112, FROM_SCANS | {"condition_scans"}),
     "scan.size": ("2400 nm", FROM_SCANS | {"condition_scans"}),
     "scan.realization_pixels": (256, FROM_SCANS | {"condition_scans"}),
     "scan.undefined_pixels": ("harmonic", set()),  # substitutes have none
     "scan.levelling": ("lines", set()),
-    "topography.slope": ("profile", FROM_SCANS | SPECTRA),
-    "topography.curvature": ("laplacian", FROM_SCANS | SPECTRA),
-    "contact.hardness": ("30 GPa", FORCES),
-    "contact.preload": ("12 uN", FORCES - {"measure_indents"}),
-    "contact.window": ("12000 nm", FORCES),
-    "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales", "compute_pool"}),
+    "topography.slope": ("profile", FROM_SCANS | SPECTRA | {CLOSED}),
+    "topography.curvature": ("laplacian", FROM_SCANS | SPECTRA | {CLOSED}),
+    "contact.hardness": ("30 GPa", FORCES - {"map_forces"} | {CLOSED}),
+    "contact.preload": ("12 uN", FORCES - {"measure_indents", "map_forces"} | {CLOSED}),
+    "contact.window": ("12000 nm", FORCES | {CLOSED}),
+    "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales", "compute_pool",
+                                   "compute_law_forces"}),
     "adhesion.work": ("50 mJ/m2", set()),  # of own surfaces alone
     "adhesion.ranges": (["1 nm", "3 nm", "5.6 nm"],
                         {"compute_pull_off", "vary_adhesion", *POOLED}),
@@ -66,19 +72,21 @@ KEYS = {
     "inference.error_threshold": (0.2, {"infer", "aggregate_robustness", "judge_sets"}),
     "inference.force_floor": ("20 nN", {"infer", "judge_sets"}),
     "inference.samples": (120, INFERRED),
-    "inference.confidence": (0.9, INFERRED | {"aggregate_topography"}),
+    "inference.confidence": (0.9, INFERRED | BEYOND | {"aggregate_topography"}),
     # The forces of scans are computed at this range too.
     "scales.range": ("5 nm", {"compute_pull_off", "vary_adhesion", *POOLED,
-                              "measure_window_change", *FILTERED}),
-    "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets"}),
+                              "measure_window_change", *FILTERED, "compute_law_forces",
+                              *BEYOND}),
+    "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
+                               CLOSED, "compare_laws"}),
     "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off", "judge_sets"}),
     "scales.sphere_roughness": (True, FILTERED),
     "scales.small.pixels": (2048, {MASTER_SMALL, "compute_filtered_pull_off"}),
-    "scales.small.transition": ("90 nm", {MASTER_SMALL, *FILTERED}),
+    "scales.small.transition": ("90 nm", {MASTER_SMALL, *FILTERED, "compute_law_forces"}),
     "scales.small.cutoffs": (["43 nm", "80 nm", "120 nm", "500 nm"], {"compute_filtered_pull_off"}),
     "scales.large.pixels": (2048, {"compute_filtered_pull_off"}),
     "scales.large.tiles": (3, {MASTER_LARGE, *FILTERED}),
-    "scales.large.transition": ("900 nm", {MASTER_LARGE, *FILTERED}),
+    "scales.large.transition": ("900 nm", {MASTER_LARGE, *FILTERED, "compute_law_forces"}),
     "scales.large.cutoffs": (["500 nm", "1800 nm", "4000 nm", "5000 nm"],
                              {"compute_filtered_pull_off"}),
     "elastic.sphere.modulus": ("360 GPa", {"solve_elastic_contact"}),
@@ -103,6 +111,19 @@ KEYS = {
     "sets.small.cutoffs": (["43 nm", "120 nm"], {"vary_scales"}),
     "sets.large.pixels": (2048, {"vary_scales"}),
     "sets.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
+    "insight.realizations": (1, {CLOSED, "compare_laws"}),
+    "insight.count": (3, {CLOSED, "compute_law_forces"}),
+    "insight.ranges": (["1 nm", "5.6 nm"], {CLOSED, "map_forces"}),
+    "insight.mean_error": (0.1, {"map_forces"}),
+    "insight.pixels": (128, {CLOSED}),
+    "insight.sizes": (["4 um"], {CLOSED}),
+    "insight.spacing": ("0.2 nm", {"compare_laws"}),
+    "insight.reach": ("18 um", {"compute_law_forces"}),
+    "insight.small.pixels": (1024, {"compute_law_forces"}),
+    "insight.small.cutoffs": (["43 nm", "120 nm"], {"compute_law_forces"}),
+    "insight.large.pixels": (2048, {"compute_law_forces"}),
+    "insight.large.tiles": (1, {"compute_law_forces"}),
+    "insight.large.cutoffs": (["500 nm", "1800 nm"], {"compute_law_forces"}),
 }  # fmt: skip
 
 #: Keys that make another study of measured surfaces: tests/workflow/test_own_study.py changes them.
@@ -118,14 +139,14 @@ KEYS_OF_VARIANTS = {
 }
 
 #: What is made of one substitute surface, and with it; traced is uncd, indents are made on ncd.
-SUBSTITUTE = SPECTRA | FROM_SCANS
+SUBSTITUTE = SPECTRA | FROM_SCANS | {CLOSED}
 OF_MCD = SUBSTITUTE - {"trace_contact", "measure_indents"}
 
 #: Another text of a column of the rows of mcd (of its second scan), and the rules it concerns.
 COLUMNS = {
     "surface": ("xcd", OF_MCD - POOLED),  # of which Table 1 has no rms height
-    "label": ("fine diamond", AGGREGATED - {"aggregate_robustness"}),
-    "scan": ("6", OF_MCD - {"calibrate_spectrum", "compute_pool"}),
+    "label": ("fine diamond", AGGREGATED - {"aggregate_robustness"} | BEYOND),
+    "scan": ("6", OF_MCD - {"calibrate_spectrum", "compute_pool", CLOSED}),
     "source": (
         "measured",
         OF_MCD - {*SPECTRA, *POOLED, "synthesize_scan"} | {"measure_spectrum"},
@@ -172,18 +193,28 @@ FILES = {
     },
     "workflow/report/departures.md": following({"describe_study", "answer_paper"}),
     "workflow/report/fig1.rst": following({"answer_paper"}),
+    "workflow/report/fig_laws.rst": following({"answer_insight"}),
     "CITATION.cff": {"describe_crate"},
     "config/surfaces.tsv": following({"keep_configuration"}),
-    **published("published_table1", *SPECTRA, "compute_pool", "apply_classical_models"),
-    **published("published_pull_off", *JUDGED_BY_FORCES),
-    **published("published_constants", *SPECTRA, "compute_pool", *JUDGED_BY_FORCES, "answer_paper"),
+    **published("published_table1", *SPECTRA, CLOSED, "compute_pool", "apply_classical_models"),
+    **published("published_pull_off", *JUDGED_BY_FORCES, "compare_laws"),
+    **published(
+        "published_constants",
+        *SPECTRA,
+        CLOSED,
+        "compute_pool",
+        *JUDGED_BY_FORCES,
+        "compare_laws",
+        "answer_paper",
+        "answer_insight",
+    ),
     "resources/paper/claims.csv": following({"judge_sets", "evaluate_claims"}),
     "resources/spectra/polished_uncd.csv": following(OF_MCD),
     "resources/spectra/uncd.csv": following(SUBSTITUTE - {"measure_indents"}),
     "resources/spectra/ncd.csv": following(SUBSTITUTE - {"trace_contact"}),
     "resources/spectra/mcd.csv": following(OF_MCD),
     "resources/spectra/ruby.csv": following(
-        SUBSTITUTE - MASTERS - POOLED - {"compute_filtered_pull_off"}
+        SUBSTITUTE - MASTERS - POOLED - {"compute_filtered_pull_off", "map_forces", CLOSED}
     ),
     "resources/spectra/height_distribution.csv": set(),  # its values are parameters of the rules
 }

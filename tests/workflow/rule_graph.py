@@ -1,6 +1,6 @@
 """The graph of rules: which of them make what again once others have."""
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT
 
 # The rules of one stage
 
@@ -16,7 +16,7 @@ CONTACTS = PAIRS | {"trace_contact", "measure_indents", "compare_sphere"}
 FILTERED = {"compute_filtered_pull_off", "vary_scales"}
 #: What concerns substitutes with a published rms height alone.
 POOLED = {"compute_pool", "compare_sphere"}
-FORCES = CONTACTS | FILTERED | POOLED
+FORCES = CONTACTS | FILTERED | POOLED | {"compute_law_forces", "map_forces"}
 FROM_SCANS = SCANS | MASTERS | FORCES
 AGGREGATED = {
     "aggregate_topography", "aggregate_adhesion", "aggregate_elastic", "aggregate_asperities",
@@ -24,9 +24,12 @@ AGGREGATED = {
 }  # fmt: skip
 INFERRED = {
     "infer", "find_critical_band", "aggregate_robustness", "apply_classical_models",
+    "compare_laws",
 }  # fmt: skip
 #: What shows every value of the configuration.
-KEPT = {"keep_configuration", "describe_study", "answer_paper"}
+KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
+#: What makes the datasets of the chapter beyond the paper.
+BEYOND = {"compare_closed_form", "compare_laws", "map_forces"}
 #: What concerns measured surfaces alone.
 OF_MEASURED = {
     "measure_spectrum", "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces",
@@ -41,6 +44,7 @@ DATASETS = {
     "contact": "trace_contact", "elastic": "aggregate_elastic", "indent": "measure_indents",
     "inference": "infer", "robustness": "aggregate_robustness", "scales": "aggregate_scales",
     "sets": "judge_sets", "topography": "aggregate_topography",
+    "closed_form": "compare_closed_form", "laws": "compare_laws", "maps": "map_forces",
 }  # fmt: skip
 
 
@@ -72,7 +76,12 @@ FOLLOWS = {
     "infer": {"apply_classical_models", "evaluate_claims"},
     "apply_classical_models": {"evaluate_claims"},
     "evaluate_claims": {"describe_study", "answer_paper"},
-    **{rule: {"answer_paper"} for rule in DRAWN},
+    "compute_law_forces": {"compare_laws"},
+    **{rule: {"answer_insight"} for rule in BEYOND},
+    **{
+        f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
+        for name in FIGURES
+    },
 }
 for dataset, rule in DATASETS.items():
     FOLLOWS[rule] = FOLLOWS.get(rule, set()) | drawn_from(dataset)
@@ -86,9 +95,17 @@ INTERMEDIATE = {
         *MASTERS,
         "vary_scales",
         "aggregate_topography",
+        "compare_closed_form",
+        "compute_law_forces",
     },
     "condition_scans": {"synthesize_scan", "aggregate_topography"},
-    "measure_spectrum": {*MASTERS, "vary_scales", "aggregate_topography"},
+    "measure_spectrum": {
+        *MASTERS,
+        "vary_scales",
+        "aggregate_topography",
+        "compare_closed_form",
+        "compute_law_forces",
+    },
     "synthesize_scan": {"prepare_scan"},
     "prepare_scan": {
         "measure_topography",
@@ -96,6 +113,8 @@ INTERMEDIATE = {
         *MASTERS,
         *CONTACTS,
         "vary_scales",
+        "compute_law_forces",
+        "map_forces",
     },
     MASTER_SMALL: {"compute_filtered_pull_off"},
     MASTER_LARGE: {"compute_filtered_pull_off"},

@@ -10,7 +10,7 @@ import pytest
 from paper_numbers import SUBSTRATES
 from random_scans import levelled_scan
 from repository import OTHERWISE, ROOT, run_snakemake
-from rule_graph import AGGREGATED, KEPT, MASTERS, POOLED, following
+from rule_graph import AGGREGATED, BEYOND, KEPT, MASTERS, POOLED, following
 from scan_files import container, scan
 
 #: Scans of robustness: of each surface, and of the substitutes made otherwise.
@@ -71,7 +71,10 @@ def test_a_range_that_scans_are_computed_at(finished):
         "measure_window_change": 2 * len(SUBSTRATES),
         "compute_filtered_pull_off": 16 * len(SUBSTRATES),
         "vary_scales": 2 * VARIED,
-        **after("aggregate_adhesion", "aggregate_scales", "aggregate_robustness", "judge_sets"),
+        "compute_law_forces": 2 * len(SUBSTRATES),
+        **after(
+            "aggregate_adhesion", "aggregate_scales", "aggregate_robustness", "judge_sets", *BEYOND
+        ),
     }
 
 
@@ -107,7 +110,8 @@ def test_one_more_scan(finished):
         **dict.fromkeys(MASTERS, 2 * len(SUBSTRATES)),
         "compute_filtered_pull_off": 16 * len(SUBSTRATES),
         "vary_scales": 2 * VARIED,
-        **after(*AGGREGATED, "trace_contact", "measure_indents"),
+        "compute_law_forces": 2 * len(SUBSTRATES),
+        **after(*AGGREGATED, "trace_contact", "measure_indents", "compare_laws", "map_forces"),
     }
 
 
@@ -121,7 +125,8 @@ def test_another_preload(finished):
         "vary_adhesion": VARIED_PAIRS,
         "vary_scales": 2 * VARIED,
         **dict.fromkeys(POOLED, len(SUBSTRATES)),
-        **after(*AGGREGATED - {"aggregate_topography"}, "trace_contact"),
+        "compute_law_forces": 2 * len(SUBSTRATES),
+        **after(*AGGREGATED - {"aggregate_topography"}, "trace_contact", *BEYOND - {"map_forces"}),
     }
 
 
@@ -185,7 +190,7 @@ def test_what_the_table_says_of_measured_scans_reruns_what_reads_it(finished_cop
 
 def test_another_study_shares_intermediates(finished):
     jobs = planned(finished, {"study": "second"})
-    assert counts(jobs) == after(*AGGREGATED, "trace_contact", "measure_indents")
+    assert counts(jobs) == after(*AGGREGATED, "trace_contact", "measure_indents", *BEYOND)
     assert all("results/second/" in output for _, output in jobs)
 
 
@@ -250,6 +255,7 @@ def of_the_crate(finished):
         ("figures", "draw_fig6", "evaluate_claims"),
         ("pages", "describe_study", "vary_adhesion"),
         ("answer", "answer_paper", "describe_study"),
+        ("insight", "answer_insight", "compute_pull_off"),
     ],
 )
 def test_named_target(finished, of_the_crate, target, last, not_needed):

@@ -46,7 +46,7 @@ def test_the_report_of_own_surfaces_does_not_tell_the_story_of_the_paper():
 
 def test_every_figure_and_page_has_a_caption():
     assert {path.stem for path in CAPTIONS} == {
-        "workflow", "own_surfaces", "answer", *FIGURES, *PAGES,
+        "workflow", "own_surfaces", "answer", "insight", *FIGURES, *PAGES,
     }  # fmt: skip
 
 

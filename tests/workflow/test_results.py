@@ -1,6 +1,7 @@
 """The quick study's results: datasets, claims, figures and pages; the same seed, the same."""
 
 import json
+import re
 from collections import Counter
 from html import escape
 
@@ -16,7 +17,7 @@ from repository import OTHERWISE, ROOT, copy_repository, run_snakemake
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.contact.bearing_area import contact_pixel_count
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT, OF_PAPER
 from hardcontact.records import dataset
 from hardcontact.statistics import bounds
 from hardcontact.study.pages import PAGES
@@ -353,11 +354,19 @@ def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
 def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(results):
     page = Page((results / "answer.html").read_text())
     sources = page.values("src")
-    assert len(sources) == len(FIGURES)
+    assert len(sources) == len(OF_PAPER)
     assert all(source.startswith("data:image/png;base64,") for source in sources)
     claims = pd.read_csv(results / "claims.csv")
     told = "".join(page.texts["body"])
     assert [text for text in claims.statement if text not in told] == []
+
+
+def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results):
+    page = Page((results / "insight.html").read_text())
+    sources = page.values("src")
+    assert len(sources) == len(page.texts["h2"]) == len(OF_INSIGHT)
+    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
 
 
 @needs_browser
@@ -365,14 +374,14 @@ def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
     page = (results / "answer.html").read_text()
     for measured in shown(page.replace("<details>", "<details open>"), tmp_path):
         assert measured["overflow"] == 0 and measured["requests"] == 0
-        assert measured["loaded"] == len(FIGURES)
+        assert measured["loaded"] == len(OF_PAPER)
 
 
 def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
     run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
     assert run.returncode == 0, run.stdout[-3000:]
     text = (tmp_path / "report.html").read_text()
-    parts = ["answer.html", *(f"{name}.png" for name in FIGURES)]
+    parts = ["answer.html", "insight.html", *(f"{name}.png" for name in FIGURES)]
     parts += [f"{name}.html" for name in PAGES]
     assert [name for name in parts if name not in text] == []
 

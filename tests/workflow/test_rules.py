@@ -26,7 +26,8 @@ OF_PAPER = RULES.keys() - OF_OWN_SURFACES
 #: Targets of the paper's study.
 TARGETS = {
     "all", "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical",
-    "sets", "robustness", "claims", "figures", "pages", "answer", "crate", "verify",
+    "sets", "robustness", "claims", "figures", "pages", "answer",
+    "insight", "crate", "verify",
 }  # fmt: skip
 
 

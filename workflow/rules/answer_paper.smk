@@ -7,8 +7,8 @@ rule answer_paper:
         **{name: PATTERNS.dataset(name) for name in ("topography", "scales", "band", "sets")},
         claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED["published_constants"],
-        figures=[PATTERNS.figure(name, "png") for name in FIGURES],
-        captions=[f"workflow/report/{name}.rst" for name in FIGURES],
+        figures=[PATTERNS.figure(name, "png") for name in OF_PAPER],
+        captions=[f"workflow/report/{name}.rst" for name in OF_PAPER],
         departures="workflow/report/departures.md",
         code=code_inputs("answer_paper.py"),
     output:

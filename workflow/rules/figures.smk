@@ -1,6 +1,6 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_PAPER
 
 for name, figure in FIGURES.items():
 
@@ -33,6 +33,6 @@ for name, figure in FIGURES.items():
 
 
 rule figures:
-    """Draw all figures."""
+    """Draw all figures of the paper's story."""
     input:
-        [getattr(rules, f"draw_{name}").output for name in FIGURES],
+        [getattr(rules, f"draw_{name}").output for name in OF_PAPER],

@@ -11,7 +11,7 @@ from hardcontact.answer.paper_answer import PaperAnswer
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
 from hardcontact.claims.report_pages import chapter, counts_table, section_tables
 from hardcontact.claims.verdicts import VERDICTS
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import OF_PAPER
 from hardcontact.study.captions import Caption
 
 __all__ = ["STORY", "paper_page"]
@@ -98,7 +98,7 @@ def _opening(answer: PaperAnswer) -> str:
 
 def _chapters(figures: Mapping[str, bytes], captions: Mapping[str, Caption]) -> Iterator[str]:
     """Yield the figures chapter by chapter, in the order of the catalogue."""
-    shown = [(name, figure) for name, figure in FIGURES.items() if name in figures]
+    shown = [(name, figure) for name, figure in OF_PAPER.items() if name in figures]
     for heading, members in groupby(shown, key=lambda pair: pair[1].chapter):
         yield f"<h3>{escape(heading)}</h3>\n<p>{escape(STORY[heading])}</p>\n"
         for name, figure in members:

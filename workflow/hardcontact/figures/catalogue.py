@@ -7,7 +7,7 @@ neither these modules nor matplotlib, so that the rules can be made from it.
 
 from typing import NamedTuple
 
-__all__ = ["FIGURES", "Figure"]
+__all__ = ["FIGURES", "OF_INSIGHT", "OF_PAPER", "Figure"]
 
 
 class Figure(NamedTuple):
@@ -37,8 +37,8 @@ class Figure(NamedTuple):
         return (*self.datasets, *self.published)
 
 
-#: The figures by name, in the order of the paper.
-FIGURES = {
+#: The figures of the paper's story by name, in its order.
+OF_PAPER = {
     "fig1": Figure(
         "1. Surfaces",
         "Fig. 1: height maps",
@@ -115,3 +115,30 @@ FIGURES = {
         ("published_constants",),
     ),
 }
+
+#: Chapter of the figures beyond the paper.
+INSIGHT = "8. What decides the band"
+#: The figures of that chapter by name, in the order of its page: one a part, from its dataset.
+OF_INSIGHT = {
+    "fig_closed_form": Figure(
+        INSIGHT,
+        "force from a spectrum",
+        "closed form of the pull-off force",
+        ("closed_form",),
+    ),
+    "fig_laws": Figure(
+        INSIGHT,
+        "other laws of attraction",
+        "fits, ratios and band of other laws of attraction",
+        ("laws",),
+    ),
+    "fig_maps": Figure(
+        INSIGHT,
+        "maps of the force",
+        "maps of the pull-off force, and how many contacts a mean needs",
+        ("maps",),
+    ),
+}
+
+#: All figures.
+FIGURES = OF_PAPER | OF_INSIGHT

@@ -117,11 +117,12 @@ def _refuse_unknown_sphere(config: dict[str, Any], table: pd.DataFrame) -> None:
 
 def _ascending(config: dict[str, Any]) -> Iterator[Callable[[], None]]:
     """Yield a check that each list of quantities ascends."""
-    for section in ("adhesion", "asperities"):
+    for section in ("adhesion", "asperities", "insight"):
         yield partial(_refuse_descent, f"{section}.ranges", config[section]["ranges"], "nm")
-    for section, side in product(("scales", "sets"), ("small", "large")):
+    for section, side in product(("scales", "sets", "insight"), ("small", "large")):
         key, cutoffs = f"{section}.{side}.cutoffs", config[section][side]["cutoffs"]
         yield partial(_refuse_descent, key, cutoffs, "nm")
+    yield partial(_refuse_descent, "insight.sizes", config["insight"]["sizes"], "nm")
     for section in ("indent", "robustness"):
         yield partial(_refuse_descent, f"{section}.preloads", config[section]["preloads"], "N")
     robustness = config["robustness"]

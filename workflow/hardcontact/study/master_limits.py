@@ -29,8 +29,8 @@ def refuse_on_master(
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"scales", "sets"}
-        Masters of the study, or of the sets and of robustness.
+    section : {"scales", "sets", "insight"}
+        Masters of the study, of the sets and of robustness, or of other laws of attraction.
     side : {"small", "large"}
         The scales that are added to a scan.
     surface : str
@@ -43,7 +43,8 @@ def refuse_on_master(
     ValueError
         In one line, naming the key.
     """
-    pixels, tiles = config[section][side]["pixels"], config["scales"][side].get("tiles", 1)
+    of_side = config["scales"][side] | config[section][side]
+    pixels, tiles = of_side["pixels"], of_side.get("tiles", 1)
     size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
     if pixels < needed:
         raise ValueError(

@@ -63,9 +63,15 @@ class Plan(NamedTuple):
 
 
 def main() -> int:
-    """Carry out the command line; return the exit code."""
+    """Carry out the command line, `new` or `predict`; return the exit code."""
+    command, rest = sys.argv[1:2], sys.argv[2:]
     try:
-        print(new_study(parsed(sys.argv[1:])))
+        if command == ["predict"]:
+            from hardcontact.study.predict import predict, predict_arguments
+
+            print(predict(predict_arguments(rest)))
+        else:
+            print(new_study(parsed(sys.argv[1:])))
     except ValueError as error:
         for line in dict.fromkeys(str(error).splitlines()):
             print(f"error: {line}", file=sys.stderr)

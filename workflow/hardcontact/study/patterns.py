@@ -64,6 +64,10 @@ class Patterns:
         of_surface = "{radius}/{load}/{surface}/{variant}"
         self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
         self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
+        of_scan = f"{store}/laws/{of_surface}/scan-{{scan}}"
+        self.law_scan, self.law_small, self.law_large = (
+            f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
+        )
 
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")

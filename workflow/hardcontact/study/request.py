@@ -55,6 +55,8 @@ and write config/NAME.yaml and config/NAME.tsv:
 Several surfaces, each with its label and its files:
 
   hardcontact new both --surface bare scans/bare/*.di --surface coated scans/coated/*.di
+
+`hardcontact predict --help` tells how to predict a force from a power spectral density.
 """
 
 

@@ -15,7 +15,7 @@ SMOOTH = "smooth"
 #: Targets of a study that is compared with the paper.
 OF_PAPER = (
     "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
-    "robustness", "claims", "figures", "pages", "answer",
+    "robustness", "claims", "figures", "pages", "answer", "insight",
 )  # fmt: skip
 #: Targets of a study of own surfaces; `fit` needs own forces.
 OF_OWN_SURFACES = ("topography", "adhesion", "scales", "force", "fit", "answer")
@@ -30,6 +30,7 @@ REASONS = {
     "robustness": "it varies how substitutes for the paper's surfaces are made",
     "claims": "claims are statements of the paper about its own surfaces",
     "figures": "the figures are the paper's; those of own surfaces are in the answer",
+    "insight": "its parts are made of substitutes for the paper's surfaces",
     "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
 }
 NO_FORCES = "a fit needs pull-off forces measured on these surfaces (config key forces)"

@@ -1,0 +1,90 @@
+"""Sentences of the parts: their numbers are those of the datasets, their verdicts follow."""
+
+import numpy as np
+from figure_inputs.closed_form import closed_form
+from figure_inputs.laws import laws
+from figure_inputs.maps import maps
+from refusals import assert_says
+
+from hardcontact.adhesion.closed_form import SINGLE_PEAKS
+from hardcontact.answer.closed_form_sentences import closed_form_sentences
+from hardcontact.answer.law_sentences import law_sentences
+from hardcontact.answer.map_sentences import map_sentences
+from hardcontact.answer.part_text import listed, print_percent
+
+
+def test_lists_and_shares():
+    assert [listed(one) for one in (["a"], ["a", "b"], ["a", "b", "c"])] == [
+        "a",
+        "a and b",
+        "a, b and c",
+    ]
+    assert print_percent(0.16, 0.12, 0.67) == "16 [12, 67] %" and print_percent(0.05) == "5 %"
+
+
+def test_the_closed_form_says_its_largest_factor_and_where():
+    data = closed_form()
+    data["error"] = xr_ones(data["error"])
+    data["error"].loc[{"surface": "ncd", "map_size": 20000.0, "rho": 5.6}] = 0.4
+    accuracy, worst, *_ = closed_form_sentences(data)
+    assert_says(accuracy, "within a factor of 2.5", "in half of all cases within 1,", "20 µm")
+    assert_says(worst, "farthest off on NCD at 5.6 nm: 0.4 [")
+
+
+def xr_ones(values):
+    """Return the same array with ones."""
+    return values.copy(data=np.ones(values.shape))
+
+
+def test_the_closed_form_names_every_surface_in_its_regime():
+    data = closed_form()
+    data["regime"] = data["regime"].copy(data=np.full(data["regime"].shape, SINGLE_PEAKS))
+    regimes = [one for one in closed_form_sentences(data) if "single peaks decide" in one]
+    assert len(regimes) == 1
+    assert_says(regimes[0], "summits carry the force on", *data["label"].values)
+
+
+def test_an_edge_that_is_not_there_is_said():
+    assert "UNCD no edge and 1.8 µm" in closed_form_sentences(closed_form())[-1]
+
+
+def of_error(value, low, high):
+    """Return laws whose forces differ so much from those of Eq. 1."""
+    data = laws()
+    data["fit_error"] = data["fit_error"].copy(data=np.full(data["fit_error"].shape, value))
+    ends = data["fit_error_interval"]
+    data["fit_error_interval"] = ends.copy(data=np.broadcast_to([low, high], ends.shape))
+    return data
+
+
+def test_the_verdict_on_other_laws_follows_from_the_interval():
+    for interval, expected in (
+        ((0.05, 0.03, 0.08), "reproduced"),
+        ((0.09, 0.03, 0.2), "undecided"),
+        ((0.3, 0.2, 0.4), "not reproduced"),
+    ):
+        first = law_sentences(of_error(*interval))[0]
+        assert first.endswith(f"; electrostatic, {expected}.")
+
+
+def test_laws_are_ranked_by_their_error_to_measured_forces():
+    data = laws()
+    fitted = law_sentences(data)[4]
+    order = data["law_label"].values[np.argsort(data["fit_error"].sel(case="fitted").values)]
+    places = [fitted.index(str(label)) for label in order]
+    assert places == sorted(places)
+
+
+def test_maps_say_what_a_mean_needs():
+    data = maps()
+    contacts, array, scans, *_ = map_sentences(data)
+    needed = data["contacts_needed"].sel(rho=5.6, sampling="random", surface="mcd").item()
+    assert_says(contacts, f"MCD {float(f'{needed:.2g}'):g}", "within 5 %")
+    assert_says(array, "16 contacts")
+    assert_says(scans, *data["label"].values)
+
+
+def test_one_scan_a_surface_tells_nothing_of_others():
+    data = maps()
+    data["scans_needed"] = data["scans_needed"] * np.nan
+    assert any("cannot be told" in sentence for sentence in map_sentences(data))

@@ -1,0 +1,28 @@
+"""Spectra whose moments are known, on the grid of the study."""
+
+import numpy as np
+
+from hardcontact.surfaces.spectral_models import self_affine
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+
+
+def scaled(density, rms):
+    """Return a spectrum with an rms height (nm)."""
+    height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
+    return Spectrum(WAVEVECTORS, density * (rms / height) ** 2)
+
+
+def rough(rms=4.0, rolloff=1000.0, hurst=0.8, shortest=20.0):
+    """Return a self-affine spectrum that ends at a shortest wavelength (nm)."""
+    density = self_affine(WAVEVECTORS, 1.0, rolloff, hurst)
+    return scaled(np.where(2 * np.pi / WAVEVECTORS >= shortest, density, 0.0), rms)
+
+
+def rounded(rms=4.0, length=100.0):
+    """Return the spectrum of the autocorrelation rms² exp(-d²/2 length²): a smooth surface.
+
+    Its spectral moment of the profiles' slope is (rms/length)².
+    """
+    return Spectrum(
+        WAVEVECTORS, 2 * np.pi * (rms * length) ** 2 * np.exp(-((WAVEVECTORS * length) ** 2) / 2)
+    )

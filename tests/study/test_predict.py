@@ -1,0 +1,108 @@
+"""`hardcontact predict`: what it tells, and all that is wrong with a table at once."""
+
+import sys
+
+import numpy as np
+import pytest
+from known_spectra import rough
+from refusals import assert_says, refusal
+
+from hardcontact.adhesion.closed_form import Contact, closed_form
+from hardcontact.study import new
+from hardcontact.study.own_spectrum import own_spectrum
+from hardcontact.study.predict import predict, predict_arguments
+from hardcontact.surfaces.profile_conversion import isotropic_from_profile
+
+HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
+
+
+@pytest.fixture
+def table(tmp_path):
+    def written(*lines):
+        path = tmp_path / "my.csv"
+        path.write_text("\n".join(lines) + "\n", "utf-8")
+        return str(path)
+
+    return written
+
+
+def of(spectrum):
+    """Return a spectrum as rows of a table in other units."""
+    known = spectrum.density > 0
+    return [
+        f"{q * 1000!r},rad/um,{c * 1e-36!r},m^4"
+        for q, c in zip(
+            spectrum.wavevector[known].tolist(), spectrum.density[known].tolist(), strict=True
+        )
+    ]
+
+
+def test_units_and_order_do_not_matter(table):
+    rows = ["1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4"]
+    found = own_spectrum(table(HEADER, *rows))
+    assert 2 * np.pi / found.wavevector == pytest.approx([1000, 500, 100, 50, 10])
+    assert found.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3])
+
+
+def test_profiles_are_converted(table):
+    wavevector = np.geomspace(0.01, 1, 9)
+    rows = [f"{q!r},rad/nm,{1e-2 * q**-2.6!r},nm3" for q in wavevector.tolist()]
+    found = own_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
+    expected = isotropic_from_profile(wavevector, 1e-2 * wavevector**-2.6, np.full(9, 20.0))
+    assert found.density == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("lines", "parts"),
+    [
+        (["wavelength,c_iso", "1,2"], ["wavelength_unit beside", "c_iso_unit beside"]),
+        (["wavelength,wavevector,c_iso,x", "1,2"], ["wavelength, found both", "c_iso_unit"]),
+        ([HEADER, "1,s,2,nm3"], ["wavelength_unit: expected a length", "power of 4"]),
+        ([HEADER, "-1,nm,x,", "1,nm"], ["found -1", "found x", "found nothing", "line 3: expect"]),
+        ([HEADER, "1,nm,1,nm4", "1e-3,um,1,nm4"], ["line 3: expected each wavelength once"]),
+        ([HEADER, "1,nm,1,nm4"], ["at least 5 wavelengths, found 1"]),
+        ([""], ["found no column"]),
+        (["wavevector,wavevector_unit,c_1d,c_1d_unit", "1,1/nm,1,nm3"], ["rad/nm", "found 1/nm"]),
+    ],
+)
+def test_every_fault_of_a_table_is_told(table, lines, parts):
+    message = refusal(own_spectrum, table(*lines))
+    # A wavevector beside a wavelength is told with both names.
+    assert_says(message.replace("wavevector and wavelength", "wavelength"), *parts)
+
+
+def test_faults_of_options_and_table_are_told_together(tmp_path):
+    arguments = predict_arguments([str(tmp_path / "none.csv"), "--range", "5", "--work", "1 nm"])
+    message = refusal(predict, arguments)
+    assert_says(message, "--range", "--work", "none.csv", "found no file")
+    assert len(message.splitlines()) == 3
+
+
+def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
+    spectrum = rough(17, 1000, 0.8, 20)
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(spectrum))
+    line = ["hardcontact", "predict", path, "--radius", "100 um", "--range", "8nm"]
+    monkeypatch.setattr(sys, "argv", [*line, "--work", "50 mJ/m2"])
+    assert new.main() == 0
+    told = capsys.readouterr().out
+    expected = closed_form(spectrum, Contact(100e3, 8.0, 0.05, 400.0))
+    assert_says(
+        told, f"pull-off force: {1e6 * expected.force:.2g} µN", f"regime: {expected.regime}",
+        "range: 8nm (range of adhesion: as given)", "the paper's; --preload", "short edge",
+        "long edge",
+    )  # fmt: skip
+
+
+def test_waves_that_the_table_lacks_are_told(table):
+    header = "wavevector,wavevector_unit,c_iso,c_iso_unit"
+    short = rough(60, 2e4, 0.8, 20)  # it rolls off beyond the table
+    kept = short.wavevector > 2 * np.pi / 3000
+    cut = type(short)(short.wavevector[kept], short.density[kept])
+    assert "take care: waves longer than" in predict(predict_arguments([table(header, *of(cut))]))
+
+
+def test_faults_end_the_command_with_a_line_each(table, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["hardcontact", "predict", table(HEADER, "1,s,2,nm3")])
+    assert new.main() == 1
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 2 and all(line.startswith("error: ") for line in lines)

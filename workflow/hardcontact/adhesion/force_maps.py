@@ -1,0 +1,89 @@
+"""Rigid pull-off of a smooth sphere at any number of contacts, up to every pixel of a scan.
+
+The force of `pull_off.pull_off_of_pair` without a search for each contact: closest approach is a
+dilation, and the sum over all pixels a product over both axes.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.adhesion.force_sum import pull_off_force
+from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
+from hardcontact.adhesion.sphere_sums import smooth_sphere_sums
+from hardcontact.contact.closest_approach import closest_gaps
+from hardcontact.contact.geometry import Bodies
+
+__all__ = ["at_every_pixel", "rigid_pull_off"]
+
+Floats = NDArray[np.float64]
+
+#: Largest height of the substrate above the touching pixel, in ranges of adhesion: beyond it
+#: exp(-gap/rho) would fall among the numbers that floats hold with fewer digits.
+STEEPEST = 600.0
+
+
+def at_every_pixel(bodies: Bodies, pixels: int | None = None) -> Bodies:
+    """Return bodies with a contact at every pixel of the substrate.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere.
+    pixels : int or None
+        Only of the first pixels along either axis: half a period of a mirror-stitched surface is
+        its scan, and the other half its mirror image. None for the whole period.
+
+    Returns
+    -------
+    Bodies
+        The same with other positions.
+    """
+    positions = np.arange(bodies.substrate.pixels if pixels is None else pixels)
+    return replace(bodies, geometry=replace(bodies.geometry, positions=positions))
+
+
+def rigid_pull_off(bodies: Bodies, ranges: Sequence[float], threads: int = 1) -> Floats:
+    """Return the rigid pull-off force of every contact at W = 1 J/m².
+
+    F = W/rho A_pix exp((g0 + h_max)/rho) sum exp((h - h_max - s)/rho), with the smallest gap g0 at
+    zero approach and the sum over the analysis window: Eq. 3. Nothing is left out or interpolated.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        With a smooth sphere.
+    ranges : sequence of float
+        Ranges of adhesion in nm.
+    threads : int
+        Of the sums; the result does not depend on it.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rho, contact, contact) in N.
+
+    Raises
+    ------
+    ValueError
+        If the sphere is rough, or a range of adhesion is too small for the relief of the surface.
+    """
+    if bodies.roughness is not None:
+        raise ValueError("expected a smooth sphere, found a rough one: its sum is not separable")
+    heights, geometry = bodies.substrate.heights, bodies.geometry
+    below_highest = closest_gaps(heights, geometry) + float(heights.max())
+    forces = np.empty((len(ranges), *below_highest.shape))
+    for force, rho in zip(forces, ranges, strict=True):
+        exponents = below_highest / rho
+        if exponents.max() > STEEPEST:
+            raise ValueError(
+                "expected a range of adhesion that resolves the relief of the surface, "
+                f"found rho = {rho:g} nm, too small for it"
+            )
+        sums = smooth_sphere_sums(heights, geometry, rho, threads)
+        force[:] = pull_off_force(
+            np.exp(exponents) * sums, rho, geometry.pixel_size, WORK_OF_ADHESION
+        )
+    return forces

@@ -1,0 +1,225 @@
+"""Laws of attraction across a gap, and each of them as a mixture of exponential laws.
+
+A law gives the energy per area U(g) = -W u(g) and the pressure p(g) = -dU/dg = -(W/rho) v(g)
+across the gap g, with u(0) = v(0) = 1: W is the work of adhesion and rho = W/|p(0)| the range, in
+every law alike. Eq. 1 of the paper is u = v = exp(-g/rho). Eq. 3 sums the pressure over pixels.
+
+A power law of exponent m is that of two flats whose atoms are the spacing g0 = m rho apart where
+the flats touch: U = -W (1 + g/g0)^-m and p = -(m W/g0) (1 + g/g0)^-(m + 1). The exponent that Eq. 3
+sums is therefore one more than that of the energy. Per area of two flats at the distance D the
+energy is A/(12 pi D²) for instantaneous dispersion (m = 2, pressure D^-3), pi² hbar c/(720 D³)
+between ideal mirrors for retarded dispersion (m = 3, pressure D^-4), and eps0 V²/(2 D) for a
+constant potential difference V (m = 1, pressure D^-2): Israelachvili, Intermolecular and Surface
+Forces, 3rd ed. (2011); Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
+
+Since (1 + x)^-m = (1/Gamma(m)) int_0^inf t^(m-1) exp(-t) exp(-t x) dt, such a law is a mixture of
+exponential laws of the ranges g0/t, whose works of adhesion add up to W and follow a gamma
+distribution of t. The integral is taken by the trapezoidal rule in log t, whose error falls off
+exponentially with the inverse of the step. The mixture holds for gaps g >= 0 alone: where bodies
+interpenetrate the terms of small range diverge. Pixels pressed into contact must therefore be left
+out of the sums beforehand and counted at g = 0, never subtracted afterwards.
+"""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import constants, optimize, special
+
+__all__ = [
+    "EXPONENTIAL",
+    "LAWS",
+    "Law",
+    "Mixture",
+    "energy",
+    "implied_over_known",
+    "mixture",
+    "pressure",
+    "sum_of_terms",
+    "work_shares",
+]
+
+Floats = NDArray[np.float64]
+
+NANOMETRE = 1e-9
+
+#: Upper end of the Hamaker constants of solids across vacuum, in J: metals have 3e-19 to 5e-19,
+#: dielectrics less (assumed after Israelachvili).
+HAMAKER = 5e-19
+
+#: A difference of contact potentials, in V: the scale of differences between work functions.
+POTENTIAL = 1.0
+
+
+@dataclass(frozen=True)
+class Law:
+    """A form of the attraction.
+
+    Attributes
+    ----------
+    name, label : str
+        In data, and in figures.
+    exponent : float
+        m, of the energy; infinite for the exponential law, the limit at equal range.
+    known : float
+        Largest W g0^m in J m^(m - 2) that the mechanism is known to give; NaN where there is none.
+    """
+
+    name: str
+    label: str
+    exponent: float
+    known: float
+
+    @property
+    def exponential(self) -> bool:
+        """Whether this is the law of Eq. 1."""
+        return bool(np.isinf(self.exponent))
+
+    def spacing(self, rho: ArrayLike) -> Floats:
+        """Return g0 in nm at a range in nm; of the exponential law the range itself."""
+        return np.asarray(rho, float) * (1.0 if self.exponential else self.exponent)
+
+    def range_of_spacing(self, spacing: float) -> float:
+        """Return the range in nm at a spacing g0 in nm: the inverse of `spacing`."""
+        return spacing / float(self.spacing(1.0))
+
+
+EXPONENTIAL = Law("exponential", "exponential (Eq. 1)", np.inf, np.nan)
+
+#: The law of the paper first, then the forms that it names.
+LAWS = (
+    EXPONENTIAL,
+    Law("van_der_waals", "van der Waals", 2.0, HAMAKER / (12 * np.pi)),
+    Law("retarded", "retarded (Casimir)", 3.0, np.pi**2 * constants.hbar * constants.c / 720),
+    Law("electrostatic", "electrostatic", 1.0, constants.epsilon_0 * POTENTIAL**2 / 2),
+)
+
+
+class Mixture(NamedTuple):
+    """Exponential laws that add up to a law.
+
+    Attributes
+    ----------
+    ranges : numpy.ndarray
+        (k,) nm, falling.
+    shares : numpy.ndarray
+        (k,) of the work of adhesion.
+    """
+
+    ranges: Floats
+    shares: Floats
+
+
+def energy(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
+    """Return u = -U/W of a law at gaps >= 0 and a range, both in nm; they broadcast."""
+    return _decay(law, gap, rho, 0)
+
+
+def pressure(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
+    """Return v = -p rho/W of a law at gaps >= 0 and a range, both in nm; they broadcast."""
+    return _decay(law, gap, rho, 1)
+
+
+def _decay(law: Law, gap: ArrayLike, rho: ArrayLike, derivative: int) -> Floats:
+    """Return the energy (derivative 0) or the pressure (1), each 1 at the gap 0."""
+    reduced = np.asarray(gap, float) / law.spacing(rho)
+    if law.exponential:
+        return np.asarray(np.exp(-reduced))
+    return np.asarray((1 + reduced) ** -(law.exponent + derivative))
+
+
+def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
+    """Return the shares of W that exponential laws of given ranges have in a power law.
+
+    Parameters
+    ----------
+    law : Law
+        Any but the exponential one.
+    rho : array_like (...)
+        Ranges of the law in nm.
+    ranges : array_like (k,)
+        Of the exponential laws in nm, evenly spaced in their logarithm, in either order.
+
+    Returns
+    -------
+    numpy.ndarray
+        (..., k)
+    """
+    ranges = np.asarray(ranges, float)
+    step = abs(np.log(ranges[1] / ranges[0]))
+    t = law.spacing(rho)[..., None] / ranges
+    return np.asarray(step * np.exp(law.exponent * np.log(t) - t - special.gammaln(law.exponent)))
+
+
+def mixture(law: Law, rho: float, tolerance: float = 1e-5, reach: float = 1e3) -> Mixture:
+    """Return the mixture of exponential laws that is a law, for its pressure and its energy.
+
+    Parameters
+    ----------
+    law : Law
+        Any of the laws.
+    rho : float
+        Its range in nm.
+    tolerance : float
+        Largest relative error of pressure and energy at every gap up to `reach`.
+    reach : float
+        In nm.
+
+    Returns
+    -------
+    Mixture
+        The exponential law is a mixture of itself alone.
+    """
+    if law.exponential:
+        return Mixture(np.array([rho]), np.ones(1))
+    step = _step(law.exponent + 1, tolerance / 2)
+    spacing = float(law.spacing(rho))
+    first = special.gammaincinv(law.exponent, tolerance / 8) / (1 + reach / spacing)
+    last = special.gammainccinv(law.exponent + 1, tolerance / 8)
+    count = int(np.ceil(np.log(last / first) / step)) + 1
+    ranges = spacing / (first * np.exp(step * np.arange(count)))
+    return Mixture(ranges, work_shares(law, rho, ranges))
+
+
+def _step(exponent: float, error: float) -> float:
+    """Return the step in log t at which the trapezoidal rule has a relative error.
+
+    By Poisson's summation the error is 2 |Gamma(n + 2 pi i/step)|/Gamma(n), n the exponent, at
+    every gap alike; it grows with n.
+    """
+
+    def excess(step: float) -> float:
+        of_step = special.loggamma(exponent + 2j * np.pi / step).real
+        return float(np.log(2) + of_step - special.gammaln(exponent) - np.log(error))
+
+    return float(optimize.brentq(excess, 0.05, 1.5))
+
+
+def sum_of_terms(terms: Mixture, rho: float, gap: ArrayLike) -> tuple[Floats, Floats]:
+    """Return energy u and pressure v (...) of a mixture at gaps (...) in nm; rho of the law."""
+    decay = np.exp(-np.asarray(gap, float)[..., None] / terms.ranges)
+    return decay @ terms.shares, decay @ (terms.shares * rho / terms.ranges)
+
+
+def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
+    """Return W g0^m over the largest that the mechanism is known to give; NaN where none is.
+
+    Parameters
+    ----------
+    law : Law
+        Any of the laws.
+    rho : array_like
+        Range in nm.
+    work : array_like
+        Work of adhesion in J/m².
+
+    Returns
+    -------
+    numpy.ndarray
+        Dimensionless; above one the attraction is stronger than the mechanism allows.
+    """
+    if law.exponential:
+        return np.full(np.broadcast(rho, work).shape, np.nan)
+    metres = law.spacing(rho) * NANOMETRE
+    return np.asarray(np.asarray(work, float) * metres**law.exponent / law.known)

@@ -1,0 +1,216 @@
+"""The highest summits under a sphere, from a spectrum alone: how high, how wide, how many.
+
+Lengths in nm, wavevectors in rad/nm. Heights above the mean plane are in units of the rms height,
+t = z/sigma. The surface is Gaussian.
+
+Points above a high level come in clumps, one a summit. Where sigma² - r(d), r the autocorrelation
+at the distance d, is 1/t² of sigma², heights are still those of the same summit: d = delta(t), and
+a clump covers pi delta² on average. On a smooth surface this is the density of summits above a
+level of Nayak, J. Lubr. Technol. 93 (1971) 398, and the Euler characteristic of Adler, The Geometry
+of Random Fields (1981), section 6.9: (2 pi)^-1.5 (m2/m0) t exp(-t²/2), with the spectral moments m0
+and m2 of profiles. On a rough one it is that of Pickands (Trans. Am. Math. Soc. 145 (1969) 51), but
+for his constants: fine roughness makes many maxima and no more clumps.
+
+Clumps are independent at high levels (Aldous, Probability Approximations via the Poisson Clumping
+Heuristic, 1989), so that their number above a sphere is Poisson's, and the highest point Gumbel's:
+`scipy.stats.gumbel_r`, which is `genextreme` of shape 0.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy import special, stats
+
+from hardcontact.surfaces.spectrum import Spectrum
+
+__all__ = [
+    "Approaches",
+    "banded",
+    "closest_approaches",
+    "clump_radius",
+    "moment",
+    "rough_waves",
+]
+
+Floats = NDArray[np.float64]
+
+#: Points of a spectrum, and distances of its autocorrelation.
+WAVES, DISTANCES = 300, 120
+#: Levels t at which the highest summit may lie; below the lowest there is none.
+LEVELS = np.linspace(0, 8, 401)
+#: Mean clumps in the area of contact beyond which their sum is normal.
+MANY = 50.0
+#: Below this level heights have no clumps: those of this level stand for them.
+LOWEST_CLUMPS = 1.2
+#: A sphere follows waves whose curvature, all together, is less than this share of its own.
+FOLLOWED = 0.1
+
+
+class Approaches(NamedTuple):
+    """Levels t of closest approach and their probabilities, which add up to one.
+
+    Attributes
+    ----------
+    levels, weights : numpy.ndarray
+        (n,)
+    radius : float
+        Of the clump about a summit at the mean level, in nm.
+    """
+
+    levels: Floats
+    weights: Floats
+    radius: float
+
+    def mean(self, values: ArrayLike | None = None) -> float:
+        """Return the mean of values (n,) at the levels, or of the levels themselves."""
+        return float(self.weights @ (self.levels if values is None else np.asarray(values)))
+
+
+def banded(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
+    """Return the waves of a spectrum between two wavevectors, on a grid of its own.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        Of any points.
+    lowest, highest : float
+        In rad/nm.
+
+    Returns
+    -------
+    Spectrum or None
+        None if no waves are left.
+    """
+    known = spectrum.wavevector[spectrum.density > 0]
+    if not len(known):
+        return None
+    low, high = max(lowest, known[0]), min(highest, known[-1])
+    if high <= low * (1 + 1e-9):
+        return None
+    wavevector = np.geomspace(low, high, WAVES)
+    return Spectrum(wavevector, spectrum(np.minimum(wavevector, known[-1])))
+
+
+def moment(waves: Spectrum, order: int) -> float:
+    """Return (1/2 pi) ∫ q^(1 + order) C_iso dq: squares of the rms height (0), of the gradient (2).
+
+    Of order 4 it is the square of the rms Laplacian.
+    """
+    q = waves.wavevector
+    return float(np.trapezoid(waves.density * q ** (2 + order), np.log(q)) / (2 * np.pi))
+
+
+def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
+    """Return the waves that a sphere does not follow.
+
+    Waves that are flat beside the sphere lift it as they lift the surface: they are no roughness.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        Of any points.
+    radius : float
+        Of the sphere.
+
+    Returns
+    -------
+    Spectrum or None
+        None if it follows all.
+    """
+    waves = banded(spectrum, 0, np.inf)
+    if waves is None:
+        return None
+    q = waves.wavevector
+    step = np.log(q[1] / q[0])
+    curvature = np.sqrt(np.cumsum(waves.density * q**6) * step / (2 * np.pi)) / 2
+    beyond = np.flatnonzero(curvature > FOLLOWED / radius)
+    return banded(spectrum, q[beyond[0]], np.inf) if len(beyond) else None
+
+
+def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
+    """Return the radius of the clump of points about a summit.
+
+    Parameters
+    ----------
+    waves : Spectrum
+        Of `banded`.
+    levels : array_like
+        (n,) t.
+
+    Returns
+    -------
+    numpy.ndarray
+        delta(t) (n,) in nm: 1 - r(delta)/sigma² = 1/t².
+    """
+    q = waves.wavevector
+    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
+    lost = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
+    share = np.trapezoid(lost, np.log(q), axis=1) / (2 * np.pi * moment(waves, 0))
+    wanted = -2 * np.log(np.maximum(levels, LOWEST_CLUMPS))
+    growing = np.log(np.maximum.accumulate(share))
+    return np.asarray(np.exp(np.interp(wanted, growing, np.log(distances))))
+
+
+def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approaches:
+    """Return how close a sphere comes to the mean plane until it touches a given area.
+
+    At the height z under the sphere the area 2 pi R dz of the plane meets it, so that
+    Lambda(t) = 2 pi R sigma ∫_t^∞ Q(u)/(pi delta(u)²) du clumps rise above the sphere at the level
+    t of its apex, Q the upper tail of the normal distribution. The area above the sphere is
+    B(t) = 2 pi R sigma ∫_t^∞ Q(u) du, on average B/Lambda a clump. Areas of clumps are exponential,
+    as they are of caps; their sum stays below the area of contact with the probability
+    P(t) = exp(-Lambda) [1 + Σ_n Lambda^n/n! P(n, A Lambda/B)], P the incomplete gamma function:
+    that closest approach lies below t. Without area it is exp(-Lambda); with many clumps it rises
+    where B = A, the bearing area.
+
+    Parameters
+    ----------
+    waves : Spectrum
+        Of `rough_waves` or `banded`.
+    radius : float
+        Of the sphere.
+    area : float
+        Of contact, load over hardness, in nm².
+
+    Returns
+    -------
+    Approaches
+        The lowest level has the probability that no summit rises above the mean plane.
+    """
+    radii = clump_radius(waves, LEVELS)
+    reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
+    tail = stats.norm.sf(LEVELS)
+    clumps, bearing = reach * _above(tail / (np.pi * radii**2)), reach * _above(tail)
+    # At the last level, where nothing rises, a clump has its own area.
+    clump = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
+    below = _touches_less(clumps, area / clump)
+    middle = (LEVELS[1:] + LEVELS[:-1]) / 2
+    weights = np.append(below[0], np.maximum(np.diff(below), 0))
+    weights /= weights.sum()
+    levels = np.append(0.0, middle)
+    return Approaches(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
+
+
+def _above(density: Floats) -> Floats:
+    """Return the integral of a density (n,) from each of LEVELS to the last."""
+    cells = (density[1:] + density[:-1]) / 2 * (LEVELS[1] - LEVELS[0])
+    return np.append(np.cumsum(cells[::-1])[::-1], 0.0)
+
+
+def _touches_less(clumps: Floats, caps: Floats) -> Floats:
+    """Return the probability (n,) that clumps of exponential area touch less than the contact.
+
+    clumps: their mean number; caps: the area of contact over their mean area.
+    """
+    few = caps <= MANY
+    spread = np.sqrt(2 * np.maximum(clumps, 1e-300))
+    below = special.ndtr((caps - clumps) / spread)
+    if few.any():
+        most = np.max(caps[few])
+        counts = np.arange(1, int(most + 8 * np.sqrt(most) + 25) if most else 1)[:, None]
+        with np.errstate(divide="ignore"):
+            log_poisson = counts * np.log(clumps[few]) - clumps[few] - special.gammaln(counts + 1)
+        sums = (np.exp(log_poisson) * special.gammainc(counts, caps[few])).sum(axis=0)
+        below[few] = np.exp(-clumps[few]) + sums
+    return np.asarray(np.clip(below, 0, 1))

@@ -1,0 +1,42 @@
+"""The parts of the chapter on what decides the band: a question each, and what answers it.
+
+A new part takes a figure in `catalogue.OF_INSIGHT`, with its module and caption, the rule that
+makes the dataset of that figure, and an entry here.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import xarray as xr
+
+from hardcontact.answer.closed_form_sentences import closed_form_sentences
+from hardcontact.answer.law_sentences import law_sentences
+from hardcontact.answer.map_sentences import map_sentences
+
+__all__ = ["PARTS", "Part"]
+
+
+class Part(NamedTuple):
+    """One part of the chapter.
+
+    Attributes
+    ----------
+    question : str
+        Its heading.
+    sentences : callable
+        Takes the dataset of the figure and returns the answer in sentences, the first of which
+        says most.
+    """
+
+    question: str
+    sentences: Callable[[xr.Dataset], list[str]]
+
+
+#: The parts by their figures.
+PARTS = {
+    "fig_closed_form": Part(
+        "Does the force follow from a spectrum, without a simulation?", closed_form_sentences
+    ),
+    "fig_laws": Part("Would another law of attraction give similar results?", law_sentences),
+    "fig_maps": Part("How many contacts and scans does a mean force need?", map_sentences),
+}

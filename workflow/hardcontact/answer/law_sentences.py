@@ -1,0 +1,136 @@
+"""What other laws of attraction come to, in sentences of plain text."""
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.adhesion.critical_band import POOLED
+from hardcontact.adhesion.interaction_laws import EXPONENTIAL
+from hardcontact.answer.part_text import (
+    DIGITS,
+    listed,
+    print_bounded_as_paper,
+    print_percent,
+)
+from hardcontact.claims.quantity_text import print_as_paper
+from hardcontact.claims.verdicts import verdict
+from hardcontact.statistics import bounds
+
+__all__ = ["law_sentences"]
+
+
+def law_sentences(laws: xr.Dataset) -> list[str]:
+    """Return whether other laws would give similar results, and what measured forces say of them.
+
+    Parameters
+    ----------
+    laws : xarray.Dataset
+        As from `law_comparison.compare_laws`.
+
+    Returns
+    -------
+    list of str
+        The answer first.
+    """
+    others = [law for law in laws["law"].values if law != EXPONENTIAL.name]
+    return [
+        _verdicts(laws, others),
+        _forces(laws, others),
+        _edges(laws, others),
+        _strengths(laws, others),
+        _fitted(laws),
+        _atomic(laws),
+        _window(laws, others),
+    ]
+
+
+def _name(laws: xr.Dataset, law: str) -> str:
+    return str(laws["law_label"].sel(law=law).item())
+
+
+def _judged(laws: xr.Dataset, law: str) -> str:
+    """Return the verdict on forces that differ by less than the tolerance from those of Eq. 1."""
+    of_law = laws.sel(law=law, case="equivalent")
+    low, high = (end.item() for end in bounds(of_law, "fit_error"))
+    limit = laws.attrs["scale_tolerance"]
+    return verdict("below", of_law["fit_error"].item(), low, high, np.nan, limit)
+
+
+def _verdicts(laws: xr.Dataset, others: list[str]) -> str:
+    judged = "; ".join(f"{_name(laws, law)}, {_judged(laws, law)}" for law in others)
+    return (
+        "The paper expects similar results from other laws of attraction. Judged by whether their "
+        f"best range and work give the forces of its own law on all surfaces within "
+        f"{print_percent(laws.attrs['scale_tolerance'])}: {judged}."
+    )
+
+
+def _forces(laws: xr.Dataset, others: list[str]) -> str:
+    cases = laws.sel(case="equivalent")
+    said = []
+    for law in others:
+        of_law = cases.sel(law=law)
+        ends = (end.item() for end in bounds(of_law, "fit_error"))
+        error = print_percent(of_law["fit_error"].item(), *ends)
+        reach = print_bounded_as_paper(of_law, "range_of_law", "nm")
+        work = print_bounded_as_paper(of_law, "work_of_adhesion", "J/m2")
+        said.append(f"{_name(laws, law)} {error} (range {reach}, work {work})")
+    own = " and ".join(
+        print_as_paper(laws.attrs[name], unit)
+        for name, unit in (("published_range", "nm"), ("published_work", "J/m2"))
+    )
+    return f"Their forces then differ from those at {own} on average by: {'; '.join(said)}."
+
+
+def _edges(laws: xr.Dataset, others: list[str]) -> str:
+    pooled = laws.sel(group=POOLED)
+    said = []
+    for law in others:
+        short, long = (
+            print_bounded_as_paper(pooled.sel(law=law, side=side), "edge_factor", "1")
+            for side in ("small", "large")
+        )
+        said.append(f"{_name(laws, law)} {short} and {long}")
+    return (
+        "The short and the long edge of the band, mean of all substrates, move by the factors "
+        f"{'; '.join(said)}."
+    )
+
+
+def _strengths(laws: xr.Dataset, others: list[str]) -> str:
+    strengths = laws["implied_over_known"].sel(case="equivalent")
+    said = listed(
+        f"{_name(laws, law)} {strengths.sel(law=law).item():.{DIGITS}g} times" for law in others
+    )
+    return (
+        f"Of known attractions of their kinds this would take so many times the strength: {said}."
+    )
+
+
+def _fitted(laws: xr.Dataset) -> str:
+    fits = laws.sel(case="fitted")
+    ranked = fits["law"].values[np.argsort(fits["fit_error"].values)]
+    said = listed(
+        f"{_name(laws, law)} {print_bounded_as_paper(fits.sel(law=law), 'fit_error', '1')}"
+        for law in ranked
+    )
+    return f"Mean relative errors where each law is fitted to the measured forces: {said}."
+
+
+def _atomic(laws: xr.Dataset) -> str:
+    fits = laws.sel(case="atomic")
+    best = fits["law"].values[np.argmin(fits["fit_error"].values)]
+    error = print_bounded_as_paper(fits.sel(law=best), "fit_error", "1")
+    spacing = print_as_paper(laws.attrs["atomic_spacing"], "nm")
+    return (
+        f"At an atomic spacing of {spacing} none comes nearer to them than {error} "
+        f"({_name(laws, best)})."
+    )
+
+
+def _window(laws: xr.Dataset, others: list[str]) -> str:
+    growth = laws["window_growth"].sel(law=others)
+    law = others[np.argmax(growth.max("surface").values)]
+    return (
+        "What lies beyond the window of these sums is left out; its second half raises the force "
+        f"by at most {print_percent(growth.max().item())} ({_name(laws, law)})."
+    )

@@ -1,0 +1,177 @@
+"""Other laws of attraction: their pressure, their fits, ratios of forces, edges of the band."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.adhesion.interaction_laws import LAWS, pressure
+from hardcontact.figures import style
+from hardcontact.figures.marks import reach
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+
+__all__ = ["draw", "table"]
+
+# Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.
+COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933")
+DASHES = ("-", "--", "-.", ":")
+MARKERS = ("o", "s", "^", "D")
+GAPS = np.geomspace(0.1, 300.0, 200)  # nm
+PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
+SIDES = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
+TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
+FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
+COLUMNS = [
+    *("group" if name == "surface" else name for name in ROW_COLUMNS),
+    "law", "case", "side", "length", *VALUE_COLUMNS,
+]  # fmt: skip
+
+
+def table(laws: xr.Dataset) -> pd.DataFrame:
+    """Return what the figure is drawn from, one row a number.
+
+    Parameters
+    ----------
+    laws : xarray.Dataset
+        As `draw` takes it.
+
+    Returns
+    -------
+    pandas.DataFrame
+        By law and case its range, work and error (panel a), the error of every length at its best
+        work (panel b, `case` its target), the ratios of forces, computed and published (panel c),
+        and the edges of the band, also over those of Eq. 1 (panels d and e), of each substrate and
+        of all pooled: a `group`.
+    """
+    fits = [_rows(bounded(laws, name), name, "a", unit) for name, unit in FITS.items()]
+    strengths = _rows(laws[["implied_over_known"]], "implied_over_known", "a", "1")
+    errors = _rows(laws[["error"]].rename(target="case"), "error", "b", "1")
+    ratios = _rows(bounded(laws, "ratio"), "ratio", "c", "1")
+    published = _rows(laws[["published_ratio"]], "ratio", "c", "1").assign(origin="published")
+    of_sides = [
+        _rows(bounded(laws, name).rename(group="surface").sel(side=[side]), name, panel, unit)
+        for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
+        for side, (panel, _) in SIDES.items()
+    ]
+    rows = pd.concat([*fits, strengths, errors, ratios, published, *of_sides])
+    rows = rows.rename(columns={"surface": "group"})
+    return label_surfaces(rows, laws, "group").reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
+    """Return a row for each number of a dataset with `value` or one variable of any name."""
+    (name,) = [name for name in values.data_vars if name not in ("low", "high")]
+    kept = ["surface", "law", "case", "side", "length", "value", "low", "high"]
+    frame = values.rename({name: "value"}).expand_dims("number").to_dataframe().reset_index()
+    return (
+        frame[[column for column in kept if column in frame]]
+        .dropna(subset=["value"])
+        .assign(panel=panel, origin="computed", quantity=quantity, unit=unit)
+    )
+
+
+@style.print_style()
+def draw(laws: xr.Dataset) -> Figure:
+    """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band.
+
+    Parameters
+    ----------
+    laws : xarray.Dataset
+        As from `law_comparison.compare_laws`, with `label(surface)` and `basis(surface)`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    figure = style.create(5.2)
+    above, below = figure.add_gridspec(2, 1, height_ratios=(1, 1))
+    pressures, errors, ratios = above.subgridspec(1, 3).subplots()
+    small, large = below.subgridspec(1, 2).subplots()
+    _draw_pressures(pressures, laws)
+    _draw_errors(errors, laws)
+    _draw_ratios(ratios, laws)
+    for axes, (side, (panel, title)) in zip((small, large), SIDES.items(), strict=True):
+        _draw_edges(axes, laws, side)
+        style.label_panel(axes, panel, title)
+    style.mark_basis(figure, laws)
+    return figure
+
+
+def _looks(laws: xr.Dataset) -> dict[str, dict[str, Any]]:
+    """Return colour and marker of each law by its name."""
+    looks = zip(laws["law"].values, COLOURS, MARKERS, strict=True)
+    return {str(law): {"color": colour, "marker": marker} for law, colour, marker in looks}
+
+
+def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
+    """Draw the pressure of every law at the length and work equivalent to Eq. 1."""
+    case = laws.sel(case="equivalent")
+    for law, colour, dashes in zip(LAWS, COLOURS, DASHES, strict=True):
+        of_law = case.sel(law=law.name)
+        rho, work = of_law["range_of_law"].item(), of_law["work_of_adhesion"].item()
+        values = PRESSURE * work / rho * pressure(law, GAPS, rho)
+        axes.plot(GAPS, values, color=colour, ls=dashes, label=law.label)
+    axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
+    axes.set_ylim(bottom=1e-7)
+    axes.legend(loc="lower left", handlelength=1.5)
+    style.label_logarithmic(axes.xaxis, at=(1,))
+    style.label_panel(axes, "a", "laws of like force")
+
+
+def _draw_errors(axes: Axes, laws: xr.Dataset) -> None:
+    """Draw the error at the best work against the length of each law, for both targets."""
+    for law, colour, dashes in zip(LAWS, COLOURS, DASHES, strict=True):
+        of_law = laws["error"].sel(law=law.name)
+        for target, opacity in TARGETS.items():
+            axes.plot(
+                laws["length"], of_law.sel(target=target), color=colour, ls=dashes, alpha=opacity
+            )
+    axes.axhline(0.1, color="0.7", lw=0.6, zorder=0)
+    axes.set(xscale="log", xlabel="range W/|p(0)| (nm)", ylabel="mean error at the best W")
+    axes.set_ylim(0, 1.02 * float(laws["error"].max()))
+    style.label_logarithmic(axes.xaxis, at=(1,))
+    style.label_panel(axes, "b", "to Eq. 1; pale: to measured")
+
+
+def _draw_ratios(axes: Axes, laws: xr.Dataset) -> None:
+    """Draw ratios of forces to the reference surface at the length fitted to the measured ones."""
+    places = np.arange(laws.sizes["surface"])
+    axes.hlines(laws["published_ratio"], places - 0.42, places + 0.42, color="0.6", lw=4, alpha=0.6)
+    case = laws.sel(case="fitted")
+    _draw_beside(axes, bounded(case, "ratio"), _looks(laws))
+    axes.set(yscale="log", ylabel=f"force / that on {laws.attrs['reference_label']}")
+    axes.set_xticks(places, laws["label"].values, rotation=25, ha="right", rotation_mode="anchor")
+    style.label_panel(axes, "c", "grey: published")
+
+
+def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
+    """Draw where the force leaves its tolerance, of each surface and pooled.
+
+    Full marks stand at lengths equivalent to Eq. 1, open ones at an atomic spacing.
+    """
+    edges = bounded(laws, "critical_wavelength").sel(side=side)
+    looks = _looks(laws)
+    _draw_beside(axes, edges.sel(case="equivalent"), looks)
+    hollow = {law: {**look, "mfc": "white"} for law, look in looks.items()}
+    _draw_beside(axes, edges.sel(case="atomic"), hollow, 0.07)
+    labels = dict(zip(laws["surface"].values, laws["label"].values, strict=True))
+    groups = [str(labels.get(group, group)) for group in laws["group"].values]
+    axes.set_xticks(range(len(groups)), groups)
+    axes.set(yscale="log", xlabel="full: like Eq. 1; open: atomic spacing")
+    style.label_logarithmic(axes.yaxis)
+
+
+def _draw_beside(
+    axes: Axes, values: xr.Dataset, looks: dict[str, dict[str, Any]], shift: float = 0.0
+) -> None:
+    """Draw values with their intervals of each law, side by side at each place."""
+    beside = np.linspace(-0.3, 0.3, len(looks))
+    for (law, look), offset in zip(looks.items(), beside, strict=True):
+        of_law = values.sel(law=law)
+        places = np.arange(of_law["value"].size) + offset + shift
+        known = np.nan_to_num(np.maximum(reach(of_law), 0))
+        axes.errorbar(places, of_law["value"], known, ls="none", ms=3.5, lw=0.8, **look)

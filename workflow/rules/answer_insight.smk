@@ -1,0 +1,36 @@
+# The page on what decides the band: question, answer and figure of each part.
+
+from hardcontact.figures.catalogue import OF_INSIGHT
+
+
+rule answer_insight:
+    """Write the page on what decides the band."""
+    input:
+        datasets=[PATTERNS.dataset(figure.datasets[0]) for figure in OF_INSIGHT.values()],
+        figures=[PATTERNS.figure(name, "png") for name in OF_INSIGHT],
+        captions=[f"workflow/report/{name}.rst" for name in OF_INSIGHT],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("answer_insight.py"),
+    output:
+        page=report(
+            PATTERNS.result("insight.html"),
+            caption="../report/insight.rst",
+            category="8. What decides the band",
+            labels={"page": "all parts"},
+        ),
+        record=PATTERNS.record("insight"),
+    log:
+        PATTERNS.log("answer_insight"),
+    benchmark:
+        PATTERNS.benchmark("answer_insight")
+    params:
+        canonical=canonical(config),
+    script:
+        "../scripts/answer_insight.py"
+
+
+rule insight:
+    """Make the chapter on what decides the band: datasets, figures, page."""
+    input:
+        rules.answer_insight.output,
+        [getattr(rules, f"draw_{name}").output for name in OF_INSIGHT],

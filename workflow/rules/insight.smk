@@ -1,0 +1,155 @@
+# Insight: what decides the critical band, and how far the method can be trusted.
+
+from hardcontact.study.insight_files import InsightFiles
+
+INSIGHT = STUDY["insight"]
+INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)
+INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
+NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
+
+
+rule compare_closed_form:
+    """Compare the closed form of the pull-off force with random surfaces: closed_form.nc."""
+    input:
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compare_closed_form.py"),
+    output:
+        PATTERNS.dataset("closed_form"),
+    log:
+        PATTERNS.log("compare_closed_form"),
+    benchmark:
+        PATTERNS.benchmark("compare_closed_form")
+    resources:
+        mem_mb=1500,
+    params:
+        canonical=canonical(
+            {
+                "surfaces": SELECTION.substrates,
+                **NAMED_SURFACES,
+                "trial": {
+                    **{key: INSIGHT[key] for key in ("pixels", "realizations", "sizes")},
+                    "ranges": INSIGHT_RANGES,
+                    "array": {
+                        "window": STUDY["contact"]["window"],
+                        "count": INSIGHT["count"],
+                    },
+                    "load": {key: STUDY["contact"][key] for key in ("preload", "hardness")},
+                    "radius": STUDY["sphere"]["radius"],
+                    "rho": STUDY["scales"]["range"],
+                    "tolerance": STUDY["scales"]["tolerance"],
+                    "confidence": STUDY["inference"]["confidence"],
+                    "seed": STUDY["seed"],
+                },
+            }
+        ),
+    script:
+        "../scripts/compare_closed_form.py"
+
+
+rule compute_law_forces:
+    """Compute the forces of a scan and its masters at the ranges that laws are mixtures of."""
+    input:
+        scan=PATTERNS.stitched_substrate,
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        sphere=FILES.first_sphere,
+        code=code_inputs("compute_law_forces.py"),
+    output:
+        scan=PATTERNS.law_scan,
+        small=PATTERNS.law_small,
+        large=PATTERNS.law_large,
+    log:
+        PATTERNS.log("compute_law_forces", PATTERNS.law_scan),
+    benchmark:
+        PATTERNS.benchmark("compute_law_forces", PATTERNS.law_scan)
+    resources:
+        mem_mb=2000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scan": int(w.scan),
+                "contact": STUDY["contact"] | {"count": INSIGHT["count"]},
+                "radius": STUDY["sphere"]["radius"],
+                "reach": INSIGHT["reach"],
+                # The step gives the pressure of every law to 2e-5, these ends that of its tail.
+                "ranges": {
+                    "anchor": STUDY["scales"]["range"],
+                    "step": 0.5,
+                    "low": 0.02,
+                    "high": 1e5,
+                },
+                "scales": {
+                    side: {"transition": STUDY["scales"][side]["transition"]} | INSIGHT[side]
+                    for side in ("small", "large")
+                },
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/compute_law_forces.py"
+
+
+rule compare_laws:
+    """Fit every law of attraction, and find its critical band: laws.nc."""
+    input:
+        scans=INSIGHT_FILES.of_scans(PATTERNS.law_scan),
+        small=INSIGHT_FILES.of_scans(PATTERNS.law_small),
+        large=INSIGHT_FILES.of_scans(PATTERNS.law_large),
+        published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compare_laws.py"),
+    output:
+        PATTERNS.dataset("laws"),
+    log:
+        PATTERNS.log("compare_laws"),
+    benchmark:
+        PATTERNS.benchmark("compare_laws")
+    resources:
+        mem_mb=2000,
+    params:
+        canonical=canonical(
+            {
+                "scans": INSIGHT_FILES.scans,
+                **NAMED_SURFACES,
+                "reference_surface": STUDY["reference_surface"],
+                "spacing": INSIGHT["spacing"],
+                "tolerance": STUDY["scales"]["tolerance"],
+                "seed": STUDY["seed"],
+                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
+            }
+        ),
+    script:
+        "../scripts/compare_laws.py"
+
+
+rule map_forces:
+    """Map the rigid pull-off force on every scan: maps.nc."""
+    input:
+        substrates=[FILES.stitched(*one) for one in FILES.substrate_scans],
+        code=code_inputs("map_forces.py"),
+    output:
+        PATTERNS.dataset("maps"),
+    log:
+        PATTERNS.log("map_forces"),
+    benchmark:
+        PATTERNS.benchmark("map_forces")
+    resources:
+        mem_mb=1500,
+    params:
+        canonical=canonical(
+            {
+                "scans": FILES.substrate_scans,
+                **NAMED_SURFACES,
+                "settings": {
+                    "radius": STUDY["sphere"]["radius"],
+                    "contact": {key: STUDY["contact"][key] for key in ("window", "count")},
+                    "ranges": INSIGHT_RANGES,
+                    "reference_rho": STUDY["scales"]["range"],
+                    "tolerance": INSIGHT["mean_error"],
+                    "confidence": STUDY["inference"]["confidence"],
+                },
+            }
+        ),
+    script:
+        "../scripts/map_forces.py"

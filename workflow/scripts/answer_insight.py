@@ -1,0 +1,31 @@
+"""The page on what decides the band, part by part."""
+
+from pathlib import Path
+
+from hardcontact import published
+from hardcontact.answer.insight_page import AnsweredPart, insight_page
+from hardcontact.answer.insight_parts import PARTS
+from hardcontact.answer.web_image import web_png
+from hardcontact.records.dataset import read
+from hardcontact.study.captions import caption
+from hardcontact.study.job import job
+
+WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
+
+with job(snakemake) as this:
+    parts, substitutes, confidences = {}, {}, set()
+    files = zip(this.input.datasets, this.input.figures, this.input.captions, strict=True)
+    for dataset, figure, template in files:
+        made, name = read(dataset), Path(figure).stem
+        parts[name] = AnsweredPart(
+            PARTS[name].question,
+            PARTS[name].sentences(made),
+            web_png(Path(figure).read_bytes(), WIDTH),
+            caption(Path(template).read_text("utf-8"), this.parameters),
+        )
+        substitutes |= dict.fromkeys(made["label"].values[made["basis"].values == "substitute"])
+        confidences.add(float(made.attrs["confidence"]))
+    (confidence,) = confidences
+    constants = published.constants(this.input.published_constants)
+    this.write_text(insight_page(parts, list(substitutes), confidence, constants), "page")
+    this.record("page")

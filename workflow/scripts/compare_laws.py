@@ -1,0 +1,29 @@
+"""Fits, ratios and critical band of every law of attraction: laws.nc."""
+
+from hardcontact import published
+from hardcontact.adhesion.inference import Pair
+from hardcontact.adhesion.law_bands import stacked_law_forces
+from hardcontact.adhesion.law_comparison import LawChoices, compare_laws
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.records.dataset import read_all
+from hardcontact.study.job import job
+
+with job(snakemake) as this:
+    given = this.parameters
+    constants = published.constants(this.input.published_constants)["value"]
+    forces, masters = stacked_law_forces(
+        read_all(given["scans"], this.input.scans),
+        {side: read_all(given["scans"], getattr(this.input, side)) for side in ("small", "large")},
+        {"labels": given["labels"], "basis": given["basis"]},
+    )
+    choices = LawChoices(
+        given["reference_surface"],
+        Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
+        given["spacing"],
+        given["tolerance"],
+        Sampling(given["seed"], given["samples"], given["confidence"]),
+    )
+    this.write(
+        compare_laws(forces, masters, published.pull_off(this.input.published_pull_off), choices),
+        title="laws of attraction compared",
+    )

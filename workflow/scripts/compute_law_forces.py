@@ -1,0 +1,38 @@
+"""Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
+
+from hardcontact.adhesion.law_forces import filtered_range_forces, range_grid, scan_range_forces
+from hardcontact.random import generator
+from hardcontact.study.job import job
+from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.synthesis import large_scale_master, small_scale_master
+
+#: How a master is synthesized, and the key that says how large.
+MASTERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
+
+with job(snakemake) as this:
+    given = this.parameters
+    surface, number = given["surface"], given["scan"]
+    scan = read_height_map(this.input.scan)
+    sphere = read_height_map(this.input.sphere) if this.input.sphere else None
+    contacts = given["contact"] | {name: given[name] for name in ("radius", "reach")}
+    ranges = range_grid(**given["ranges"]).tolist()
+    this.write_arrays(
+        scan_range_forces(scan, sphere, contacts | {"ranges": ranges}),
+        title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",
+        output="scan",
+    )
+    for side, (synthesize, size) in MASTERS.items():
+        scales = given["scales"][side]
+        master = synthesize(
+            generator(given["seed"], surface, number, f"{side}-scale laws"),
+            scan,
+            scales[size],
+            scales["transition"],
+            read_spectrum(this.input.spectrum),
+        )
+        this.write_arrays(
+            filtered_range_forces(master, None, side, scales, contacts | {"ranges": ranges}),
+            title=f"pull-off forces of a filtered {side}-scale master of {surface} at these ranges",
+            output=side,
+        )
