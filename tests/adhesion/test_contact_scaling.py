@@ -75,14 +75,16 @@ RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 1
 CUTOFFS = np.geomspace(10, 2e4, 60)
 
 
-def curves(reach_exponent, contact_exponent, scatter=0.0):
+def curves(radius_exponent, rho_exponent, contact_exponent, scatter=0.0):
     """Return ratios of three realizations whose long edge is a known power law, and that edge."""
     radius, area, rho = (
         xr.DataArray(values, {name: values}, name)
         for name, values in {"radius": RADII, "area": AREAS, "rho": RANGES}.items()
     )
-    reach, contact = np.sqrt(2 * radius * rho), np.sqrt(area)
-    edge = 600 * (reach / 500) ** reach_exponent * (contact / 20) ** contact_exponent
+    contact = np.sqrt(area / 400) ** contact_exponent
+    edge = (
+        600 * np.sqrt(radius / 1e5) ** radius_exponent * np.sqrt(rho / 4) ** rho_exponent * contact
+    )
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
     noise = np.random.default_rng(5).standard_normal(3)
     noise = xr.DataArray(np.exp(scatter * (noise - noise.mean())), dims="realization")
@@ -104,10 +106,14 @@ def curves(reach_exponent, contact_exponent, scatter=0.0):
 
 
 @pytest.mark.parametrize(
-    ("exponents", "regime"),
-    [((1.0, 0.0), "interaction"), ((0.0, 0.9), "contact"), ((0.0, 0.1), "surface")],
+    ("exponents", "follows"),
+    [
+        ((1.0, 1.0, 0.0), ["yes", "yes", "no"]),
+        ((0.0, 0.2, 0.9), ["no", "no", "yes"]),
+        ((0.0, 0.0, -0.8), ["no", "no", "undecided"]),
+    ],
 )
-def test_exponents_and_regime_are_those_of_a_known_power_law(exponents, regime):
+def test_exponents_are_those_of_a_known_power_law(exponents, follows):
     data, edge = curves(*exponents, scatter=0.02)
     computed = scaling.edge_scaling(data, 0.1, Sampling(1, 50, 0.95)).sel(side="large", surface="a")
     np.testing.assert_allclose(computed["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
@@ -115,13 +121,19 @@ def test_exponents_and_regime_are_those_of_a_known_power_law(exponents, regime):
     np.testing.assert_allclose(of_all["exponent"], exponents, atol=0.02)
     ends = of_all["exponent_interval"]
     assert (ends[:, 0] <= of_all["exponent"]).all() and (of_all["exponent"] <= ends[:, 1]).all()
-    assert of_all["regime"].item() == regime
+    assert of_all["dependence"].values.tolist() == follows
     assert of_all["explained"].item() > 0.95
     assert of_all["edges_found"].item() == 36
 
 
+def test_exponent_of_the_reach_is_that_of_radius_and_range_where_they_are_alike():
+    data, _ = curves(0.7, 0.7, 0.1)
+    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="large", surface="a")
+    np.testing.assert_allclose(computed["reach_exponent"], 0.7, atol=0.02)
+
+
 def test_roll_off_divides_the_combinations():
-    data, _ = curves(1.0, 0.0)
+    data, _ = curves(1.0, 1.0, 0.0)
     computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="large", surface="a")
     # sqrt(2 R rho) is below 1000 nm at 10 um and all ranges, and at 100 um and 1.4 to 2.8 nm.
     found = computed["edges_found"].sel(part=scaling.PARTS[1:])
@@ -129,26 +141,17 @@ def test_roll_off_divides_the_combinations():
 
 
 def test_open_edges_are_left_out_and_few_give_no_exponent():
-    data, _ = curves(1.0, 0.0)
+    data, _ = curves(1.0, 1.0, 0.0)
     computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="small", surface="a")
     assert computed["edge"].isnull().all()
-    assert computed["exponent"].isnull().all()
-    assert set(computed["regime"].values.tolist()) == {"undecided"}
+    assert computed["exponent"].isnull().all() and computed["reach_exponent"].isnull().all()
+    assert set(computed["dependence"].values.ravel().tolist()) == {"undecided"}
 
 
-@pytest.mark.parametrize(
-    ("interval", "expected"),
-    [
-        ([[0.8, 1.2], [-0.1, 0.1]], "interaction"),
-        ([[-0.2, 0.3], [0.6, 0.7]], "contact"),
-        ([[0.6, 0.7], [0.6, 0.7]], "both"),
-        ([[-0.2, 0.3], [0.1, 0.4]], "surface"),
-        ([[0.3, 0.7], [-0.1, 0.1]], "undecided"),
-        ([[np.nan, np.nan], [-0.1, 0.1]], "undecided"),
-    ],
-)
-def test_regime_says_which_length_an_edge_follows(interval, expected):
-    assert scaling.regime(np.array(interval)) == expected
+def test_dependence_is_what_intervals_say():
+    low, high = [0.6, -0.2, 0.3, -0.7, np.nan], [1.2, 0.4, 0.7, 0.1, np.nan]
+    expected = ["yes", "no", "undecided", "undecided", "undecided"]
+    assert scaling.dependence(low, high).tolist() == expected
 
 
 def test_roll_off_is_where_an_octave_holds_most_of_the_heights():

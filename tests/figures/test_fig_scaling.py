@@ -6,39 +6,14 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from figure_inputs.building import bounded, named
+from figure_inputs.scaling import AREAS, scaling
 from figure_rows import select
 from paper_numbers import SUBSTRATES
 
-from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
 from hardcontact.figures import fig_scaling, style
 
-RADII, AREAS, RANGES = [5e3, 250e3, 1e6], [50.0, 400.0, 3200.0], [1.4, 5.6, 11.2]
 PUBLISHED = pd.DataFrame({"value": {"critical_wavelength_small": 43.0,
                                     "critical_wavelength_large": 1800.0}})  # fmt: skip
-CASES = ("side", "surface", "radius", "area", "rho")
-
-
-def scaling():
-    """Edges that differ by all they depend on; one of them is open."""
-    edge = 40 + np.arange(2 * 4 * 27.0).reshape(2, 4, 3, 3, 3)
-    edge[1] *= 20
-    edge[1, 0, 0, 1, 0] = np.nan
-    exponent = np.linspace(-0.2, 1.2, 2 * 4 * 3 * 2).reshape(2, 4, 3, 2)
-    data = named().assign_coords(
-        side=["small", "large"], radius=RADII, area=AREAS, rho=RANGES, part=PARTS, length=LENGTHS
-    )
-    data = data.assign(
-        bounded("edge", CASES, edge, unit="nm")
-        | bounded("exponent", ("side", "surface", "part", "length"), exponent)
-    )
-    return data.assign(
-        regime=(("side", "surface", "part"), np.full((2, 4, 3), "surface")),
-        reach=np.sqrt(2 * data["radius"] * data["rho"]),
-        contact_area=(("side", "area"), [AREAS, AREAS]),
-        rms_height=("surface", [4.0, 17, 97, 101]),
-        roll_off=("surface", [740.0, 1000, 2500, 2700]),
-    ).assign_attrs(sphere_radius=250e3, rho=5.6, area=400.0)
 
 
 @cache
@@ -55,7 +30,7 @@ def test_table_holds_every_edge_but_the_open_one_and_every_exponent():
     assert row["value"] == data["edge"].sel(chosen).item()
     assert row["high"] == data["edge_interval"].sel({**chosen, "bound": "high"}).item()
     assert row["reach"] == pytest.approx(np.sqrt(2 * 1e6 * 5.6))
-    assert len(select(rows, quantity="exponent", regime="surface")) == 2 * 4 * 3 * 2
+    assert len(select(rows, quantity="exponent", dependence="no")) == 2 * 4 * 3 * 3
     assert select(rows, origin="published")["value"].tolist() == [43.0, 1800.0]
     assert select(rows, quantity="roll_off", surface="uncd")["value"].item() == 1000.0
     assert rows["unit"].notna().all()

@@ -6,7 +6,7 @@ import numpy as np
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.records.log import progress
 from hardcontact.records.netcdf import Arrays
 from hardcontact.surfaces.filters import filtered
@@ -115,7 +115,7 @@ def _loads(parameters: ScaledContacts) -> list[NamedLoad]:
 
 def _forces(surface: HeightMap, parameters: ScaledContacts) -> np.ndarray:
     """Return the mean forces (radius, area, rho) in N on one filtered surface."""
-    array = {"window": parameters["window"], "count": parameters["count"]}
+    array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
     return np.array(
         [
             mean_pull_off_of_pair(

@@ -1,8 +1,8 @@
 """How both edges of the critical band scale with R, rho and the contact area F/H.
 
 The attraction reaches sqrt(2 R rho) along the surface (Eq. 3 of the paper) and the contact
-sqrt(F/H). If one of them set an edge, the edge would be proportional to it: an exponent of 1. An
-edge that belongs to the surface has the exponents 0.
+sqrt(F/H). If one of them set an edge, the edge would be proportional to it: exponents of 1 for
+sqrt(R) and sqrt(rho), or for sqrt(F/H). An edge that belongs to the surface has the exponents 0.
 """
 
 from collections.abc import Mapping
@@ -10,24 +10,25 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.all_surfaces import Described
 from hardcontact.adhesion.critical_band import POOLED, critical_band
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import stack
-from hardcontact.statistics import jackknife_interval, with_interval
+from hardcontact.statistics import bounds, jackknife_interval, with_interval
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
-__all__ = ["LENGTHS", "PARTS", "REGIMES", "edge_scaling", "regime", "stacked_scaling"]
+__all__ = ["DEPENDENCE", "LENGTHS", "PARTS", "dependence", "edge_scaling", "stacked_scaling"]
 
-#: What an edge may be proportional to: the reach of the attraction, the edge of the contact.
-LENGTHS = ["interaction", "contact"]
+#: What an edge may follow: sqrt(R) and sqrt(rho), together the reach of the attraction, sqrt(F/H).
+LENGTHS = ["radius", "rho", "contact"]
 
 #: Combinations that an exponent is fitted to: all, and those of either side of the roll-off.
 PARTS = ["all", "reach below roll-off", "reach above roll-off"]
 
-#: What the exponents of an edge say.
-REGIMES = ["interaction", "contact", "both", "surface", "undecided"]
+#: What the interval of an exponent says of an edge and a length.
+DEPENDENCE = ["yes", "no", "undecided"]
 
 COMBINATION = ["radius", "area", "rho"]
 
@@ -85,7 +86,7 @@ def _roll_off(spectrum: Spectrum) -> float:
 
 
 def edge_scaling(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return edges, exponents and regimes of all surfaces.
+    """Return edges, exponents and what they say of all surfaces.
 
     Parameters
     ----------
@@ -101,79 +102,69 @@ def edge_scaling(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     xarray.Dataset
         ``edge`` (side, surface, radius, area, rho) in nm with its interval over realizations, NaN
         where it is open; ``exponent`` (side, surface, part, length) by least squares of ln(edge)
-        against ln sqrt(2 R rho) and ln sqrt(contact area), with intervals by the jackknife over
-        realizations; ``explained`` (side, surface, part), the share of the variance of ln(edge)
-        that the fit explains, ``edges_found`` and ``regime`` of the same; the variables of the
-        surfaces, and ``reach`` (radius, rho), sqrt(2 R rho) in nm.
+        against the logarithms of LENGTHS, with intervals by the jackknife over realizations, and
+        ``reach_exponent`` (side, surface, part) against sqrt(2 R rho) in place of R and rho apart;
+        ``explained`` (side, surface, part), the share of the variance of ln(edge) that the first
+        explains, and ``edges_found`` of the same; ``dependence`` as exponent; the variables of the
+        surfaces, and ``reach`` (radius, rho), sqrt(2 R rho) in nm. Open edges are left out: where
+        some are open, exponents are those of the combinations that have an edge.
     """
-    reach = np.sqrt(2 * scaling["radius"] * scaling["rho"]).assign_attrs(units="nm")
-    scaling = scaling.assign(reach=reach)
+    reach = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
+    scaling = scaling.assign(reach=reach.assign_attrs(units="nm"))
     edges = _edges(scaling, tolerance, sampling)
     unsampled = Sampling(sampling.seed, 0, sampling.confidence)
     count = scaling.sizes["realization"]
     left_out = [
-        _edges(scaling.isel(realization=np.arange(count) != one), tolerance, unsampled)["edge"]
-        for one in range(count if count > 2 else 0)
+        _fits(scaling, _edges(scaling.isel(realization=kept), tolerance, unsampled)["edge"])
+        for kept in (np.delete(np.arange(count), one) for one in range(count if count > 2 else 0))
     ]
-    fits = _with_interval(
-        _fits(scaling, edges["edge"]),
-        [_fits(scaling, edge)["exponent"].values for edge in left_out],
-        sampling.confidence,
-    )
-    regimes = xr.apply_ufunc(
-        regime,
-        fits["exponent_interval"],
-        input_core_dims=[["length", "bound"]],
-        vectorize=True,
-        output_dtypes=[object],
-    ).astype(str)
+    fits = _fits(scaling, edges["edge"])
+    for name in ("exponent", "reach_exponent"):
+        fits = fits.assign(_with_interval(fits[name], left_out, sampling.confidence))
+    low, high = bounds(fits, "exponent")
+    fits = fits.assign(dependence=(low.dims, dependence(low, high)))
     kept = scaling[["rms_height", "roll_off", "reach", "contact_area", "label", "basis"]]
-    return xr.merge([edges, fits.assign(regime=regimes), kept]).assign_attrs(
+    return xr.merge([edges, fits, kept]).assign_attrs(
         tolerance=tolerance, confidence=sampling.confidence
     )
 
 
-def _with_interval(fits: xr.Dataset, left_out: list[np.ndarray], confidence: float) -> xr.Dataset:
-    """Return fits with the interval of their exponents, from those that leave a realization out.
+def _with_interval(
+    exponent: xr.DataArray, left_out: list[xr.Dataset], confidence: float
+) -> dict[str, Any]:
+    """Return exponents with their interval, from fits that leave a realization out.
 
     The jackknife of a positive number is Student's t of its logarithm, here the exponent.
     """
-    exponent = fits["exponent"]
     interval = np.full((*exponent.shape, 2), np.nan)
     if left_out:
-        others = np.exp(np.array(left_out))
+        others = np.exp([one[exponent.name].values for one in left_out])
         interval = np.log(jackknife_interval(np.exp(exponent.values), others, confidence))
     dimensions = [str(name) for name in exponent.dims]
     attributes = {"units": "1", "long_name": "exponent of the edge of the band"}
-    return fits.drop_vars("exponent").assign(
-        with_interval("exponent", dimensions, exponent.values, interval, attributes, confidence)
+    return with_interval(
+        str(exponent.name), dimensions, exponent.values, interval, attributes, confidence
     )
 
 
-def regime(interval: np.ndarray) -> str:
-    """Return what the intervals of both exponents say.
+def dependence(low: ArrayLike, high: ArrayLike) -> NDArray[np.str_]:
+    """Return what the intervals of exponents say.
 
     An edge follows a length where the interval lies above 1/2, nearer to proportional than to
     independent, and does not where it lies within -1/2 and 1/2.
 
     Parameters
     ----------
-    interval : numpy.ndarray
-        (length, bound) of the exponents in the order of LENGTHS.
+    low, high : array_like
+        Ends of the intervals, of any common shape.
 
     Returns
     -------
-    str
-        One of REGIMES: the length that the edge follows, or both; the surface if it follows
-        neither; undecided if an interval does not tell.
+    numpy.ndarray
+        One of DEPENDENCE each.
     """
-    follows = interval[:, 0] > 0.5
-    independent = (interval[:, 0] > -0.5) & (interval[:, 1] < 0.5)
-    if not (follows | independent).all():
-        return "undecided"
-    if follows.all():
-        return "both"
-    return LENGTHS[int(follows.argmax())] if follows.any() else "surface"
+    low, high = np.asarray(low), np.asarray(high)
+    return np.select([low > 0.5, (low > -0.5) & (high < 0.5)], DEPENDENCE[:2], DEPENDENCE[2])
 
 
 def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
@@ -192,29 +183,28 @@ def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Data
     found = found.rename(
         group="case", critical_wavelength="edge", critical_wavelength_interval="edge_interval"
     )
-    index = xr.Coordinates.from_pandas_multiindex(stacked.indexes["case"], "case")
-    unstacked = found.assign_coords(index).unstack("case")
+    unstacked = found.assign_coords(stacked["case"].coords).unstack("case")
     return unstacked.reindex(surface=scaling["surface"])
 
 
 def _fits(scaling: xr.Dataset, edge: xr.DataArray) -> xr.Dataset:
     """Return exponents, explained share and number of edges of every side, surface and part."""
-    contact = np.sqrt(scaling["contact_area"])
     below = scaling["reach"] < scaling["roll_off"]
     taken = xr.concat([xr.ones_like(below), below, ~below], "part").assign_coords(part=PARTS)
-    exponent, explained, found = xr.apply_ufunc(
+    logarithms = [np.log(scaling[name]) / 2 for name in ("radius", "rho", "contact_area")]
+    exponent, explained, found, of_reach = xr.apply_ufunc(
         _fit,
         np.log(edge),
-        np.log(scaling["reach"]),
-        np.log(contact),
         taken,
-        input_core_dims=[COMBINATION, ["radius", "rho"], ["area"], ["radius", "rho"]],
-        output_core_dims=[["length"], [], []],
+        *logarithms,
+        input_core_dims=[COMBINATION, ["radius", "rho"], ["radius"], ["rho"], ["area"]],
+        output_core_dims=[["length"], [], [], []],
         vectorize=True,
     )
     return xr.Dataset(
         {
             "exponent": exponent.transpose("side", "surface", "part", "length"),
+            "reach_exponent": of_reach.transpose("side", "surface", "part"),
             "explained": explained.assign_attrs(units="1"),
             "edges_found": found.assign_attrs(units="1"),
         }
@@ -222,22 +212,29 @@ def _fits(scaling: xr.Dataset, edge: xr.DataArray) -> xr.Dataset:
 
 
 def _fit(
-    edge: np.ndarray, reach: np.ndarray, contact: np.ndarray, taken: np.ndarray
-) -> tuple[np.ndarray, float, int]:
-    """Return exponents (2,), the explained share of the variance and the number of edges.
+    edge: np.ndarray, taken: np.ndarray, radius: np.ndarray, rho: np.ndarray, contact: np.ndarray
+) -> tuple[np.ndarray, float, int, float]:
+    """Return exponents (3,), the explained share of the variance, edges, the exponent of the reach.
 
-    edge: logarithms (radius, area, rho), NaN where open; reach (radius, rho) and contact (area,)
-    are logarithms too; taken: (radius, rho). Exponents are NaN of fewer edges than four or of a
-    length that does not vary.
+    edge: logarithms (radius, area, rho), NaN where open; taken: (radius, rho); the others are
+    logarithms of square roots. Exponents of lengths that the edges do not tell apart are NaN.
     """
-    predictors = np.stack(
-        np.broadcast_arrays(np.ones(edge.shape), reach[:, None, :], contact[None, :, None]), -1
-    )
+    lengths = np.broadcast_arrays(radius[:, None, None], rho, contact[:, None])
     known = np.isfinite(edge) & taken.astype(bool)[:, None, :]
-    design, values = predictors[known], edge[known]
-    if len(values) < 4 or np.linalg.matrix_rank(design) < 3:
-        return np.full(2, np.nan), np.nan, len(values)
+    first, second, third = (length[known] for length in lengths)
+    values = edge[known]
+    exponents, share = _regression(values, [first, second, third])
+    (of_reach, _), _ = _regression(values, [first + second, third])
+    return exponents, share, len(values), float(of_reach)
+
+
+def _regression(values: np.ndarray, predictors: list[np.ndarray]) -> tuple[np.ndarray, float]:
+    """Return slopes of values (n,) against predictors (n,), and the explained share of variance."""
+    design = np.stack([np.ones(values.shape), *predictors], axis=-1)
+    count = len(predictors) + 1
+    if len(values) <= count or np.linalg.matrix_rank(design) < count:
+        return np.full(count - 1, np.nan), np.nan
     solution = np.linalg.lstsq(design, values)[0]
     spread = values.var()
     share = 1 - (values - design @ solution).var() / spread if spread > 0 else np.nan
-    return solution[1:], float(share), len(values)
+    return solution[1:], float(share)

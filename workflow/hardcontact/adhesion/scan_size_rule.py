@@ -38,14 +38,15 @@ class Case(NamedTuple):
     rho: ArrayLike
 
     def ratios(self) -> Floats:
-        """Return ln of draw size over scan size, of roll-off over it, of sigma over rho: (3, n)."""
+        """Return logarithms (3, n) of draw size and roll-off over scan size, of sigma over rho."""
         size, height, roll_off, radius, rho = map(np.asarray, self)
         draw = 2 * np.sqrt(2 * radius * height)
-        return np.log(np.stack(np.broadcast_arrays(draw / size, roll_off / size, height / rho)))
+        ratios = np.broadcast_arrays(draw / size, roll_off / size, height / rho)
+        return np.asarray(np.log(np.stack(ratios)))
 
 
 class ScanSizeRule(NamedTuple):
-    """ln(force on the scan / force on a large one) = strength * product of ratios ** exponents.
+    """A power law: ln(force on the scan / on a large one) = strength * prod(ratios**exponents).
 
     Attributes
     ----------

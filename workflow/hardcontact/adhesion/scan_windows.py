@@ -8,7 +8,7 @@ import numpy as np
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.records.netcdf import Arrays
 from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
@@ -74,7 +74,7 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
         np.mean([_forces(one, parameters) for one in _windows(surface, size, parameters)], axis=0)
         for size in parameters["sizes"]
     ]
-    unfiltered, *removed = np.moveaxis([*forces, _forces(surface, parameters)], 1, 0)
+    unfiltered, *removed = np.moveaxis(np.array([*forces, _forces(surface, parameters)]), 1, 0)
     nm = {"units": "nm"}
     return Arrays(
         {
@@ -105,7 +105,7 @@ def _windows(surface: HeightMap, size: float, parameters: WindowContacts) -> Ite
 def _forces(surface: HeightMap, parameters: WindowContacts) -> np.ndarray:
     """Return the mean forces (1 + cutoff, rho) in N on a surface and its filtered ones."""
     cutoffs: list[float | None] = [None, *parameters["cutoffs"]]
-    array = {"window": parameters["window"], "count": parameters["count"]}
+    array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
     pairs = (
         bodies(
             filtered(surface, "large", cutoff, surface.pixels), None, parameters["radius"], array

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.adhesion.edge_scaling import PARTS
+from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
 from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
@@ -16,17 +16,19 @@ __all__ = ["draw", "table"]
 SIDES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
 CONTACT = "$\\sqrt{F/H}$"
-#: Exponents that are drawn, from above: edge, part of the combinations, length, name.
+#: Exponents that are drawn, from above: edge, length or part of the combinations, name.
 EXPONENTS = [
-    ("small", PARTS[0], "interaction", f"short, {REACH}"),
-    ("small", PARTS[0], "contact", f"short, {CONTACT}"),
-    ("large", PARTS[1], "interaction", f"long, {REACH} < roll-off"),
-    ("large", PARTS[2], "interaction", f"long, {REACH} > roll-off"),
-    ("large", PARTS[0], "contact", f"long, {CONTACT}"),
-]
+    *((side, length, name)
+      for side in SIDES
+      for length, name in zip(LENGTHS, ("$\\sqrt{R}$", "$\\sqrt{\\rho}$", CONTACT), strict=True)),
+    ("large", PARTS[1], f"{REACH}, below"),
+    ("large", PARTS[2], f"{REACH}, above"),
+]  # fmt: skip
+#: In the table, the exponent of the reach in place of those of the radius and the range apart.
+REACH_LENGTH = "reach"
 PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 COLUMNS = [
-    *ROW_COLUMNS, "side", "radius", "area", "rho", "reach", "part", "length", "regime",
+    *ROW_COLUMNS, "side", "radius", "area", "rho", "reach", "part", "length", "dependence",
     *VALUE_COLUMNS,
 ]  # fmt: skip
 
@@ -36,17 +38,19 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
 
     Parameters
     ----------
-    scaling, published_constants
-        As `draw` takes them.
+    scaling : xarray.Dataset
+        As `draw` takes it.
+    published_constants : pandas.DataFrame
+        With the critical wavelengths of both sides (nm).
 
     Returns
     -------
     pandas.DataFrame
-        Edges of all combinations (panels a to c), exponents with the regime they say (panel d),
+        Edges of all combinations (panels a to c), exponents with what they say (panel d),
         rms height and roll-off of each surface, and the published edges.
     """
     edges = bounded(scaling, "edge").assign(reach=scaling["reach"])
-    exponents = bounded(scaling, "exponent").assign(regime=scaling["regime"])
+    exponents = _exponents(scaling).assign(dependence=scaling["dependence"])
     spectra = scaling[["rms_height", "roll_off"]].to_array("quantity", "value")
     published = pd.DataFrame(
         {"side": list(SIDES), "value": [_published(published_constants, side) for side in SIDES]}
@@ -62,6 +66,12 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
     return label_surfaces(rows, scaling).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
+def _exponents(scaling: xr.Dataset) -> xr.Dataset:
+    """Return all exponents with their bounds; the length of that of the reach is REACH_LENGTH."""
+    of_reach = bounded(scaling, "reach_exponent").assign_coords(length=REACH_LENGTH)
+    return xr.concat([bounded(scaling, "exponent"), of_reach], "length")
+
+
 def _rows(values: xr.Dataset) -> pd.DataFrame:
     """Return a row for each known `value`."""
     frame = values.to_dataframe().reset_index().dropna(subset=["value"])
@@ -75,7 +85,7 @@ def _published(published_constants: pd.DataFrame, side: str) -> float:
 
 @style.print_style()
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw edges against (a, b) the reach of the attraction, (c) the contact, and (d) exponents.
+    """Draw edges against (a) the range and (b) reach of the attraction, (c) contact, (d) exponents.
 
     Parameters
     ----------
@@ -93,9 +103,11 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     figure = style.create(5.6)
     (short, long), (contact, exponents) = figure.subplots(2, 2)
     at_area = scaling.sel(area=scaling.attrs["area"], method="nearest")
-    for axes, (side, name), letter in zip((short, long), SIDES.items(), "ab", strict=True):
-        _draw_edges(axes, at_area, side, "reach", ["radius", "rho"])
-        axes.set(xlabel=f"reach of the attraction {REACH} (nm)", ylabel=name)
+    _draw_edges(short, at_area, "small", "rho", ["radius", "rho"])
+    short.set(xlabel="range of adhesion ρ (nm)")
+    _draw_edges(long, at_area, "large", "reach", ["radius", "rho"])
+    long.set(xlabel=f"reach of the attraction {REACH} (nm)")
+    for axes, letter in ((short, "a"), (long, "b")):
         style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²")
     _draw_proportional(long, scaling)
     at_paper = scaling.sel(
@@ -103,7 +115,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     )
     width = np.sqrt(at_paper["contact_area"].sel(side="small"))
     _draw_edges(contact, at_paper.assign(width=width), "small", "width", ["area"])
-    contact.set(xlabel=f"width of the contact {CONTACT} (nm)", ylabel=SIDES["small"])
+    contact.set(xlabel=f"width of the contact {CONTACT} (nm)")
     radius = at_paper["radius"].item() / 1e3
     style.label_panel(contact, "c", f"R = {radius:g} µm, ρ = {at_paper['rho']:g} nm")
     for axes, side in ((short, "small"), (long, "large"), (contact, "small")):
@@ -119,17 +131,24 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
 def _draw_edges(
     axes: Axes, cases: xr.Dataset, side: str, along: str, dimensions: list[str]
 ) -> None:
-    """Draw the edges of one side, all surfaces, with intervals, against a length of the cases."""
+    """Draw the edges of one side, all surfaces, with intervals, against a length of the cases.
+
+    Edges that differ in the last dimension alone are connected.
+    """
     edges = bounded(cases, "edge").assign(along=cases[along]).sel(side=side)
     for surface, look in style.looks(cases["surface"].values).items():
-        of_surface = (
-            edges.sel(surface=surface).stack(case=dimensions).dropna("case", subset=["value"])
-        )
-        known = np.nan_to_num(reach(of_surface))
+        of_surface = edges.sel(surface=surface).transpose(..., *dimensions)
+        stacked = of_surface.stack(case=dimensions).dropna("case", subset=["value"])
+        known = np.nan_to_num(reach(stacked))
         axes.errorbar(
-            of_surface["along"], of_surface["value"], known, ls="none", ms=3, lw=0.5, **look
+            stacked["along"], stacked["value"], known, ls="none", ms=3, elinewidth=0.4, **look
         )
-    axes.set(xscale="log", yscale="log")
+        lengths = of_surface["along"].broadcast_like(of_surface["value"])
+        lines = (one.transpose(*dimensions).values for one in (lengths, of_surface["value"]))
+        last = lengths.sizes[dimensions[-1]]
+        for line in zip(*(one.reshape(-1, last) for one in lines), strict=True):
+            axes.plot(*line, color=look["color"], lw=0.5, alpha=0.6)
+    axes.set(xscale="log", yscale="log", ylabel=SIDES[side])
     for axis in (axes.xaxis, axes.yaxis):
         style.label_logarithmic(axis, at=(1, 3))
 
@@ -146,17 +165,21 @@ def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
 
 def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
     """Draw EXPONENTS of all surfaces with their intervals, each surface a little lower."""
-    exponents = bounded(scaling, "exponent")
+    exponents = _exponents(scaling)
     looks = style.looks(scaling["surface"].values)
     places = -np.arange(len(EXPONENTS), dtype=float)
     beside = np.linspace(0.27, -0.27, len(looks))
     for (surface, look), offset in zip(looks.items(), beside, strict=True):
-        for place, (side, part, length, _) in zip(places, EXPONENTS, strict=True):
+        for place, (side, which, _) in zip(places, EXPONENTS, strict=True):
+            part, length = (which, REACH_LENGTH) if which in PARTS else (PARTS[0], which)
             one = exponents.sel(side=side, part=part, length=length, surface=surface)
             known = np.nan_to_num(reach(one))[:, None]
             axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
     for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
         axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
+    for name, place in (("short edge", 0.5), ("long edge", -2.5)):
+        axes.text(1.95, place - 0.06, name, ha="right", va="top", fontsize="small", style="italic")
+        axes.axhline(place, color="0.7", lw=0.4)
     axes.set_yticks(places, [name for *_, name in EXPONENTS])
     axes.set(xlabel="exponent", xlim=(-1, 2))
     style.label_panel(axes, "d", "edge in proportion: 1")
