@@ -8,7 +8,7 @@ from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
     given = this.parameters
-    spectra = zip(given["labels"], this.input.spectra, strict=True)
+    spectra = zip(given["surfaces"], this.input.spectra, strict=True)
     scaling = stacked_scaling(
         read_all(given["masters"], this.input.masters),
         {surface: read_spectrum(path) for surface, path in spectra},

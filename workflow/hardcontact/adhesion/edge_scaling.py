@@ -17,7 +17,7 @@ from hardcontact.adhesion.critical_band import POOLED, critical_band
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import bounds, jackknife_interval, with_interval
-from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
+from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 
 __all__ = ["DEPENDENCE", "LENGTHS", "PARTS", "dependence", "edge_scaling", "stacked_scaling"]
 
@@ -73,16 +73,10 @@ def stacked_scaling(
         unfiltered_wavelength=first["unfiltered_wavelength"],
         contact_area=first["contact_area"].isel(surface=0, drop=True),
         rms_height=("surface", [all_scales_moments(one)[0] for one in of_surfaces], nm),
-        roll_off=("surface", [_roll_off(one) for one in of_surfaces], nm),
+        roll_off=("surface", [roll_off(one) for one in of_surfaces], nm),
         label=("surface", [described["labels"][name] for name in names]),
         basis=("surface", [described["basis"][name] for name in names]),
     )
-
-
-def _roll_off(spectrum: Spectrum) -> float:
-    """Return the wavelength (nm) whose octave holds most of the variance of heights."""
-    variance = spectrum.wavevector**2 * spectrum.density
-    return float(2 * np.pi / spectrum.wavevector[variance.argmax()])
 
 
 def edge_scaling(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:

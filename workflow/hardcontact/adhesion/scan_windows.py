@@ -5,12 +5,12 @@ from dataclasses import replace
 from typing import TypedDict
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.records.netcdf import Arrays
-from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.topography import level, mirror_stitch
@@ -27,8 +27,6 @@ class WindowContacts(TypedDict):
         Edges of the windows in nm.
     each : int
         Windows of every size, along the diagonal of the surface.
-    cutoffs : list of float
-        In nm; wavelengths above them are removed.
     radius : float
         Of the sphere in nm.
     ranges : list of float
@@ -43,7 +41,6 @@ class WindowContacts(TypedDict):
 
     sizes: list[float]
     each: int
-    cutoffs: list[float]
     radius: float
     ranges: list[float]
     window: float
@@ -66,28 +63,24 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
     Returns
     -------
     Arrays
-        In N at 1 J/m², means over contacts and windows: ``pull_off_force`` (scan_size, rho) and
-        ``filtered_pull_off_force`` (scan_size, cutoff_wavelength, rho). The last scan size is that
-        of the surface itself, which is not mirrored.
+        ``pull_off_force`` (scan_size, rho) in N at 1 J/m², means over contacts and windows. The
+        last scan size is that of the surface itself, which is not mirrored.
     """
     forces = [
         np.mean([_forces(one, parameters) for one in _windows(surface, size, parameters)], axis=0)
         for size in parameters["sizes"]
     ]
-    unfiltered, *removed = np.moveaxis(np.array([*forces, _forces(surface, parameters)]), 1, 0)
     nm = {"units": "nm"}
     return Arrays(
         {
-            "pull_off_force": (("scan_size", "rho"), unfiltered, FORCE),
-            "filtered_pull_off_force": (
-                ("scan_size", "cutoff_wavelength", "rho"),
-                np.moveaxis(np.array(removed).reshape(-1, *unfiltered.shape), 0, 1),
+            "pull_off_force": (
+                ("scan_size", "rho"),
+                np.array([*forces, _forces(surface, parameters)]),
                 FORCE,
-            ),
+            )
         },
         {
             "scan_size": (("scan_size",), np.array([*parameters["sizes"], surface.size]), nm),
-            "cutoff_wavelength": (("cutoff_wavelength",), np.array(parameters["cutoffs"]), nm),
             "rho": (("rho",), np.array(parameters["ranges"]), nm),
         },
         {"work_of_adhesion": WORK_OF_ADHESION, "sphere_radius": parameters["radius"]},
@@ -102,21 +95,9 @@ def _windows(surface: HeightMap, size: float, parameters: WindowContacts) -> Ite
         yield mirror_stitch(level(substitute_scan(shifted, pixels)))
 
 
-def _forces(surface: HeightMap, parameters: WindowContacts) -> np.ndarray:
-    """Return the mean forces (1 + cutoff, rho) in N on a surface and its filtered ones."""
-    cutoffs: list[float | None] = [None, *parameters["cutoffs"]]
+def _forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
+    """Return the mean forces (rho,) in N on a surface."""
     array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
-    pairs = (
-        bodies(
-            filtered(surface, "large", cutoff, surface.pixels), None, parameters["radius"], array
-        )
-        for cutoff in cutoffs
-    )
-    return np.array(
-        [
-            mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"]).variables[
-                "pull_off_force"
-            ][1][0]
-            for pair in pairs
-        ]
-    )
+    pair = bodies(surface, None, parameters["radius"], array)
+    found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])
+    return np.asarray(found.variables["pull_off_force"][1][0])
