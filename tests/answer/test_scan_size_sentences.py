@@ -14,7 +14,7 @@ def test_factors_sizes_rule_and_error_are_those_of_the_dataset():
     excess, needed, rule, error = scan_size_sentences(data)
     assert_says(excess, "scans of 2.5 µm", "surfaces of 20 µm", "NCD 2.1 [", "range of 5.6 nm")
     assert_says(needed, "by 10 %", "MCD 11 µm")
-    assert_says(rule, "0.25 times", "(draw size / scan size)^1.3", "^-0.4")
+    assert_says(rule, "0.25 times the product of", "(draw size / scan size)^1.3", "^-0.4")
     assert_says(error, "from 1.5 to 1.1 on random surfaces", "2 to 1.2 on the surfaces")
 
 

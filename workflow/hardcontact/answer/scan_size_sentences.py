@@ -58,7 +58,7 @@ def _rule(scan_size: xr.Dataset) -> str:
     )
     return (
         f"The rule: the logarithm of the factor is {scan_size['strength'].item():.{DIGITS}g} times "
-        f"{powers}, the draw size 2√(2Rσ)."
+        f"the product of {powers}, the draw size 2√(2Rσ)."
     )
 
 
