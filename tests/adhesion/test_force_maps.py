@@ -54,12 +54,6 @@ def test_half_a_period_of_a_stitched_scan_holds_all_of_it():
     np.testing.assert_allclose(whole, whole[::-1, ::-1], rtol=1e-6)  # but for the window's edge
 
 
-def test_result_does_not_depend_on_threads():
-    pair = at_every_pixel(over(periodic_noise(128, 12.0, 2), None, 8.0, 320, 1))
-    one, two = (rigid_pull_off(pair, [2.0], threads) for threads in (1, 2))
-    np.testing.assert_array_equal(one, two)
-
-
 def test_what_cannot_be_mapped_is_refused():
     with pytest.raises(ValueError, match="smooth sphere"):
         rigid_pull_off(over(np.zeros((32, 32)), np.zeros((16, 16)), 8.0, 64, 2), [1.0])

@@ -5,7 +5,7 @@ import pytest
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 
 from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.interaction_laws import LAWS, pressure
+from hardcontact.adhesion.interaction_laws import LAWS, pressure, work_shares
 from hardcontact.adhesion.law_forces import (
     LARGEST_EXPONENT,
     filtered_range_forces,
@@ -102,6 +102,15 @@ def test_grid_holds_its_anchor_and_covers_both_ends():
     assert grid[0] <= 0.02 and grid[-1] >= 1000
     assert np.isclose(grid, 5.6, rtol=1e-12).any()
     np.testing.assert_allclose(np.diff(np.log(grid)), 0.5)
+
+
+@pytest.mark.parametrize("law", POWERS, ids=lambda law: law.name)
+@pytest.mark.parametrize("rho", [0.1, 2.0, 40.0])
+def test_the_step_of_the_study_gives_the_pressure_of_every_law(law, rho):
+    ranges, gap = range_grid(5.6, 0.6, 0.02, 1e5), np.geomspace(0.1, 300.0, 50)
+    (shares,) = work_shares(law, [rho], ranges)
+    mixture = rho * (shares / ranges * np.exp(-gap[:, None] / ranges)).sum(axis=1)
+    np.testing.assert_allclose(mixture, pressure(law, gap, rho), rtol=3e-4)
 
 
 def test_a_filter_that_removes_nothing_changes_no_force():

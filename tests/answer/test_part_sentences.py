@@ -2,15 +2,19 @@
 
 import numpy as np
 from figure_inputs.closed_form import closed_form
+from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
+from figure_inputs.repeated_contact import repeated_contact
 from refusals import assert_says
 
 from hardcontact.adhesion.closed_form import SINGLE_PEAKS
 from hardcontact.answer.closed_form_sentences import closed_form_sentences
+from hardcontact.answer.elastic_limit_sentences import elastic_limit_sentences
 from hardcontact.answer.law_sentences import law_sentences
 from hardcontact.answer.map_sentences import map_sentences
-from hardcontact.answer.part_text import listed, print_percent
+from hardcontact.answer.part_text import listed, print_percent, print_within
+from hardcontact.answer.repeated_contact_sentences import repeated_contact_sentences
 
 
 def test_lists_and_shares():
@@ -88,3 +92,42 @@ def test_one_scan_a_surface_tells_nothing_of_others():
     data = maps()
     data["scans_needed"] = data["scans_needed"] * np.nan
     assert any("cannot be told" in sentence for sentence in map_sentences(data))
+
+
+def test_intervals_that_bound_nothing_are_said_in_words():
+    assert print_within(5.9, 2.2, 350) == "5.9 [2.2, 350]"
+    for low, high in ((1e-9, 1e6), (-4e3, 4e3), (0.01, 7)):
+        assert print_within(5.9, low, high) == "5.9 (not bounded by so few scans)"
+    assert print_percent(0.2, 1e-9, 1e6) == "20 % (not bounded by so few scans)"
+    assert print_within(0.0, 0.0, 0.0) == "0 [0, 0]"
+
+
+def test_repeated_contact_is_judged_by_the_sizes_in_the_image():
+    data = repeated_contact()
+    force, depth, width, growth, _ = repeated_contact_sentences(data)
+    assert_says(force, "of 400 contacts", *data["label"].values)
+    assert_says(depth, "20 µN on NCD", "8 [6.4, 9.6] nm deep", "2 nm to 10 nm", "reaches them")
+    assert_says(width, "120 [96, 140] nm wide", "does not reach them")
+    assert_says(growth, "from 2 nm deep and 30 nm wide", "to 8 nm deep and 120 nm wide")
+
+
+def test_widths_beside_the_image_follow_from_value_and_interval():
+    for factor, expected in (
+        (1.1, "falls short of them, within its interval"),
+        (2.0, "contact reaches them"),
+        (4.0, "goes beyond them"),
+    ):
+        data = repeated_contact()
+        for name in ("lateral_size", "lateral_size_interval"):
+            data[name] = factor * data[name]
+        assert expected in repeated_contact_sentences(data)[2]
+
+
+def test_the_bearing_area_is_wrong_by_the_largest_ratios():
+    data = elastic_limit()
+    shares, largest, larger, recovered, areas = elastic_limit_sentences(data)
+    assert_says(shares, "polished UNCD 0 [0, 0]", "MCD 1 [")
+    assert_says(largest, "200 % up or 100 % down")
+    assert_says(larger, "larger, elastic area", "UNCD 2 [")
+    assert_says(recovered, "recovered before pull-off", "UNCD 0.5 [")
+    assert_says(areas, "0.5 times the solved one", "24 contacts")

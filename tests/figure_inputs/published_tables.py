@@ -32,5 +32,9 @@ def published_constants() -> pd.DataFrame:
         "indent_depth": (2.0, np.nan),
         "indent_edge_length": (50.0, np.nan),
         "preload_indentation": (20e-6, np.nan),
+        "measured_indent_depth_lower_bound": (2.0, np.nan),
+        "measured_indent_depth_upper_bound": (10.0, np.nan),
+        "measured_indent_size_lower_bound": (150.0, np.nan),
+        "measured_indent_size_upper_bound": (300.0, np.nan),
     }
     return pd.DataFrame.from_dict(values, orient="index", columns=["value", "uncertainty"])

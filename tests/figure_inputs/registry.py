@@ -10,6 +10,7 @@ from figure_inputs.adhesion import adhesion, inference, robustness
 from figure_inputs.classical import classical
 from figure_inputs.closed_form import closed_form
 from figure_inputs.contact import asperities, contact, elastic, indent
+from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
 from figure_inputs.published_tables import (
@@ -17,6 +18,7 @@ from figure_inputs.published_tables import (
     published_pull_off,
     published_table1,
 )
+from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band, scales
 from figure_inputs.sets import sets
 from figure_inputs.surfaces import topography
@@ -41,6 +43,8 @@ INPUTS = {
         closed_form,
         laws,
         maps,
+        repeated_contact,
+        elastic_limit,
         published_constants,
         published_pull_off,
         published_table1,

@@ -9,6 +9,7 @@ from repository import PARTS, QUICK, ROOT
 from rule_graph import (
     AGGREGATED,
     BEYOND,
+    BEYOND_AT_RANGES,
     DRAWN,
     FILTERED,
     FORCES,
@@ -35,6 +36,9 @@ MADE_OTHERWISE = {"synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scal
 
 #: What reads spectra and no scan.
 CLOSED = "compare_closed_form"
+
+#: What the elastic constants concern.
+ELASTIC = {"solve_elastic_contact", "estimate_elastic_limit"}
 
 #: Another value of every key, and the rules that it concerns. Every value also stands in the
 #: configuration kept with the results and on the page of parameters.
@@ -76,7 +80,7 @@ KEYS = {
     # The forces of scans are computed at this range too.
     "scales.range": ("5 nm", {"compute_pull_off", "vary_adhesion", *POOLED,
                               "measure_window_change", *FILTERED, "compute_law_forces",
-                              *BEYOND}),
+                              *BEYOND_AT_RANGES}),
     "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
                                CLOSED, "compare_laws"}),
     "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off", "judge_sets"}),
@@ -89,13 +93,13 @@ KEYS = {
     "scales.large.transition": ("900 nm", {MASTER_LARGE, *FILTERED, "compute_law_forces"}),
     "scales.large.cutoffs": (["500 nm", "1800 nm", "4000 nm", "5000 nm"],
                              {"compute_filtered_pull_off"}),
-    "elastic.sphere.modulus": ("360 GPa", {"solve_elastic_contact"}),
-    "elastic.sphere.poisson_ratio": (0.3, {"solve_elastic_contact"}),
-    "elastic.substrate.modulus": ("1000 GPa", {"solve_elastic_contact"}),
-    "elastic.substrate.poisson_ratio": (0.2, {"solve_elastic_contact"}),
+    "elastic.sphere.modulus": ("360 GPa", ELASTIC),
+    "elastic.sphere.poisson_ratio": (0.3, ELASTIC),
+    "elastic.substrate.modulus": ("1000 GPa", ELASTIC),
+    "elastic.substrate.poisson_ratio": (0.2, ELASTIC),
     "elastic.contacts": (2, {"solve_elastic_contact"}),
     "elastic.window": ("2400 nm", {"solve_elastic_contact"}),
-    "indent.surface": ("mcd", {"measure_indents"}),
+    "indent.surface": ("mcd", {"measure_indents", "repeat_contact"}),
     "indent.preloads": (["20 uN"], {"measure_indents"}),
     "asperities.contacts": (3, {"find_asperities"}),
     "asperities.share": (0.8, {"find_asperities"}),
@@ -111,7 +115,7 @@ KEYS = {
     "sets.small.cutoffs": (["43 nm", "120 nm"], {"vary_scales"}),
     "sets.large.pixels": (2048, {"vary_scales"}),
     "sets.large.cutoffs": (["500 nm", "1800 nm"], {"vary_scales"}),
-    "insight.realizations": (1, {CLOSED, "compare_laws"}),
+    "insight.realizations": (1, {CLOSED, "compare_laws", "aggregate_repeated_contact"}),
     "insight.count": (3, {CLOSED, "compute_law_forces"}),
     "insight.ranges": (["1 nm", "5.6 nm"], {CLOSED, "map_forces"}),
     "insight.mean_error": (0.1, {"map_forces"}),
@@ -119,6 +123,7 @@ KEYS = {
     "insight.sizes": (["4 um"], {CLOSED}),
     "insight.spacing": ("0.2 nm", {"compare_laws"}),
     "insight.reach": ("18 um", {"compute_law_forces"}),
+    "insight.orders": (1, {"repeat_contact"}),
     "insight.small.pixels": (1024, {"compute_law_forces"}),
     "insight.small.cutoffs": (["43 nm", "120 nm"], {"compute_law_forces"}),
     "insight.large.pixels": (2048, {"compute_law_forces"}),
@@ -205,6 +210,8 @@ FILES = {
         "compute_pool",
         *JUDGED_BY_FORCES,
         "compare_laws",
+        "repeat_contact",
+        "estimate_elastic_limit",
         "answer_paper",
         "answer_insight",
     ),

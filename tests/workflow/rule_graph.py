@@ -10,7 +10,7 @@ MASTER_SMALL, MASTER_LARGE = "synthesize_small_scale_master", "synthesize_large_
 MASTERS = {MASTER_SMALL, MASTER_LARGE}
 PAIRS = {
     "compute_pull_off", "measure_window_change", "solve_elastic_contact", "find_asperities",
-    "vary_adhesion",
+    "vary_adhesion", "repeat_contact", "estimate_elastic_limit",
 }  # fmt: skip
 CONTACTS = PAIRS | {"trace_contact", "measure_indents", "compare_sphere"}
 FILTERED = {"compute_filtered_pull_off", "vary_scales"}
@@ -28,8 +28,9 @@ INFERRED = {
 }  # fmt: skip
 #: What shows every value of the configuration.
 KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
-#: What makes the datasets of the chapter beyond the paper.
-BEYOND = {"compare_closed_form", "compare_laws", "map_forces"}
+#: What makes the datasets of the chapter beyond the paper, at other ranges than the paper's or not.
+BEYOND_AT_RANGES = {"compare_closed_form", "compare_laws", "map_forces"}
+BEYOND = BEYOND_AT_RANGES | {"aggregate_repeated_contact", "aggregate_elastic_limit"}
 #: What concerns measured surfaces alone.
 OF_MEASURED = {
     "measure_spectrum", "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces",
@@ -45,6 +46,7 @@ DATASETS = {
     "inference": "infer", "robustness": "aggregate_robustness", "scales": "aggregate_scales",
     "sets": "judge_sets", "topography": "aggregate_topography",
     "closed_form": "compare_closed_form", "laws": "compare_laws", "maps": "map_forces",
+    "repeated_contact": "aggregate_repeated_contact", "elastic_limit": "aggregate_elastic_limit",
 }  # fmt: skip
 
 
@@ -68,7 +70,7 @@ FOLLOWS = {
     "measure_topography": {"aggregate_topography"},
     "aggregate_topography": {"answer_paper", "judge_sets", "evaluate_claims"},
     "aggregate_adhesion": {"infer", "judge_sets", "evaluate_claims"},
-    "aggregate_elastic": {"evaluate_claims"},
+    "aggregate_elastic": {"evaluate_claims", "aggregate_elastic_limit"},
     "measure_indents": {"evaluate_claims"},
     "aggregate_asperities": {"evaluate_claims"},
     "aggregate_scales": {"answer_paper", "find_critical_band", "evaluate_claims"},
@@ -77,6 +79,8 @@ FOLLOWS = {
     "apply_classical_models": {"evaluate_claims"},
     "evaluate_claims": {"describe_study", "answer_paper"},
     "compute_law_forces": {"compare_laws"},
+    "repeat_contact": {"aggregate_repeated_contact"},
+    "estimate_elastic_limit": {"aggregate_elastic_limit"},
     **{rule: {"answer_insight"} for rule in BEYOND},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}

@@ -10,7 +10,7 @@ import pytest
 from paper_numbers import SUBSTRATES
 from random_scans import levelled_scan
 from repository import OTHERWISE, ROOT, run_snakemake
-from rule_graph import AGGREGATED, BEYOND, KEPT, MASTERS, POOLED, following
+from rule_graph import AGGREGATED, BEYOND, BEYOND_AT_RANGES, KEPT, MASTERS, POOLED, following
 from scan_files import container, scan
 
 #: Scans of robustness: of each surface, and of the substitutes made otherwise.
@@ -73,7 +73,11 @@ def test_a_range_that_scans_are_computed_at(finished):
         "vary_scales": 2 * VARIED,
         "compute_law_forces": 2 * len(SUBSTRATES),
         **after(
-            "aggregate_adhesion", "aggregate_scales", "aggregate_robustness", "judge_sets", *BEYOND
+            "aggregate_adhesion",
+            "aggregate_scales",
+            "aggregate_robustness",
+            "judge_sets",
+            *BEYOND_AT_RANGES,
         ),
     }
 
@@ -111,7 +115,9 @@ def test_one_more_scan(finished):
         "compute_filtered_pull_off": 16 * len(SUBSTRATES),
         "vary_scales": 2 * VARIED,
         "compute_law_forces": 2 * len(SUBSTRATES),
-        **after(*AGGREGATED, "trace_contact", "measure_indents", "compare_laws", "map_forces"),
+        "repeat_contact": 2 * (len(SUBSTRATES) + 1),
+        "estimate_elastic_limit": 3 * len(SUBSTRATES),
+        **after(*AGGREGATED, "trace_contact", "measure_indents", *BEYOND - {"compare_closed_form"}),
     }
 
 
@@ -126,6 +132,8 @@ def test_another_preload(finished):
         "vary_scales": 2 * VARIED,
         **dict.fromkeys(POOLED, len(SUBSTRATES)),
         "compute_law_forces": 2 * len(SUBSTRATES),
+        "repeat_contact": 2 * len(SUBSTRATES),  # NCD at the preload of the image stays
+        "estimate_elastic_limit": 2 * len(SUBSTRATES),
         **after(*AGGREGATED - {"aggregate_topography"}, "trace_contact", *BEYOND - {"map_forces"}),
     }
 

@@ -95,16 +95,16 @@ def test_real_scans(folder, name, files, contacts):
     if name == "twin":  # 100 nm are too small for a sphere of 250 µm: no interval, and a warning.
         assert answer["force"]["interval"] == [None, None]
         assert_says(said, "the window holds 36% of the force")
-        assert_says(" ".join(answer["limits"]), "too low", "reliable at no wavelength")
+        assert_says(" ".join(answer["limits"]), "too low", "Reliable at no wavelength")
     else:
         assert 14.2 < answer["scans"][0]["rms_height"]["value"] < 14.4
         low, high = answer["force"]["interval"]
         assert low < answer["force"]["value"] < high
         assert 20 < answer["band"]["small"]["edge"]["value"] < 100
         assert "conditional on this scan" in answer["band"]["small"]["interval_note"]
-        assert_says(answer["answer"], "with the wavelengths that its scans show", "ones added")
-        added = answer["force"]["with_added_roughness"]["small"]["value"]
-        assert added < 0.7 * answer["force"]["value"]
+        assert_says(answer["answer"], "that its scans show, but", "if it goes on below 200 nm")
+        continued = answer["force"]["with_continued_roughness"]["small"]
+        assert continued["differs"] and continued["value"] < 0.7 * answer["force"]["value"]
 
 
 # Files of all kinds, surfaces with scans of different sizes
@@ -400,7 +400,7 @@ SCANS = {"prepare_scan", "measure_topography"} | TOPOGRAPHY
 
 #: Another value of a key, and what is made again.
 KEYS = {
-    "adhesion.work": ("60 mJ/m2", {"predict_force"}),
+    "adhesion.work": ("60 mJ/m2", {"predict_force", "fit_forces"}),
     "forces": ("none", set()),
     "scan.levelling": ("lines", SCANS | SPECTRA | FORCES | MASTERS),
     "scan.undefined_pixels": ("harmonic", SCANS | SPECTRA | FORCES | MASTERS),

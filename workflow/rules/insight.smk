@@ -72,10 +72,10 @@ rule compute_law_forces:
                 "contact": STUDY["contact"] | {"count": INSIGHT["count"]},
                 "radius": STUDY["sphere"]["radius"],
                 "reach": INSIGHT["reach"],
-                # The step gives the pressure of every law to 2e-5, these ends that of its tail.
+                # The step gives the pressure of every law to 3e-4, these ends that of its tail.
                 "ranges": {
                     "anchor": STUDY["scales"]["range"],
-                    "step": 0.5,
+                    "step": 0.6,
                     "low": 0.02,
                     "high": 1e5,
                 },
@@ -153,3 +153,115 @@ rule map_forces:
         ),
     script:
         "../scripts/map_forces.py"
+
+
+rule repeat_contact:
+    """Press one place of the sphere onto all places of a scan, one after the other."""
+    input:
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("repeat_contact.py"),
+    output:
+        PATTERNS.repeated_contact,
+    log:
+        PATTERNS.log("repeat_contact", PATTERNS.repeated_contact),
+    benchmark:
+        PATTERNS.benchmark("repeat_contact", PATTERNS.repeated_contact)
+    resources:
+        mem_mb=1500,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scan": int(w.scan),
+                "contact": {
+                    **{key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
+                    "preload": INSIGHT_FILES.repeated_loads[w.load]["preload"],
+                },
+                "radius": STUDY["sphere"]["radius"],
+                "orders": INSIGHT["orders"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/repeat_contact.py"
+
+
+rule aggregate_repeated_contact:
+    """Gather repeated contact of all scans: repeated_contact.nc."""
+    input:
+        pairs=list(INSIGHT_FILES.repeated),
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("aggregate_repeated_contact.py"),
+    output:
+        PATTERNS.dataset("repeated_contact"),
+    log:
+        PATTERNS.log("aggregate_repeated_contact"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_repeated_contact")
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=canonical(
+            {
+                "pairs": list(INSIGHT_FILES.repeated.values()),
+                **NAMED_SURFACES,
+                "confidence": STUDY["inference"]["confidence"],
+            }
+        ),
+    script:
+        "../scripts/aggregate_repeated_contact.py"
+
+
+rule estimate_elastic_limit:
+    """Estimate which contacts of one scan yield, and the force of those that do not."""
+    input:
+        substrate=PATTERNS.stitched_substrate,
+        sphere=PATTERNS.stitched_sphere,
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("estimate_elastic_limit.py"),
+    output:
+        PATTERNS.elastic_limit,
+    log:
+        PATTERNS.log("estimate_elastic_limit", PATTERNS.elastic_limit),
+    benchmark:
+        PATTERNS.benchmark("estimate_elastic_limit", PATTERNS.elastic_limit)
+    resources:
+        mem_mb=1500,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scan": int(w.scan),
+                "contact": STUDY["contact"],
+                "elastic": {key: STUDY["elastic"][key] for key in ("sphere", "substrate")},
+                "radius": STUDY["sphere"]["radius"],
+            }
+        ),
+    script:
+        "../scripts/estimate_elastic_limit.py"
+
+
+rule aggregate_elastic_limit:
+    """Gather which contacts yield, and the force of the others: elastic_limit.nc."""
+    input:
+        scans=FILES.of_pairs(PATTERNS.elastic_limit, FILES.pairs_in_turn),
+        elastic=PATTERNS.dataset("elastic"),
+        code=code_inputs("aggregate_elastic_limit.py"),
+    output:
+        PATTERNS.dataset("elastic_limit"),
+    log:
+        PATTERNS.log("aggregate_elastic_limit"),
+    benchmark:
+        PATTERNS.benchmark("aggregate_elastic_limit")
+    params:
+        canonical=canonical(
+            {
+                "scans": FILES.substrate_scans,
+                **NAMED_SURFACES,
+                "confidence": STUDY["inference"]["confidence"],
+            }
+        ),
+    script:
+        "../scripts/aggregate_elastic_limit.py"

@@ -34,7 +34,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import special, stats
 
-from hardcontact.adhesion.critical_band import critical_wavelength
+from hardcontact.adhesion.critical_band import critical_wavelength, logarithmic_limits
 from hardcontact.adhesion.smooth_sphere import dmt_pull_off
 from hardcontact.adhesion.summits import (
     Approaches,
@@ -252,10 +252,11 @@ def _edge(
 ) -> float:
     """Return the critical wavelength (nm) of a side; cutoffs from the end where none acts."""
     side, cutoffs = filters
-    changes, whole = [0.0], closed_form(spectrum, contact).relative
+    lower, upper = logarithmic_limits(tolerance)
+    curve, whole = [0.0], closed_form(spectrum, contact).relative
     for cutoff in cutoffs[1:]:
         part = filtered_spectrum(spectrum, side, cutoff)
-        changes.append(abs(closed_form(part, contact).relative / whole - 1))
-        if changes[-1] > tolerance:
+        curve.append(np.log(closed_form(part, contact).relative / whole))
+        if not lower <= curve[-1] <= upper:
             break
-    return critical_wavelength(cutoffs[: len(changes)], np.array(changes), tolerance)
+    return critical_wavelength(cutoffs[: len(curve)], np.array(curve), (lower, upper))

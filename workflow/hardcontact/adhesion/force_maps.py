@@ -9,12 +9,12 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
+from threadpoolctl import threadpool_limits
 
 from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
-from hardcontact.adhesion.sphere_sums import smooth_sphere_sums
 from hardcontact.contact.closest_approach import closest_gaps
-from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.geometry import Bodies, ContactGeometry
 
 __all__ = ["at_every_pixel", "rigid_pull_off"]
 
@@ -45,7 +45,7 @@ def at_every_pixel(bodies: Bodies, pixels: int | None = None) -> Bodies:
     return replace(bodies, geometry=replace(bodies.geometry, positions=positions))
 
 
-def rigid_pull_off(bodies: Bodies, ranges: Sequence[float], threads: int = 1) -> Floats:
+def rigid_pull_off(bodies: Bodies, ranges: Sequence[float]) -> Floats:
     """Return the rigid pull-off force of every contact at W = 1 J/m².
 
     F = W/rho A_pix exp((g0 + h_max)/rho) sum exp((h - h_max - s)/rho), with the smallest gap g0 at
@@ -57,8 +57,6 @@ def rigid_pull_off(bodies: Bodies, ranges: Sequence[float], threads: int = 1) ->
         With a smooth sphere.
     ranges : sequence of float
         Ranges of adhesion in nm.
-    threads : int
-        Of the sums; the result does not depend on it.
 
     Returns
     -------
@@ -82,8 +80,23 @@ def rigid_pull_off(bodies: Bodies, ranges: Sequence[float], threads: int = 1) ->
                 "expected a range of adhesion that resolves the relief of the surface, "
                 f"found rho = {rho:g} nm, too small for it"
             )
-        sums = smooth_sphere_sums(heights, geometry, rho, threads)
-        force[:] = pull_off_force(
-            np.exp(exponents) * sums, rho, geometry.pixel_size, WORK_OF_ADHESION
-        )
+        sums = np.exp(exponents) * _separable_sums(heights, geometry, rho)
+        force[:] = pull_off_force(sums, rho, geometry.pixel_size, WORK_OF_ADHESION)
     return forces
+
+
+def _separable_sums(heights: Floats, geometry: ContactGeometry, rho: float) -> Floats:
+    """Return the sum of exp((h - h_max - s)/rho) over the window of every contact.
+
+    It is G exp((h - h_max)/rho) G^T, where G (contact, n) is exp(-s/rho) along one axis, summed
+    over the periodic images in the window: (contact, contact).
+    """
+    offset = geometry.offsets()
+    weight = np.exp(-geometry.paraboloid(offset) / rho)
+    of_sphere = np.array(
+        [np.bincount((one + offset) % len(heights), weight, len(heights))
+         for one in geometry.positions]
+    )  # fmt: skip
+    attraction = np.exp(np.subtract(heights, heights.max(), dtype=float) / rho)
+    with threadpool_limits(1, "blas"):  # so that the sums do not depend on their number
+        return np.asarray(of_sphere @ (attraction @ of_sphere.T))

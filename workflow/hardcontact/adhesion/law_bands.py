@@ -12,6 +12,7 @@ from hardcontact.adhesion.all_surfaces import Described
 from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.interaction_laws import LAWS, Law
 from hardcontact.adhesion.law_forces import law_forces
+from hardcontact.adhesion.named_surfaces import with_names
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import jackknife_interval, with_interval
@@ -42,17 +43,13 @@ def stacked_law_forces(
     """
     forces = stack(scans, ["surface", "scan"])
     surfaces = [str(surface) for surface in forces.surface.values]
-    names = {
-        "label": ("surface", [described["labels"][surface] for surface in surfaces]),
-        "basis": ("surface", [described["basis"][surface] for surface in surfaces]),
-    }
     by_side = {(*key, side): part for side, parts in sides.items() for key, part in parts.items()}
     masters = stack(
         dict(sorted(by_side.items(), key=lambda one: surfaces.index(str(one[0][0])))),
         ["surface", "realization", "side"],
     )
     ends = masters.unfiltered_wavelength.mean("realization")
-    return forces.assign(names), masters.assign(unfiltered_wavelength=ends)
+    return with_names(forces, described), masters.assign(unfiltered_wavelength=ends)
 
 
 def _scales(law: Law, length: float, masters: xr.Dataset) -> xr.Dataset:
@@ -133,7 +130,7 @@ def edge_factors(
     )
     return with_interval(
         "edge_factor",
-        factors.dims,
+        [str(dimension) for dimension in factors.dims],
         factors.values,
         interval,
         {"units": "1", "long_name": "edge of the band over that of Eq. 1, or its inverse"},
@@ -151,8 +148,7 @@ def _edge_factors(
         band = critical_band(scales, tolerance, replace(sampling, samples=0))
         edges.append(band.critical_wavelength.fillna(_last_cutoffs(scales)))
     stacked = xr.concat(edges, pd.Index([law.name for law in LAWS], name="law"))
-    factors: xr.DataArray = factor(stacked / edges[0])
-    return factors.transpose("law", "side", "group")
+    return factor(stacked / edges[0]).transpose("law", "side", "group")
 
 
 def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
@@ -160,9 +156,10 @@ def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
     known = scales.ratio.notnull().any(["surface", "realization"])
     cutoffs = scales.cutoff_wavelength.where(known)
     small = (scales.unfiltered_wavelength < scales.cutoff_wavelength[0]).all("surface")
-    return xr.where(small, cutoffs.max("cutoff_wavelength"), cutoffs.min("cutoff_wavelength"))
+    shortest: xr.DataArray = cutoffs.min("cutoff_wavelength")
+    return shortest.where(~small, cutoffs.max("cutoff_wavelength"))
 
 
 def factor(ratio: xr.DataArray) -> xr.DataArray:
     """Return ratios as factors of at least one."""
-    return xr.where(ratio < 1, 1 / ratio, ratio)
+    return ratio.where(~(ratio < 1), 1 / ratio)

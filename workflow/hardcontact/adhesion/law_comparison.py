@@ -170,7 +170,7 @@ def _of_law(law: Law, forces: _Forces, target: pd.Series, choices: LawChoices) -
         "fitted": (lengths, measured, measured),
         "atomic": (atomic, measured, measured),
     }
-    base = target.index.get_loc(choices.reference_surface)
+    base = target.index.to_list().index(choices.reference_surface)
     parts = [_fits(law, forces, case, base, choices.sampling) for case in cases.values()]
     fits = xr.concat(parts, pd.Index(CASES, name="case"))
     curves = law_forces(law, lengths, forces.ranges, forces.means)

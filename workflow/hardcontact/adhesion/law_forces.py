@@ -81,7 +81,8 @@ class Filters(TypedDict):
 def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
     """Return the grid of ranges, all in nm, that holds `anchor` and covers `low` to `high`.
 
-    `step` is that of the logarithm. That of 0.5 gives the pressure of the laws to 2e-5.
+    `step` is that of the logarithm. That of 0.6, from 0.02 nm to 0.1 mm,
+    gives the pressure of the laws to 3e-4.
     """
     first, last = np.floor(np.log(low / anchor) / step), np.ceil(np.log(high / anchor) / step)
     return np.asarray(anchor * np.exp(step * np.arange(first, last + 1)))
@@ -194,6 +195,15 @@ def scan_range_forces(
     substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
 ) -> Arrays:
     """Return `mean_range_forces` of a scan as they are stored, in the window and in half of it.
+
+    Parameters
+    ----------
+    substrate : HeightMap
+        The scan, stitched.
+    sphere : HeightMap or None
+        Roughness of the sphere; None of a smooth one.
+    parameters : RangeContacts
+        Contacts, sphere and ranges.
 
     Returns
     -------

@@ -16,7 +16,7 @@ from threadpoolctl import threadpool_limits
 from hardcontact.adhesion.contact_pixels import ContactPixels, Contacts
 from hardcontact.contact.geometry import Bodies, ContactGeometry
 
-__all__ = ["outside_sums", "smooth_sphere_sums"]
+__all__ = ["outside_sums"]
 
 Floats = NDArray[np.float64]
 
@@ -59,32 +59,6 @@ def _attraction(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
     attraction /= rho
     np.exp(attraction, out=attraction)
     return attraction
-
-
-def smooth_sphere_sums(
-    heights: NDArray[np.floating], geometry: ContactGeometry, rho: float, threads: int = 1
-) -> Floats:
-    """Return the sum of exp((h - h_max - s)/rho) over the window of every contact.
-
-    Parameters
-    ----------
-    heights : numpy.ndarray
-        (n, n) of the substrate in nm, periodic; h_max is the highest of them.
-    geometry : ContactGeometry
-        Smooth sphere, window and positions (contact,).
-    rho : float
-        Range of adhesion in nm.
-    threads : int
-        The result does not depend on it.
-
-    Returns
-    -------
-    numpy.ndarray
-        (contact, contact)
-    """
-    with threadpool_limits(1, "blas"):
-        fold = _folded(len(heights), geometry, rho)
-        return _product(heights, float(heights.max()), fold, rho, threads)
 
 
 def outside_sums(

@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
-from hardcontact.answer.part_text import DIGITS, labels, listed
+from hardcontact.answer.part_text import DIGITS, labels, listed, print_within
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.statistics import bounds
 
@@ -37,25 +37,26 @@ def closed_form_sentences(closed_form: xr.Dataset) -> list[str]:
 
 
 def _accuracy(largest: xr.Dataset) -> str:
-    factors = np.exp(np.abs(np.log(largest["error"])))
+    distances = abs(np.log(largest["error"].values))
+    most, half = np.exp([distances.max(), np.median(distances)])
     first, last = (print_as_paper(rho.item(), "nm") for rho in largest["rho"][[0, -1]])
     size = print_as_paper(largest["map_size"].item(), "nm")
     return (
         f"From the spectrum alone, the closed form gives the mean pull-off force within a factor "
-        f"of {factors.max().item():.3g}, in half of all cases within "
-        f"{factors.median().item():.3g}, of that computed on random surfaces of {size} "
-        f"({largest.sizes['surface']} surfaces, ranges of adhesion from {first} to {last})."
+        f"of {most:.3g}, in half of all cases within {half:.3g}, of that "
+        f"computed on random surfaces of {size} ({largest.sizes['surface']} surfaces, ranges of "
+        f"adhesion from {first} to {last})."
     )
 
 
 def _worst(largest: xr.Dataset) -> str:
-    distance = np.abs(np.log(largest["error"])).stack(case=("surface", "rho"))
-    surface, rho = distance["case"][int(np.argmax(distance.values))].item()
+    error = largest["error"].stack(case=("surface", "rho"))
+    surface, rho = error["case"][int(np.argmax(abs(np.log(error.values))))].item()
     worst = largest.sel(surface=surface, rho=rho)
     # The longer the computed force, the smaller the ratio to it.
     high, low = (worst["predicted_force"].item() / end.item()
                  for end in bounds(worst, "computed_force"))  # fmt: skip
-    ratio = print_as_paper(worst["error"].item(), "1", (low, high), DIGITS)
+    ratio = print_within(worst["error"].item(), low, high)
     return (
         f"It is farthest off on {worst['label'].item()} at {print_as_paper(rho, 'nm')}: "
         f"{ratio} times the computed force."
@@ -78,7 +79,7 @@ def _regimes(closed_form: xr.Dataset) -> list[str]:
     for regime, meaning in MEANING.items():
         within = at_range.where(at_range["regime"] == regime, drop=True)
         if within.sizes["surface"]:
-            names = labels(within, within["surface"].values)
+            names = labels(within, within["surface"].values.tolist())
             freezing = listed(f"{value:.{DIGITS}g}" for value in within["whole_freezing"].values)
             said.append(
                 f"With all scales and at a range of {print_as_paper(rho, 'nm')}, {meaning} on "

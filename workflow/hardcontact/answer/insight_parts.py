@@ -10,8 +10,10 @@ from typing import NamedTuple
 import xarray as xr
 
 from hardcontact.answer.closed_form_sentences import closed_form_sentences
+from hardcontact.answer.elastic_limit_sentences import elastic_limit_sentences
 from hardcontact.answer.law_sentences import law_sentences
 from hardcontact.answer.map_sentences import map_sentences
+from hardcontact.answer.repeated_contact_sentences import repeated_contact_sentences
 
 __all__ = ["PARTS", "Part"]
 
@@ -39,4 +41,11 @@ PARTS = {
     ),
     "fig_laws": Part("Would another law of attraction give similar results?", law_sentences),
     "fig_maps": Part("How many contacts and scans does a mean force need?", map_sentences),
+    "fig_repeated_contact": Part(
+        "Do contacts at one place change the force, and are they the indents of the image?",
+        repeated_contact_sentences,
+    ),
+    "fig_elastic_limit": Part(
+        "Do all contacts yield, as the bearing area says?", elastic_limit_sentences
+    ),
 }

@@ -2,7 +2,7 @@
 
 import xarray as xr
 
-from hardcontact.answer.part_text import print_bounded_as_paper, print_percent
+from hardcontact.answer.part_text import print_each, print_percent
 from hardcontact.claims.quantity_text import print_as_paper
 
 __all__ = ["map_sentences"]
@@ -25,16 +25,8 @@ def map_sentences(maps: xr.Dataset) -> list[str]:
     return [_contacts(at_range), _array(at_range), *_scans(at_range), _touched(at_range)]
 
 
-def _each(maps: xr.Dataset, name: str) -> str:
-    """Return a number of every surface, with its interval."""
-    return "; ".join(
-        f"{of_surface['label'].item()} {print_bounded_as_paper(of_surface, name, '1')}"
-        for of_surface in (maps.sel(surface=surface) for surface in maps["surface"].values)
-    )
-
-
 def _contacts(maps: xr.Dataset) -> str:
-    needed = _each(maps.sel(sampling="random"), "contacts_needed")
+    needed = print_each(maps.sel(sampling="random"), "contacts_needed")
     return (
         f"Contacts at random places of one scan that give its mean force within "
         f"{print_percent(maps.attrs['tolerance'])}, {print_percent(maps.attrs['confidence'])} of "
@@ -57,7 +49,7 @@ def _array(maps: xr.Dataset) -> str:
 def _scans(maps: xr.Dataset) -> list[str]:
     if maps["scans_needed"].isnull().all():
         return ["How much scans of one surface differ cannot be told from one scan of each."]
-    worth, needed = (_each(maps, name) for name in ("worth_of_scan", "scans_needed"))
+    worth, needed = (print_each(maps, name) for name in ("worth_of_scan", "scans_needed"))
     return [
         f"Scans of one surface differ as well, so that the mean of the surface needs several: "
         f"{needed}.",
@@ -66,5 +58,5 @@ def _scans(maps: xr.Dataset) -> list[str]:
 
 
 def _touched(maps: xr.Dataset) -> str:
-    touched = _each(maps, "touched_pixels")
+    touched = print_each(maps, "touched_pixels")
     return f"Wherever it comes down on a scan, the sphere touches few of its pixels: {touched}."

@@ -8,10 +8,21 @@ import xarray as xr
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.statistics import bounds
 
-__all__ = ["DIGITS", "labels", "listed", "print_bounded_as_paper", "print_percent"]
+__all__ = [
+    "DIGITS",
+    "labels",
+    "listed",
+    "print_bounded_as_paper",
+    "print_each",
+    "print_percent",
+    "print_within",
+]
 
 #: Of computed numbers: their intervals are wider than what more digits would say.
 DIGITS = 2
+
+#: An interval that reaches so many times beyond its value says only that there are too few scans.
+BOUNDLESS = 100
 
 
 def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str) -> str:
@@ -32,13 +43,28 @@ def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str) -> str:
         For example "1.7 [1.4, 2.8] µm"; "no number" of NaN.
     """
     low, high = (end.item() for end in bounds(dataset, name))
-    return print_as_paper(dataset[name].item(), unit, (low, high), DIGITS) or "no number"
+    return print_within(dataset[name].item(), low, high, unit) or "no number"
+
+
+def print_within(value: float, low: float, high: float, unit: str = "1") -> str:
+    """Return a number with its interval, in words where so few scans hardly bound it."""
+    if max(low, -low, high, -high) > BOUNDLESS * abs(value) or 0 < low * BOUNDLESS < value:
+        return f"{print_as_paper(value, unit, digits=DIGITS)} (not bounded by so few scans)"
+    return print_as_paper(value, unit, (low, high), DIGITS)
 
 
 def print_percent(share: float, low: float = math.nan, high: float = math.nan) -> str:
     """Return a share of 1, with its interval if it has one, as "16 [12, 67] %"."""
-    within = (100 * low, 100 * high)
-    return f"{print_as_paper(100 * share, '1', within, DIGITS)} %"
+    number, *interval = print_within(100 * share, 100 * low, 100 * high).partition(" (")
+    return "".join((number, " %", *interval))
+
+
+def print_each(dataset: xr.Dataset, name: str, unit: str = "1") -> str:
+    """Return a variable (surface,) with its interval for every surface of a dataset by label."""
+    return "; ".join(
+        f"{of_surface['label'].item()} {print_bounded_as_paper(of_surface, name, unit)}"
+        for of_surface in (dataset.sel(surface=one) for one in dataset["surface"].values)
+    )
 
 
 def listed(items: Iterable[str]) -> str:

@@ -68,23 +68,15 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
 def _force_or_two(force: xr.Dataset) -> str:
     """Return the force of a surface; with continued roughness too, where that differs."""
     sides = differing_sides(force)
-    of_scans = (at_range(force)["force"].item(), f"{printed_force(force)}, if it ends there")
     if not sides:
         return printed_force(force)
-    first, *others = sides
-    continued = (
-        force["continued_force"].sel(side=first).item(),
-        f"{printed_continued_force(force, first)}, if the roughness goes on "
-        f"{transition_words(force, first)} as its spectrum does",
-    )
-    lower, upper = sorted([continued, of_scans])
-    also = "".join(
-        f" or {printed_continued_force(force, side)}, if it goes on {transition_words(force, side)}"
-        for side in others
+    continued = " and ".join(
+        f"{printed_continued_force(force, side)} if it goes on {transition_words(force, side)}"
+        for side in sides
     )
     return (
-        f"between {lower[1]}, and {upper[1]}{also} (the scans that contacts are made on do not "
-        "tell),"
+        f"{printed_force(force)} with the roughness that its scans show, but {continued} as its "
+        "spectrum does (the scans that contacts are made on do not tell),"
     )
 
 

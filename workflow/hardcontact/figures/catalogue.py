@@ -138,6 +138,19 @@ OF_INSIGHT = {
         "maps of the pull-off force, and how many contacts a mean needs",
         ("maps",),
     ),
+    "fig_repeated_contact": Figure(
+        INSIGHT,
+        "repeated contact",
+        "force and indents of repeated contact",
+        ("repeated_contact",),
+        ("published_constants",),
+    ),
+    "fig_elastic_limit": Figure(
+        INSIGHT,
+        "limit of the bearing area",
+        "contacts that do not yield, and their force",
+        ("elastic_limit",),
+    ),
 }
 
 #: All figures.

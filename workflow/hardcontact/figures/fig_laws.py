@@ -88,9 +88,10 @@ def draw(laws: xr.Dataset) -> Figure:
         The figure.
     """
     figure = style.create(5.2)
-    above, below = figure.add_gridspec(2, 1, height_ratios=(1, 1))
-    pressures, errors, ratios = above.subgridspec(1, 3).subplots()
-    small, large = below.subgridspec(1, 2).subplots()
+    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1))
+    above, below = rows[0], rows[1]
+    pressures, errors, ratios = above.subgridspec(1, 3).subplots(squeeze=False)[0]
+    small, large = below.subgridspec(1, 2).subplots(squeeze=False)[0]
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)
     _draw_ratios(ratios, laws)
@@ -159,7 +160,7 @@ def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
     hollow = {law: {**look, "mfc": "white"} for law, look in looks.items()}
     _draw_beside(axes, edges.sel(case="atomic"), hollow, 0.07)
     labels = dict(zip(laws["surface"].values, laws["label"].values, strict=True))
-    groups = [str(labels.get(group, group)) for group in laws["group"].values]
+    groups = ["\n".join(str(labels.get(group, group)).split()) for group in laws["group"].values]
     axes.set_xticks(range(len(groups)), groups)
     axes.set(yscale="log", xlabel="full: like Eq. 1; open: atomic spacing")
     style.label_logarithmic(axes.yaxis)

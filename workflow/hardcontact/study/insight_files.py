@@ -1,23 +1,40 @@
 """Every list of files of the chapter on what decides the critical band."""
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
+from hardcontact.contact.bearing_area import NamedLoad
+from hardcontact.study.aggregate import Files
 from hardcontact.study.patterns import STUDY_VARIANT, Patterns
 from hardcontact.study.selection import Selection
-from hardcontact.study.single_files import SingleFiles
+from hardcontact.study.units import magnitude
+from hardcontact.study.variants import named_load
 
-__all__ = ["InsightFiles"]
+__all__ = ["InsightFiles", "Repeated"]
 
 
-class InsightFiles(SingleFiles):
-    """The files of the chapter in lists; parameters as those of `SingleFiles`."""
+class Repeated(NamedTuple):
+    """What a file of repeated contact is of: substrate, preload in N, scan."""
+
+    surface: str
+    preload: float
+    scan: int
+
+
+class InsightFiles(Files):
+    """The files of the chapter in lists; parameters as those of `Files`."""
 
     def __init__(
         self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
     ) -> None:
         super().__init__(configuration, selection, patterns)
         self._realizations = configuration["insight"]["realizations"]
+        contact, indent = configuration["contact"], configuration["indent"]
+        hardest = max(indent["preloads"], key=lambda preload: magnitude(preload, "N"))
+        self._indented = indent["surface"]
+        self._loads = [
+            named_load(preload, contact["hardness"]) for preload in (contact["preload"], hardest)
+        ]
 
     @property
     def scans(self) -> list[tuple[str, int]]:
@@ -34,3 +51,22 @@ class InsightFiles(SingleFiles):
             self._of_surface(pattern, surface, STUDY_VARIANT, scan=scan)
             for surface, scan in self.scans
         ]
+
+    @property
+    def repeated_loads(self) -> dict[str, NamedLoad]:
+        """The load of the study and that of the published image of indents, by their names."""
+        return {load["name"]: load for load in self._loads}
+
+    @property
+    def repeated(self) -> dict[str, Repeated]:
+        """Each file of repeated contact and what it is of: all surfaces, the imaged one twice."""
+        of_study, of_image = self._loads
+        return {
+            self._patterns.repeated_contact.format(
+                **pair._asdict(), **self._swept | {"load": load["name"]}
+            ): Repeated(pair.surface, load["preload"], pair.scan)
+            for load in (of_study, of_image)
+            for pair in self.pairs_in_turn
+            if (pair.surface, pair.scan) in self.scans
+            and (load is of_study or pair.surface == self._indented)
+        }

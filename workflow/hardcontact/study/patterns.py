@@ -56,6 +56,8 @@ class Patterns:
         self.pull_off = f"{store}/pull_off/{_PAIR}"
         self.elastic = f"{store}/elastic/{_PAIR}"
         self.asperities = f"{store}/asperities/{_PAIR}"
+        self.repeated_contact = f"{store}/repeated_contact/{_PAIR}"
+        self.elastic_limit = f"{store}/elastic_limit/{_PAIR}"
         self.window_change = (
             f"{store}/window_change/{{radius}}/{{load}}/{{range}}/"
             "{surface}/{variant}/scan-{scan}.nc"

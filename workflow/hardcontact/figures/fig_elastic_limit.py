@@ -1,0 +1,160 @@
+"""Where the bearing area is wrong: plasticity indices, areas, forces of the variants."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.adhesion.elastic_limit import VARIANTS
+from hardcontact.figures import style
+from hardcontact.figures.marks import reach
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+
+__all__ = ["draw", "table"]
+
+SHARES = {"plastic_share": "estimated", "solved_plastic_share": "solved"}
+OPEN: dict[str, dict[str, Any]] = {"plastic_share": {}, "solved_plastic_share": {"mfc": "white"}}
+AREAS = ("solved_area", "estimated_area")
+NAMES = {
+    "bearing_area": "bearing area",
+    "larger_area": "larger area",
+    "recovered": "elastic ones recover",
+    "rigid": "rigid",
+}
+STEPS = np.linspace(0, 1, 101)  # of the distributions
+COLUMNS = [*ROW_COLUMNS, "variant", "scan", "contact", "share", *VALUE_COLUMNS]
+
+
+def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
+    """Return what the figure is drawn from, one row a number.
+
+    Parameters
+    ----------
+    elastic_limit : xarray.Dataset
+        As `draw` takes it.
+
+    Returns
+    -------
+    pandas.DataFrame
+        The plasticity index that a `share` of contacts does not exceed (panel a), shares of plastic
+        contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
+        variant (d), and the bearing area.
+    """
+    index = _rows(
+        _distribution(elastic_limit).to_dataset(name="value"), "plasticity_index", "a", "1"
+    )
+    shares = [_rows(bounded(elastic_limit, name), name, "b", "1") for name in SHARES]
+    areas = [_rows(elastic_limit[[name]], name, "c", "nm2") for name in AREAS]
+    forces = _rows(bounded(elastic_limit, "force_ratio"), "force_ratio", "d", "1")
+    bearing = pd.DataFrame([{"panel": "c", "origin": "given", "quantity": "bearing_area"}])
+    bearing = bearing.assign(value=elastic_limit.attrs["bearing_area"], unit="nm2")
+    rows = label_surfaces(pd.concat([index, *shares, *areas, forces]), elastic_limit)
+    return pd.concat([rows, bearing]).reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
+    """Return a row for each number that is there."""
+    (name,) = [name for name in values.data_vars if name not in ("low", "high")]
+    frame = values.rename({name: "value"}).to_dataframe().reset_index().dropna(subset=["value"])
+    kept = [column for column in COLUMNS if column in frame]
+    return frame[kept].assign(panel=panel, origin="computed", quantity=quantity, unit=unit)
+
+
+def _distribution(limit: xr.Dataset) -> xr.DataArray:
+    """Return the index (surface, share) that a share of the contacts does not exceed."""
+    over = ["scan", "contact_y", "contact_x"]
+    values = limit["plasticity_index"].quantile(STEPS, over, method="inverted_cdf")
+    return values.rename(quantile="share").transpose("surface", "share")
+
+
+@style.print_style()
+def draw(elastic_limit: xr.Dataset) -> Figure:
+    """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces.
+
+    Parameters
+    ----------
+    elastic_limit : xarray.Dataset
+        As from `elastic_limit`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    figure = style.create(4.8)
+    indices, shares, areas, forces = figure.subplots(2, 2).ravel()
+    _draw_indices(indices, elastic_limit)
+    _draw_shares(shares, elastic_limit)
+    _draw_areas(areas, elastic_limit)
+    _draw_forces(forces, elastic_limit)
+    for axes in (shares, forces):
+        axes.set_xticks(range(elastic_limit.sizes["surface"]), elastic_limit["label"].values)
+        axes.set_xlim(-0.5, elastic_limit.sizes["surface"] - 0.5)
+    style.mark_basis(figure, elastic_limit)
+    return figure
+
+
+def _draw_indices(axes: Axes, limit: xr.Dataset) -> None:
+    """Draw the distribution of the index over contacts; from 1 on they yield."""
+    values = _distribution(limit)
+    for surface, colour in style.colours(limit["surface"].values).items():
+        of_surface = values.sel(surface=surface)
+        label = str(limit["label"].sel(surface=surface).item())
+        axes.plot(of_surface, STEPS, color=colour, drawstyle="steps-post", label=label)
+    axes.axvline(1, color="black", lw=0.9)
+    axes.set(xscale="log", ylim=(0, 1), ylabel="cumulative share of contacts")
+    axes.set_xlabel("elastic pressure on the bearing area / hardness")
+    axes.legend(loc="lower right")
+    style.label_logarithmic(axes.xaxis)
+    style.label_panel(axes, "a", "plasticity index")
+
+
+def _draw_shares(axes: Axes, limit: xr.Dataset) -> None:
+    """Draw the share of contacts that yield, by the index and by solved contacts."""
+    looks = style.looks(limit["surface"].values)
+    for (name, label), shift in zip(SHARES.items(), (-0.12, 0.12), strict=True):
+        for place, (surface, look) in enumerate(looks.items()):
+            one = bounded(limit, name).sel(surface=surface)
+            known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
+            axes.errorbar(place + shift, one["value"], known, ls="none", **look, **OPEN[name])
+        axes.plot([], [], "o", color="0.3", ls="none", label=label, **OPEN[name])
+    axes.set(ylim=(-0.03, 1.03), ylabel="share of contacts")
+    axes.legend(loc="best")
+    style.label_panel(axes, "b", "bearing area holds")
+
+
+def _draw_areas(axes: Axes, limit: xr.Dataset) -> None:
+    """Draw the estimated against the solved elastic area of single contacts."""
+    for surface, look in style.looks(limit["surface"].values).items():
+        solved, estimated = (limit[name].sel(surface=surface).values.ravel() for name in AREAS)
+        axes.plot(solved, estimated, ls="none", alpha=0.7, **look)
+    bearing = limit.attrs["bearing_area"]
+    axes.axvline(bearing, color="black", lw=0.9, label="bearing area")
+    axes.axhline(bearing, color="black", lw=0.9)
+    axes.axline((bearing, bearing), slope=1, color="0.6", lw=0.8, ls="--", label="equal")
+    axes.set(xscale="log", yscale="log")
+    axes.set(xlabel="solved area (nm²)", ylabel="estimated area (nm²)")
+    axes.legend(loc="lower right")
+    for axis in (axes.xaxis, axes.yaxis):
+        style.label_logarithmic(axis)
+    style.label_panel(axes, "c", "elastic contact")
+
+
+def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
+    """Draw the force of each variant over that of the bearing area."""
+    beside = np.linspace(-0.25, 0.25, len(VARIANTS) - 1)
+    colours = list(style.colours(limit["surface"].values).values())
+    for variant, marker, shift in zip(VARIANTS[1:], "^sv", beside, strict=True):
+        ratio = bounded(limit, "force_ratio").sel(variant=variant)
+        for place, colour in enumerate(colours):
+            one = ratio.isel(surface=place)
+            known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
+            axes.errorbar(place + shift, one["value"], known, fmt=marker, color=colour)
+        axes.plot([], [], marker, color="0.3", label=NAMES[variant])
+    axes.axhline(1, color="0.7", lw=0.6, zorder=0)
+    axes.set_ylabel("force / that of the bearing area")
+    axes.legend(loc="best")
+    style.label_panel(axes, "d", "pull-off force")

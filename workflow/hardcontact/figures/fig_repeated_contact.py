@@ -1,0 +1,162 @@
+"""Repeated contact: force and indents against the number of contacts, the last indents."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+from hardcontact.figures.fig5 import DEPTHS
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+
+__all__ = ["draw", "table"]
+
+MICRONEWTON = 1e-6
+CURVES = {  # panel, unit, label
+    "force_ratio": ("a", "1", "force / single contacts"),
+    "depth": ("b", "nm", "deepest indent (nm)"),
+    "lateral_size": ("c", "nm", "widest indent (nm)"),
+}
+IMAGE = {  # published constants of an image after 400 contacts
+    "depth": "measured_indent_depth",
+    "lateral_size": "measured_indent_size",
+}
+SIZES = {"indent_size": "lateral size (nm)", "indent_depth": "depth (nm)"}
+COLUMNS = [*ROW_COLUMNS, "preload", "scan", "order", "indent", "stage", *VALUE_COLUMNS]
+
+
+def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+    """Return what the figure is drawn from, one row a number.
+
+    Parameters
+    ----------
+    repeated_contact, published_constants : xarray.Dataset, pandas.DataFrame
+        As `draw` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Force ratio, depth (nm) and size (nm) by surface, preload (N) and number of contacts
+        (`stage`), and depth and size of every indent after the last. Published: the ranges of
+        depths and sizes in an image. The map stays in the dataset.
+    """
+    curves = [
+        _rows(bounded(repeated_contact, name), name, panel, unit)
+        for name, (panel, unit, _) in CURVES.items()
+    ]
+    indents = [_rows(_of_image(repeated_contact)[[name]], name, "e", "nm") for name in SIZES]
+    published = [
+        {"panel": CURVES[name][0], "quantity": name, "low": low, "high": high}
+        for name in IMAGE
+        for low, high in [_published(published_constants, name)]
+    ]
+    given = pd.DataFrame(published).assign(origin="published", unit="nm")
+    rows = label_surfaces(pd.concat([*curves, *indents]), repeated_contact)
+    return pd.concat([rows, given]).reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
+    """Return a row for each number that is there."""
+    (name,) = [name for name in values.data_vars if name not in ("low", "high")]
+    frame = values.rename({name: "value"}).to_dataframe().reset_index().dropna(subset=["value"])
+    kept = [column for column in COLUMNS if column in frame]
+    return frame[kept].assign(panel=panel, origin="computed", quantity=quantity, unit=unit)
+
+
+@style.print_style()
+def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind.
+
+    Parameters
+    ----------
+    repeated_contact : xarray.Dataset
+        As from `repeated_contact`.
+    published_constants : pandas.DataFrame
+        With the ranges of depths and sizes (nm) in an image after 400 contacts.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    figure = style.create(5.2)
+    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.15))
+    above, below = rows[0], rows[1]
+    curves = above.subgridspec(1, 3).subplots(squeeze=False)[0]
+    view, sizes = below.subgridspec(1, 2).subplots(squeeze=False)[0]
+    for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
+        _draw_curves(axes, repeated_contact, name)
+        if name in IMAGE:
+            axes.axhspan(*_published(published_constants, name), color="0.88", zorder=0)
+            axes.set_yscale("log")
+            style.label_logarithmic(axes.yaxis)
+        axes.set(xscale="log", xlabel="contacts")
+        style.label_logarithmic(axes.xaxis, at=(1,))
+        style.label_panel(axes, panel, label)
+    curves[0].axhline(1, color="0.7", lw=0.6, zorder=0)
+    curves[0].legend(handles=style.surface_handles(repeated_contact, ls="none"), loc="best")
+    image = _of_image(repeated_contact)
+    _draw_map(view, image)
+    colour = style.colours(repeated_contact["surface"].values)[str(image["surface"].values[0])]
+    _draw_sizes(sizes, image, published_constants, colour)
+    style.mark_basis(figure, repeated_contact)
+    return figure
+
+
+def _published(constants: pd.DataFrame, name: str) -> tuple[float, float]:
+    """Return the published range (nm) of a size of the indents in an image."""
+    low, high = (constants["value"][f"{IMAGE[name]}_{end}_bound"] for end in ("lower", "upper"))
+    return low, high
+
+
+def _of_image(repeated: xr.Dataset) -> xr.Dataset:
+    """Return the surface and the preload of the image: those at the largest preload."""
+    largest = repeated.sel(preload=repeated["preload"].max())
+    (there,) = np.nonzero(largest["mean_ratio"].notnull().values)
+    return largest.isel(surface=there[:1])
+
+
+def _draw_curves(axes: Axes, repeated: xr.Dataset, name: str) -> None:
+    """Draw a quantity with its interval against contacts; dashed at the largest preload."""
+    values = bounded(repeated, name)
+    dashes = dict(zip(np.sort(repeated["preload"]), ("-", "--"), strict=False))
+    for surface, colour in style.colours(repeated["surface"].values).items():
+        for preload, line in dashes.items():
+            one = values.sel(surface=surface, preload=preload)
+            axes.fill_between(one["stage"], one["low"], one["high"], color=colour, alpha=0.15, lw=0)
+            axes.plot(one["stage"], one["value"], color=colour, ls=line)
+
+
+def _draw_map(axes: Axes, image: xr.Dataset) -> None:
+    """Map how deep (nm) the sphere is pressed in after the last contact."""
+    depths = image["indentation"].isel(surface=0).transpose("y", "x").dropna("y", how="all")
+    depths = depths.dropna("x", how="all")
+    drawn = axes.pcolormesh(
+        depths["x"], depths["y"], depths, cmap=DEPTHS, shading="nearest", rasterized=True
+    )
+    axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
+    axes.figure.colorbar(drawn, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
+    preload = float(image["preload"]) / MICRONEWTON
+    contacts = int(image["stage"].max())
+    label = str(image["label"].values[0])
+    style.label_panel(axes, "d", f"after {contacts} contacts on {label}, {preload:g} µN")
+
+
+def _draw_sizes(
+    axes: Axes, image: xr.Dataset, published_constants: pd.DataFrame, colour: str
+) -> None:
+    """Draw depth against size of every indent after the last contact, beside the image."""
+    size, depth = (image[name].values.ravel() for name in SIZES)
+    axes.plot(size, depth, "o", color=colour, ms=2, alpha=0.3, label="computed")
+    (left, right), (low, high) = (
+        _published(published_constants, name) for name in ("lateral_size", "depth")
+    )
+    corners = [left, right, right, left], [low, low, high, high]
+    axes.fill(*corners, color=style.PUBLISHED, alpha=0.15, lw=0, label="published image")
+    axes.set(xscale="log", yscale="log", xlabel=SIZES["indent_size"], ylabel=SIZES["indent_depth"])
+    axes.set_ylim(bottom=0.01)
+    axes.legend(loc="lower right")
+    for axis in (axes.xaxis, axes.yaxis):
+        style.label_logarithmic(axis, at=(1,))
+    style.label_panel(axes, "e", "all indents")
