@@ -31,6 +31,7 @@ if COMPARED:
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/insight.smk"
     include: "workflow/rules/figures.smk"
+    include: "workflow/rules/atomic.smk"
     include: "workflow/rules/report.smk"
     include: "workflow/rules/answer_paper.smk"
     include: "workflow/rules/answer_insight.smk"

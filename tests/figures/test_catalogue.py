@@ -9,7 +9,7 @@ import pytest
 from figure_inputs.registry import module_of
 
 from hardcontact import figures
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.figures.drawing import READERS
 from hardcontact.study.patterns import PUBLISHED
 
@@ -20,15 +20,15 @@ SHARED = {"__init__", "catalogue", "drawing", "height_maps", "marks", "style", "
 
 def test_each_module_is_a_figure_or_shared():
     modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
-    assert modules == set(FIGURES) | PARTS | SHARED
+    assert modules == set(FIGURES) | set(OF_ATOMIC) | PARTS | SHARED
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", FIGURES | OF_ATOMIC)
 def test_a_module_takes_what_the_table_says(name):
     module = module_of(name)
     assert module.__all__ == ["draw", "table"]
     for function in (module.draw, module.table):
-        assert tuple(inspect.signature(function).parameters) == FIGURES[name].inputs
+        assert tuple(inspect.signature(function).parameters) == (FIGURES | OF_ATOMIC)[name].inputs
 
 
 def test_published_tables_exist_and_are_read():

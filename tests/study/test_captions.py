@@ -6,7 +6,7 @@ from jinja2 import UndefinedError
 from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.study.captions import caption
 
 CONFIDENCE = '{% set share = 100 * snakemake.config["inference"]["confidence"] %}\n'
@@ -18,7 +18,7 @@ def test_a_caption_names_the_values_of_the_study():
     assert shown == ("Fig. 1", "Its 80 % interval, a.nc.")
 
 
-@pytest.mark.parametrize("name", FIGURES)
+@pytest.mark.parametrize("name", FIGURES | OF_ATOMIC)
 def test_captions_of_figures_have_a_title_and_no_markup(name):
     shown = caption((ROOT / f"workflow/report/{name}.rst").read_text(), PAPER)
     assert all(shown) and 10 < len(shown.title) < 80

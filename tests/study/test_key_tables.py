@@ -109,7 +109,7 @@ def test_tables_stand_between_their_markers():
     ("key", "parts"),
     [
         ("contact.hardness", ["1000 to 1e+13 Pa", "`25 GPa`", "Intrinsic Work of Adhesion"]),
-        ("scales.small.pixels", ["32 to 16384, a multiple of 2", "`8192`"]),
+        ("scales.small.pixels", ["32 to 32768, a multiple of 2", "`8192`"]),
         ("scales.small.cutoffs", ["a list: 0.01 to 1e+09 nm", "14 values, `5 nm` to `2500 nm`"]),
         ("scales.sphere_roughness", ["`true` or `false`", "`false`"]),
         ("indent.preloads", ["a list: 1e-12 to 1 N", "`[10 uN, 20 uN]`"]),

@@ -4,18 +4,20 @@ import pytest
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.study.substitute_descriptions import refuse_description
+from hardcontact.study.substitute_descriptions import refuse_description, refuse_of_paper
 from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS
 
 SPECTRA = ROOT / "resources/spectra"
 HEADER = (
     "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
 )
+COATINGS = sorted(path.stem for path in SPECTRA.glob("crn_*.csv"))
 ROWS = {*AFM_ROWS, *TAIL_ROWS}
 
 
 @pytest.mark.parametrize(
-    "name", ["polished_uncd", "uncd", "ncd", "mcd", "ruby", "uncd-measured", "ncd-published"]
+    "name",
+    [*COATINGS, "polished_uncd", "uncd", "ncd", "mcd", "ruby", "uncd-measured", "ncd-published"],
 )
 def test_descriptions_of_the_repository_are_accepted(name):
     refuse_description(SPECTRA / f"{name}.csv", ROWS)
@@ -28,6 +30,7 @@ def test_descriptions_of_the_repository_are_accepted(name):
         ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
         ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["line 2", "varying Hurst", "fractal"]),
         ("inf,20,power law,,,1,,,assumed,none", ["line 2", "model", "power law"]),
+        ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["line 2", "Hurst", "-1.1"]),
     ],
 )
 def test_other_descriptions_are_refused(tmp_path, band, parts):
@@ -47,3 +50,21 @@ def test_a_changing_exponent_may_fall(tmp_path):
     path = tmp_path / "surface.csv"
     path.write_text(f"{HEADER}inf,20,varying Hurst,1e10,2000,1.7,-0.5,,assumed,none\n")
     refuse_description(path, set())
+
+
+@pytest.mark.parametrize("name", COATINGS)
+def test_coatings_stand_for_no_surface_of_the_paper(name):
+    refuse_of_paper(SPECTRA / f"{name}.csv", name, {"uncd", "ncd"})
+
+
+@pytest.mark.parametrize(
+    ("name", "surface", "parts"),
+    [
+        ("uncd", "my_uncd", ["config key published", "my_uncd", "none"]),
+        ("crn_smoother", "uncd", ["config key published", "uncd", "none"]),
+        ("ruby", "other", ["ruby.csv", "measured", "assumed"]),
+    ],
+)
+def test_own_studies_refuse_substitutes_for_the_paper(name, surface, parts):
+    message = refusal(refuse_of_paper, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
+    assert_says(message, "expected", *parts)

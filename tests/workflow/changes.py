@@ -8,6 +8,7 @@ import yaml
 from repository import PARTS, QUICK, ROOT
 from rule_graph import (
     AGGREGATED,
+    APART,
     BEYOND,
     BEYOND_AT_RANGES,
     DRAWN,
@@ -200,7 +201,7 @@ def rules_of(script):
 
 
 #: Rules that the quick study has no job for.
-IDLE = OF_MEASURED | {"verify"}
+IDLE = OF_MEASURED | APART | {"verify"}
 ALL = set().union(*map(rules_of, SCRIPTS)) - IDLE
 
 

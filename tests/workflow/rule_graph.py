@@ -1,6 +1,6 @@
 """The graph of rules: which of them make what again once others have."""
 
-from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC, OF_INSIGHT
 
 # The rules of one stage
 
@@ -42,6 +42,8 @@ OF_MEASURED = {
 }  # fmt: skip
 
 DRAWN = {f"draw_{name}" for name in FIGURES}
+#: What targets make that are no part of the study.
+APART = {"compare_finer_master", *(f"draw_{name}" for name in OF_ATOMIC)}
 #: The rules that make what figures are drawn from.
 DATASETS = {
     "adhesion": "aggregate_adhesion", "asperities": "aggregate_asperities",

@@ -7,7 +7,7 @@ from docutils.core import publish_doctree
 from jinja2 import Environment, StrictUndefined
 from repository import PAPER, ROOT
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.study.pages import CHAPTERS, PAGES
 
 CAPTIONS = sorted((ROOT / "workflow/report").glob("*.rst"))
@@ -46,7 +46,7 @@ def test_the_report_of_own_surfaces_does_not_tell_the_story_of_the_paper():
 
 def test_every_figure_and_page_has_a_caption():
     assert {path.stem for path in CAPTIONS} == {
-        "workflow", "own_surfaces", "answer", "insight", *FIGURES, *PAGES,
+        "workflow", "own_surfaces", "answer", "insight", *FIGURES, *OF_ATOMIC, *PAGES,
     }  # fmt: skip
 
 

@@ -5,7 +5,7 @@ import re
 import pytest
 import yaml
 from repository import PAPER, ROOT, snakemake
-from rule_graph import DRAWN, OF_MEASURED
+from rule_graph import APART, DRAWN, OF_MEASURED
 
 from hardcontact.study.stages import made
 
@@ -27,7 +27,7 @@ OF_PAPER = RULES.keys() - OF_OWN_SURFACES
 TARGETS = {
     "all", "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical",
     "sets", "robustness", "claims", "figures", "pages", "answer",
-    "insight", "crate", "verify",
+    "insight", "atomic", "crate", "verify",
 }  # fmt: skip
 
 
@@ -60,7 +60,7 @@ def test_every_rule_says_what_it_is_for(name):
 
 def test_the_study_of_the_paper_has_the_rules_that_concern_it(repository):
     listed = re.findall(r"^(\w+) \((.+)\)$", snakemake(repository, "--list-rules").stdout, re.M)
-    assert dict(listed).keys() == OF_PAPER | TARGETS | DRAWN
+    assert dict(listed).keys() == OF_PAPER | TARGETS | DRAWN | APART
 
 
 def test_lint_misses_nothing_but_environments(repository):
@@ -71,7 +71,7 @@ def test_lint_misses_nothing_but_environments(repository):
 def test_the_crate_describes_what_every_target_makes():
     block = RULES["describe_crate"].partition("    output:")[0]
     assert "[getattr(rules, target).input for target in made(STUDY)]" in block
-    assert set(made(PAPER)) == TARGETS - {"all", "crate", "verify"}
+    assert set(made(PAPER)) == TARGETS - {"all", "atomic", "crate", "verify"}
 
 
 def test_every_rule_wrote_its_log_and_benchmark(finished):
@@ -81,12 +81,14 @@ def test_every_rule_wrote_its_log_and_benchmark(finished):
             for folder in (finished / "results").glob(f"*/{kind}")
             for path in folder.rglob(f"*{suffix}")
         }
-        assert found - {"verify"} == (OF_PAPER | DRAWN) - {"measure_spectrum"}, kind
+        assert found - {"verify"} == (OF_PAPER | DRAWN) - {"measure_spectrum"} - APART, kind
 
 
 def test_the_cluster_profile_groups_every_rule():
     profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
-    assert profile["groups"].keys() == profile["set-resources"].keys() == RULES.keys() | DRAWN
+    assert (
+        profile["groups"].keys() == profile["set-resources"].keys() == RULES.keys() | DRAWN | APART
+    )
 
 
 def test_library_knows_nothing_of_snakemake():

@@ -4,7 +4,7 @@ from hardcontact.study.stages import NONE, left_out
 
 
 rule aggregate_spectra:
-    """Gather the joined spectra of all measured surfaces: spectra.nc."""
+    """Gather the spectra of all surfaces, measured or described: spectra.nc."""
     input:
         spectra=[FILES.spectrum(surface) for surface in SELECTION.surfaces],
         code=code_inputs("aggregate_spectra.py"),
@@ -15,7 +15,15 @@ rule aggregate_spectra:
     benchmark:
         PATTERNS.benchmark("aggregate_spectra")
     params:
-        canonical=canonical({"labels": SELECTION.labels}),
+        canonical=canonical(
+            {
+                "surfaces": SELECTION.surfaces,  # the order of the inputs
+                "labels": SELECTION.labels,
+                "descriptions": {
+                    surface: SELECTION.description(surface) for surface in FILES.conditionings
+                },
+            }
+        ),
     script:
         "../scripts/aggregate_spectra.py"
 

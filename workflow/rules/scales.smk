@@ -1,5 +1,7 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the critical band.
 
+from hardcontact.study.memory import master_megabytes
+
 
 rule synthesize_small_scale_master:
     """Continue the roughness of a scan below its pixels."""
@@ -14,7 +16,7 @@ rule synthesize_small_scale_master:
     benchmark:
         PATTERNS.benchmark("synthesize_small_scale_master", PATTERNS.small_master)
     resources:
-        mem_mb=3000,
+        mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
     params:
         canonical=lambda w: canonical(
             {
@@ -70,7 +72,7 @@ rule compute_filtered_pull_off:
     benchmark:
         PATTERNS.benchmark("compute_filtered_pull_off", PATTERNS.filtered_pull_off)
     resources:
-        mem_mb=3000,
+        mem_mb=lambda w: master_megabytes(STUDY["scales"][w.side]["pixels"], 3000),
     params:
         canonical=lambda w: canonical(
             {

@@ -1,13 +1,16 @@
-"""Joined spectra of all measured surfaces, with what each scan adds to them."""
+"""Spectra of all surfaces: joined of the scans of measured ones, of substitutes as described."""
 
 from hardcontact.records import dataset
 from hardcontact.study.job import job
+from hardcontact.surfaces.described_spectrum import described_spectrum
 from hardcontact.surfaces.joined_spectrum import stacked_spectra
 
 with job(snakemake) as this:
-    labels = this.parameters["labels"]
-    spectra = map(dataset.read, this.input.spectra)
+    surfaces, labels = this.parameters["surfaces"], this.parameters["labels"]
+    spectra = dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True))
+    for surface, path in this.parameters["descriptions"].items():
+        spectra[surface] = described_spectrum(spectra[surface], path)
     this.write(
-        stacked_spectra(dict(zip(labels, spectra, strict=True)), labels),
-        title="power spectral densities of all measured surfaces, joined over their scans",
+        stacked_spectra(spectra, labels),
+        title="power spectral densities of all surfaces, measured or described",
     )

@@ -15,8 +15,9 @@ __all__ = [
     "share_inside",
 ]
 
-#: Kinds of measurement; where a surface has fewer than another its datasets are padded.
-KINDS = ("map", "profile")
+#: Kinds of measurement, and the description of a substitute in the place of one; where a surface
+#: has fewer than another its datasets are padded.
+KINDS = ("map", "profile", "description")
 
 
 def measurements(of_surface: xr.Dataset) -> xr.Dataset:

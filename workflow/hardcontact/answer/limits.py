@@ -30,6 +30,8 @@ WHOLE = 0.99
 #: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
 SPARSE = 2.0
 
+#: Kind of what stands for the measurements of a substitute.
+DESCRIPTION = "description"
 #: How roughness that is continued at each side ends.
 END = {"small": "down to", "large": "up to"}
 
@@ -250,9 +252,9 @@ def _of_spectrum(spectra: xr.Dataset) -> list[str]:
     finest = known.isel(measurement=int(known["shortest_reliable"].values.argmin()))
     widest = known.isel(measurement=int(known["longest_reliable"].values.argmax()))
     found = [
-        f"No scan is reliable below {print_length(finest['shortest_reliable'].item())}: "
+        f"{_nothing(finest)} below {print_length(finest['shortest_reliable'].item())}: "
         f"{finest['shortest_reason'].item()} ({measurement_name(finest)}).",
-        f"No scan is reliable above {print_length(widest['longest_reliable'].item())}: "
+        f"{_nothing(widest)} above {print_length(widest['longest_reliable'].item())}: "
         f"{widest['longest_reason'].item()} ({measurement_name(widest)}).",
     ]
     note = str(spectra["tail_note"].item())
@@ -264,13 +266,20 @@ def _of_spectrum(spectra: xr.Dataset) -> list[str]:
     ]
     if blind:
         found.append(f"Reliable at no wavelength, and not in the spectrum: {_listed(blind)}.")
-    unknown = [measurement_name(one) for one in _single(known) if np.isnan(one["tip_radius"])]
+    scans = known.isel(measurement=known["kind"].values.astype(str) != DESCRIPTION)
+    unknown = [measurement_name(one) for one in _single(scans) if np.isnan(one["tip_radius"])]
     if unknown:
         found.append(
             "What a blunt tip hides is not known where no tip radius is stated: "
             f"{_listed(unknown)}."
         )
     return found
+
+
+def _nothing(one: xr.Dataset) -> str:
+    """Return what there is not beyond the band of a measurement, or of a description."""
+    described = one["kind"].item() == DESCRIPTION
+    return "The description has no source" if described else "No scan is reliable"
 
 
 def _single(known: xr.Dataset) -> list[xr.Dataset]:

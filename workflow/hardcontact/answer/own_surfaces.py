@@ -16,6 +16,7 @@ from hardcontact.answer.html import figure_html, list_html, page, table_html, te
 from hardcontact.answer.limits import grave_limits, limits
 from hardcontact.answer.numbers import answer_numbers
 from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.answer.quartiles import quartile_sentences
 from hardcontact.answer.sentences import (
     band_sentences,
     fit_sentences,
@@ -122,6 +123,8 @@ def _first_screen(given: Datasets) -> str:
         opened = (
             " “At least” and “at most” mean that this end was not found within what was computed."
         )
+    spans = "".join(f"<p>{text_html(text)}</p>\n" for text in quartile_sentences(given))
+    sentences = spans + sentences
     return (
         f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
         "</div>\n" + _notice(given)
@@ -156,6 +159,14 @@ def _map(label: str, of: Datasets) -> str:
 
 def _spectrum(label: str, of: Datasets) -> str:
     shaded = artificial_words(artificial_bands(of.spectra))
+    if of.topography["basis"].item() == "substitute":
+        return figure_html(
+            png(psd.draw(of.spectra)),
+            f"Power spectral density of {label} against wavelength; no source {shaded}.",
+            f"{label}: the isotropic power spectral density that the scans are synthesised from. "
+            "Colour: described from a source; points: the same in bins; line: the spectrum used. "
+            f"Shaded: wavelengths at which the description has no source, {shaded}.",
+        )
     return figure_html(
         png(psd.draw(of.spectra)),
         f"Power spectral density of {label} against wavelength; no scan is reliable {shaded}.",

@@ -19,6 +19,12 @@ MEASURED: dict[str, Any] = {"lw": 2.4, "alpha": 0.5, "solid_capstyle": "butt"}
 KINDS: dict[str, dict[str, Any]] = {
     "map": {"color": "#0072B2", **MEASURED},
     "profile": {"color": "#009E73", **MEASURED},
+    "description": {"color": "#D55E00", **MEASURED},
+}
+LABELS = {
+    "map": "map, reliable",
+    "profile": "profile, reliable",
+    "description": "description, of a source",
 }
 UNRELIABLE: dict[str, Any] = {"color": "0.3", "lw": 1.1, "ls": ":"}
 JOINED: dict[str, Any] = {"color": "black", "ls": "none", "marker": "o", "ms": 3}
@@ -83,7 +89,7 @@ def _limit(axes: Axes, wavelength: np.ndarray, known: xr.Dataset, of_surface: xr
 def _legend_handles(kinds: list[str]) -> list[Any]:
     """Return one entry for each kind of line."""
     return [
-        *(Line2D([], [], label=f"{kind}, reliable", **KINDS[kind]) for kind in kinds),
+        *(Line2D([], [], label=LABELS[kind], **KINDS[kind]) for kind in kinds),
         Line2D([], [], label="not reliable, not used", **UNRELIABLE),
         Line2D([], [], label="joined", **JOINED),
         Line2D([], [], label="spectrum used", **USED),

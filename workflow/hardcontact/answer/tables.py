@@ -80,7 +80,7 @@ def measurement_table(spectra: xr.Dataset, labels: Mapping[str, str]) -> str:
 def _measurement(one: xr.Dataset) -> list[str]:
     """Return the cells of a measurement after its name."""
     lengths = {
-        name: print_length(one[name].item())
+        name: _length(one[name].item())
         for name in ("size", "pixel_size", "shortest_reliable", "longest_reliable")
     }
     reasons = [str(one[f"{end}_reason"].item()) for end in ("shortest", "longest")]
@@ -88,12 +88,17 @@ def _measurement(one: xr.Dataset) -> list[str]:
     tip = one["tip_radius"].item()
     return [
         str(one["kind"].item()),
-        f"{lengths['size']}, {lengths['pixel_size']}",
+        ", ".join(filter(None, (lengths["size"], lengths["pixel_size"]))),
         reliable if (one["reliable"] == 1).any() else "nowhere",
         "; ".join(reasons),
         print_length(tip) if np.isfinite(tip) else "not known",
         str(one["notes"].item()),
     ]
+
+
+def _length(value: float) -> str:
+    """Return a length (nm) with its unit, or nothing where there is none."""
+    return print_length(value) if np.isfinite(value) else ""
 
 
 def _digits(value: float) -> str:

@@ -7,7 +7,7 @@ neither these modules nor matplotlib, so that the rules can be made from it.
 
 from typing import NamedTuple
 
-__all__ = ["FIGURES", "OF_INSIGHT", "OF_PAPER", "Figure"]
+__all__ = ["FIGURES", "OF_ATOMIC", "OF_INSIGHT", "OF_PAPER", "Figure"]
 
 
 class Figure(NamedTuple):
@@ -168,3 +168,13 @@ OF_INSIGHT = {
 
 #: All figures.
 FIGURES = OF_PAPER | OF_INSIGHT
+
+#: Figures of targets that are no part of the study: it is complete without them.
+OF_ATOMIC = {
+    "fig_atomic": Figure(
+        "Beyond the study",
+        "atomic scale",
+        "pull-off force on pixels of atomic size",
+        ("atomic",),
+    ),
+}

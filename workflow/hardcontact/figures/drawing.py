@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from hardcontact import published
 from hardcontact.figures import style
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.records import dataset
 from hardcontact.records.whole_file import whole_file
 
@@ -30,15 +30,16 @@ def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
     Parameters
     ----------
     name : str
-        Of the figure, a key of `catalogue.FIGURES`.
+        Of the figure, a key of `catalogue.FIGURES` or of `catalogue.OF_ATOMIC`.
     inputs : mapping of str to str
         Paths of the datasets and published tables that it is drawn from.
     outputs : mapping of str to str
         Paths of its "pdf", "png" and "csv".
     """
     module = importlib.import_module(f"hardcontact.figures.{name}")
-    drawn_from = {key: _read(key, inputs[key]) for key in FIGURES[name].inputs}
-    save(module.draw(**drawn_from), module.table(**drawn_from), FIGURES[name].title, outputs)
+    figure = (FIGURES | OF_ATOMIC)[name]
+    drawn_from = {key: _read(key, inputs[key]) for key in figure.inputs}
+    save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
 
 
 def _read(name: str, path: str) -> xr.Dataset | pd.DataFrame:

@@ -17,10 +17,10 @@ from hardcontact import published
 from hardcontact.study.faults import refuse_all
 from hardcontact.study.grid_checks import check_scans
 from hardcontact.study.measured_forces import measured_forces
-from hardcontact.study.paper_checks import checks_of_paper
+from hardcontact.study.paper_checks import checks_of_paper, refuse_small_realization
 from hardcontact.study.patterns import PUBLISHED
 from hardcontact.study.stages import NONE, PAPER, SMOOTH
-from hardcontact.study.substitute_descriptions import refuse_description
+from hardcontact.study.substitute_descriptions import refuse_description, refuse_of_paper
 from hardcontact.study.surface_table import CONTACT
 from hardcontact.surfaces.scans import read_measurement
 
@@ -77,17 +77,17 @@ def _checks_of_own_surfaces(
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
         checks.append(partial(measured_forces, config["forces"], list(substrates.unique())))
-    return [partial(_refuse_substitutes, table), *checks]
+    return [*_substitutes(config, table), *checks]
 
 
-def _refuse_substitutes(table: pd.DataFrame) -> None:
-    """Refuse substitutes in a study of own surfaces: they stand for the paper's."""
-    substitutes = table.surface[table.source == "substitute"].unique()
+def _substitutes(config: dict[str, Any], table: pd.DataFrame) -> Iterator[Callable[[], None]]:
+    """Yield the checks of substitutes in a study of own surfaces: none stands for the paper's."""
+    of_paper = published.table1(PUBLISHED["published_table1"]).surface.unique()
+    substitutes = table[table.source == "substitute"].drop_duplicates("surface")
+    for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
+        yield partial(refuse_of_paper, path, surface, of_paper)
     if len(substitutes):
-        raise ValueError(
-            "config key published: expected paper in a study with substitutes "
-            f"({', '.join(substitutes)}), found {NONE}"
-        )
+        yield partial(refuse_small_realization, config["scan"])
 
 
 def _descriptions(table: pd.DataFrame) -> Iterator[Callable[[], None]]:

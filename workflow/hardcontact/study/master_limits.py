@@ -8,14 +8,16 @@ from typing import Any
 import numpy as np
 
 from hardcontact.study.grid_limits import (
+    MAP_PIXELS,
     loads,
     refuse_contact_pixels,
     refuse_large_map,
     refuse_short_range,
 )
 from hardcontact.study.grids import Grid
+from hardcontact.study.memory import machine_megabytes, master_megabytes
 
-__all__ = ["refuse_on_master"]
+__all__ = ["refuse_beyond_memory", "refuse_on_master"]
 
 #: Largest penetration over the range of adhesion, for a smooth sphere: its force sums lose as many
 #: digits as the exponential of this has.
@@ -55,6 +57,7 @@ def refuse_on_master(
             f"config key {section}.{side}.pixels: expected at least the {needed} of "
             f"{tiles} x {tiles} stitched scans of {surface}, found {pixels}"
         )
+    refuse_beyond_memory(f"{section}.{side}.pixels", pixels, machine_megabytes())
     rho = config["scales"]["range"]
     refuse_short_range(config, "scales.range", rho, surface, grid._replace(size=size / 2))
     _refuse_deep_contacts(config, section, rho, grid)
@@ -69,6 +72,16 @@ def refuse_on_master(
         what = f"the {side}-scale masters of {surface} and the sphere"
         refuse_large_map(what, finest, master, sphere)
     refuse_contact_pixels(config, section, surface, finest)
+
+
+def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:
+    """Refuse a master larger than any map that this machine's memory (megabytes) cannot hold."""
+    needed = master_megabytes(pixels, 0)
+    if pixels > MAP_PIXELS and needed > available:
+        raise ValueError(
+            f"config key {key}: expected at most {MAP_PIXELS} on this machine of "
+            f"{available / 1e3:.3g} GB, found {pixels}, which take {needed / 1e3:.3g} GB"
+        )
 
 
 def _refuse_deep_contacts(config: dict[str, Any], section: str, rho: float, grid: Grid) -> None:

@@ -8,7 +8,7 @@ import pandas as pd
 
 from hardcontact.study.stages import NONE, PAPER
 
-__all__ = ["checks_of_paper"]
+__all__ = ["checks_of_paper", "refuse_small_realization"]
 
 
 def checks_of_paper(
@@ -34,7 +34,7 @@ def checks_of_paper(
     yield partial(_refuse_unknown_reference, config, compared)
     yield partial(_refuse_own_forces, config)
     yield partial(_refuse_outside_place, config)
-    yield partial(_refuse_small_realization, config["scan"])
+    yield partial(refuse_small_realization, config["scan"])
     for section in ("elastic", "asperities"):
         yield partial(_refuse_many_contacts, config, section)
     yield partial(_refuse_small_pool, config, table)
@@ -101,7 +101,8 @@ def _refuse_outside_place(config: dict[str, Any]) -> None:
         )
 
 
-def _refuse_small_realization(scan: dict[str, Any]) -> None:
+def refuse_small_realization(scan: dict[str, Any]) -> None:
+    """Refuse a random surface smaller than the substitute cut out of it, as a ValueError."""
     if scan["realization_pixels"] < scan["pixels"]:
         raise ValueError(
             "config key scan.realization_pixels: expected at least scan.pixels = "

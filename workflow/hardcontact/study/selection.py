@@ -8,7 +8,7 @@ import pandas as pd
 from hardcontact.study.patterns import PUBLISHED
 from hardcontact.study.surface_table import CONTACT
 from hardcontact.study.units import magnitude
-from hardcontact.surfaces.substitute_spectra import CALIBRATED
+from hardcontact.surfaces.substitute_spectra import is_calibrated
 
 __all__ = ["NO_SCAN", "Measured", "Selection"]
 
@@ -145,7 +145,7 @@ class Selection:
     def reads_curvature(self, surface: str) -> bool:
         """Return whether a substitute depends on what the curvature of Table 1 is read as."""
         bands = pd.read_csv(self.description(surface))
-        return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
+        return is_calibrated(bands)
 
     def _cell(self, surface: str, scan: int, column: str) -> str:
         rows = self._rows

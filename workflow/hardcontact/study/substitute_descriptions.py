@@ -12,14 +12,17 @@ import pandas as pd
 
 from hardcontact.study.schema import plain
 from hardcontact.study.surface_table import TABLE_LIMIT
-from hardcontact.surfaces.substitute_spectra import CALIBRATED, PARAMETERS
+from hardcontact.surfaces.described_spectrum import KNOWN
+from hardcontact.surfaces.substitute_spectra import CALIBRATED, PARAMETERS, is_calibrated
 
-__all__ = ["refuse_description"]
+__all__ = ["refuse_description", "refuse_of_paper"]
 
 #: Models of a band; a power law continues the band above, so that it cannot come first.
 MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
-#: Columns of numbers that may be below zero.
-SIGNED = ["hurst_change"]
+#: Columns of numbers that may be below zero: local exponents of shoulders are.
+SIGNED = ["hurst", "hurst_change"]
+#: The local exponent of a C_iso that is constant.
+FLATTEST = -1.0
 #: Columns of the points of a profile's spectrum.
 POINTS = ("wavelength_nm", "c1d_nm3")
 
@@ -59,14 +62,49 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
                 f"{path}: line {line}: expected a roll-off wavelength of a varying Hurst exponent, "
                 "found none"
             )
+        if hurst < FLATTEST:
+            raise ValueError(
+                f"{path}: line {line}: expected a Hurst exponent of {FLATTEST:g} or more, below "
+                f"which a spectrum grows towards short wavelengths, found {hurst:g}"
+            )
         if model == "profile":
             _table(Path(path).parent / str(points), POINTS)
+
+
+def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) -> None:
+    """Refuse a substitute in a study of own surfaces that stands for one of the paper.
+
+    Parameters
+    ----------
+    path : str or Path
+        Its description, which `refuse_description` accepts.
+    surface : str
+        Id of the substitute.
+    published : collection of str
+        Surfaces in the paper's Table 1, which substitutes of these names are conditioned on.
+
+    Raises
+    ------
+    ValueError
+        In one line.
+    """
+    bands = pd.read_csv(path)
+    if surface in published or is_calibrated(bands):
+        raise ValueError(
+            "config key published: expected paper in a study with substitutes for its surfaces "
+            f"({surface}), found none"
+        )
+    if not bands.basis.isin(KNOWN).any():
+        raise ValueError(
+            f"{path}: expected, in a study of own surfaces, a band whose basis is "
+            f"{' or '.join(KNOWN)}, found {', '.join(map(plain, bands.basis.unique()))}"
+        )
 
 
 def _table(path: str | Path, numbers: Sequence[str], others: Sequence[str] = ()) -> pd.DataFrame:
     """Read a small table (CSV): columns of numbers, blank or not below zero, and other columns.
 
-    Only the change of a Hurst exponent may be below zero.
+    Only a Hurst exponent and its change may be below zero.
     """
     columns = [*numbers, *others]
     try:

@@ -9,17 +9,42 @@ Source: Bracewell, The Fourier Transform and Its Applications, chapter on the Ab
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["isotropic_from_profile"]
+from hardcontact.surfaces.spectrum import Density
+
+__all__ = ["isotropic_from_profile", "profile_from_isotropic"]
 
 #: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
 #: and up to four where bins have fewer independent waves than ENOUGH.
 SMOOTHING, WIDEST = 0.1 * np.log(10), 4.0
 ENOUGH = 20.0
-#: u of p = q cosh u in the integral: waves to a thousandth of the wavelength, beyond which even
+#: u of p = q cosh u in both integrals: waves to a thousandth of the wavelength, beyond which even
 #: C_1D ~ 1/q adds less than a thousandth.
 SUBSTITUTED = np.linspace(0, 7.6, 400)
 #: The flattest C_1D of a self-affine surface is q^-1: the measurement continues at least as steep.
 FLATTEST = -1.0
+
+
+def profile_from_isotropic(
+    density: Density, wavevector: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return C_1D of the profiles of an isotropic surface.
+
+    Parameters
+    ----------
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+    wavevector : numpy.ndarray
+        (points,) of the profiles, in rad/nm.
+
+    Returns
+    -------
+    numpy.ndarray
+        C_1D (points,) in nm³.
+    """
+    # q_y = q_x sinh u, so that q = q_x cosh u and dq_y = q du.
+    isotropic = wavevector[:, None] * np.cosh(SUBSTITUTED)
+    integrand = density(isotropic) * isotropic
+    return np.asarray(np.trapezoid(integrand, SUBSTITUTED, axis=1) / np.pi)
 
 
 def isotropic_from_profile(

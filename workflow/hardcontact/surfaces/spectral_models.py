@@ -6,10 +6,12 @@ from numpy.typing import NDArray
 from hardcontact.surfaces.spectrum import WAVEVECTORS
 
 __all__ = [
+    "continued",
     "power_law_tail",
     "profile_from_isotropic_power_law",
     "profile_points",
     "self_affine",
+    "share_of_cells",
     "smooth_rolloff",
     "varying_hurst",
 ]
@@ -51,9 +53,7 @@ def varying_hurst(
     return np.asarray(plateau * 10 ** (-(2 + 2 * first) * decades - change * decades**2))
 
 
-def power_law_tail(
-    above: NDArray[np.float64], hurst: float, shortest: float
-) -> NDArray[np.float64]:
+def continued(above: NDArray[np.float64], hurst: float) -> NDArray[np.float64]:
     """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
 
     Parameters
@@ -62,9 +62,6 @@ def power_law_tail(
         C_iso in nm⁴ on WAVEVECTORS, zero below some wavelength.
     hurst : float
         H.
-    shortest : float
-        Wavelength in nm at which the power law ends. The cell of WAVEVECTORS that it lies in counts
-        by the share before it, so that moments of the table depend on it continuously.
 
     Returns
     -------
@@ -73,9 +70,24 @@ def power_law_tail(
     """
     last = above.nonzero()[0][-1]
     relative = WAVEVECTORS / WAVEVECTORS[last]
+    return np.where(relative > 1, above[last] * relative ** (-2 - 2 * hurst), 0.0)
+
+
+def share_of_cells(shortest: float) -> NDArray[np.float64]:
+    """Return the share of each cell of WAVEVECTORS that lies above a wavelength (nm).
+
+    The cell that the wavelength lies in counts by the share before it, so that moments of the table
+    depend on it continuously.
+    """
     cells = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
-    tail = above[last] * relative ** (-2 - 2 * hurst) * np.clip(cells + 0.5, 0, 1)
-    return np.where(relative > 1, tail, 0.0)
+    return np.asarray(np.clip(cells + 0.5, 0, 1))
+
+
+def power_law_tail(
+    above: NDArray[np.float64], hurst: float, shortest: float
+) -> NDArray[np.float64]:
+    """Return `continued`, up to the wavelength (nm) at which the spectrum ends."""
+    return continued(above, hurst) * share_of_cells(shortest)
 
 
 def smooth_rolloff(

@@ -16,12 +16,24 @@ from hardcontact.surfaces.calibration import (
     calibrate_varying_hurst,
 )
 from hardcontact.surfaces.scan_moments import Weights, expected_moments, transfer_weights
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_dataset
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    all_scales_moments,
+    spectrum_dataset,
+)
 
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["CALIBRATED", "PARAMETERS", "from_description", "substitute_spectrum"]
+__all__ = [
+    "CALIBRATED",
+    "PARAMETERS",
+    "described_rms_height",
+    "from_description",
+    "is_calibrated",
+    "substitute_spectrum",
+]
 
 #: Columns of a description that hold numbers.
 PARAMETERS = (
@@ -71,7 +83,43 @@ def from_description(
             raise ValueError(f"{path}: band from {band.longest_nm:g} nm: {error}") from None
         bands.loc[i] = filled
         calibrated += used
+    last = bands.iloc[-1]
+    if last.model == "power law":
+        density *= spectral_models.share_of_cells(last.shortest_nm)
     return density, bands, calibrated
+
+
+def is_calibrated(bands: pd.DataFrame) -> bool:
+    """Return whether a description leaves parameters to Table 1."""
+    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
+
+
+def described_rms_height(path: str | Path, longest: float) -> float:
+    """Return the rms height of the waves up to a wavelength, from a description alone.
+
+    Parameters
+    ----------
+    path : str or Path
+        As `from_description`.
+    longest : float
+        Wavelength in nm.
+
+    Returns
+    -------
+    float
+        In nm.
+
+    Raises
+    ------
+    ValueError
+        As `from_description`, or if the description leaves parameters to Table 1.
+    """
+    if is_calibrated(pd.read_csv(path)):
+        raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
+    nothing = np.empty(0)
+    density, _, _ = from_description(path, pd.DataFrame(), (nothing, np.empty((3, 0))))
+    short_enough = 2 * np.pi / WAVEVECTORS <= longest
+    return float(all_scales_moments(Spectrum(WAVEVECTORS, density * short_enough))[0])
 
 
 def _calibrated(
@@ -96,7 +144,8 @@ def _calibrated(
 def _band_density(band: pd.Series, above: NDArray[np.float64], folder: Path) -> NDArray[np.float64]:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
-        return spectral_models.power_law_tail(above, band.hurst, band.shortest_nm)
+        reached = spectral_models.share_of_cells(band.shortest_nm) > 0
+        return spectral_models.continued(above, band.hurst) * reached
     shape = band.plateau_nm4, band.rolloff_nm
     if band.model == "self-affine":
         model = spectral_models.self_affine(WAVEVECTORS, *shape, band.hurst)

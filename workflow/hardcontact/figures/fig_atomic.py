@@ -1,0 +1,144 @@
+"""One master on finer and finer pixels: its force without the shortest waves."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+from hardcontact.figures.marks import reach
+from hardcontact.figures.tables import VALUE_COLUMNS, bounded
+
+__all__ = ["draw", "table"]
+
+PERCENT = 1e-2
+# Of no surface: from coarse pixels, pale, to the finest, black.
+PALEST = 0.65
+MARKERS = ("s", "^", "D", "o")
+QUANTITIES = {  # panel, unit
+    "ratio": ("a", "1"),
+    "edge": ("a", "nm"),
+    "filtered_over_finest": ("b", "1"),
+    "force_over_finest": ("b", "1"),
+}
+COLUMNS = [
+    "panel", "origin", "quantity", "pixels", "pixel_size", "cutoff_wavelength", *VALUE_COLUMNS,
+]  # fmt: skip
+
+
+def table(atomic: xr.Dataset) -> pd.DataFrame:
+    """Return what the figure is drawn from, one row a number.
+
+    Parameters
+    ----------
+    atomic : xarray.Dataset
+        As `draw` takes it.
+
+    Returns
+    -------
+    pandas.DataFrame
+        `ratio` against `cutoff_wavelength` and its short `edge` (panel a), the forces over those
+        of the finest pixels at each cutoff and without one (panel b). An open edge has no row.
+    """
+    rows = [
+        bounded(atomic, name)
+        .to_dataframe()
+        .reset_index()
+        .assign(quantity=name, panel=panel, unit=unit, origin="computed")
+        for name, (panel, unit) in QUANTITIES.items()
+    ]
+    sizes = atomic["pixel_size"].to_series().rename("pixel_size")
+    known = pd.concat(rows).dropna(subset=["value"])
+    return known.join(sizes, on="pixels").reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+@style.print_style()
+def draw(atomic: xr.Dataset) -> Figure:
+    """Draw (a) ratio curves on each number of pixels, (b) their forces over the finest.
+
+    Parameters
+    ----------
+    atomic : xarray.Dataset
+        As from `finer_master.on_several_pixels`, with the attributes `label`, `basis` and
+        `transition` (nm).
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    figure = style.create(3.3)
+    curves, changes = figure.subplots(1, 2, sharex=True)
+    _draw_ratios(curves, atomic)
+    _draw_over_finest(changes, atomic)
+    for axes in (curves, changes):
+        axes.set(xscale="log", xlabel="cutoff wavelength (nm)")
+        style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
+        style.shade_artificial(axes, [(0.0, float(atomic.attrs["transition"]))])
+    style.label_panel(curves, "a", "roughness below the cutoff removed")
+    style.label_panel(changes, "b", "what coarser pixels miss")
+    named = {"label": ("surface", [atomic.attrs["label"]])}
+    basis = {"basis": ("surface", [atomic.attrs["basis"]])}
+    style.mark_basis(figure, xr.Dataset(named | basis, {"surface": [atomic.attrs["surface"]]}))
+    return figure
+
+
+def _looks(atomic: xr.Dataset) -> dict[int, dict[str, Any]]:
+    """Return colour, marker and label by the number of pixels."""
+    sizes = atomic["pixel_size"].values
+    shades = np.linspace(PALEST, 0, len(sizes))
+    markers = MARKERS[-len(sizes) :]
+    return {
+        int(pixels): {
+            "color": str(shade),
+            "marker": marker,
+            "label": f"{pixels}² pixels of {size:.2g} nm",
+        }
+        for pixels, size, shade, marker in zip(
+            atomic["pixels"].values, sizes, shades, markers, strict=True
+        )
+    }
+
+
+def _draw_ratios(axes: Axes, atomic: xr.Dataset) -> None:
+    """Draw force over unfiltered force against cutoff (nm), and where it leaves its tolerance."""
+    tolerance = atomic.attrs["scale_tolerance"]
+    axes.axhspan(1 - tolerance, 1 + tolerance, color="0.9", zorder=0, lw=0)
+    curves, edges = bounded(atomic, "ratio"), atomic["edge"]
+    for pixels, look in _looks(atomic).items():
+        of_pixels = curves.sel(pixels=pixels)
+        axes.errorbar(
+            curves["cutoff_wavelength"],
+            of_pixels["value"],
+            reach(of_pixels),
+            elinewidth=0.7,
+            ms=4,
+            lw=1,
+            **look,
+        )
+        axes.axvline(edges.sel(pixels=pixels).item(), color=look["color"], lw=0.8, ls=":")
+    axes.set(ylabel=f"pull-off force / unfiltered, at ρ = {atomic.attrs['rho']:g} nm")
+    axes.legend(loc="upper left", fontsize=6)
+
+
+def _draw_over_finest(axes: Axes, atomic: xr.Dataset) -> None:
+    """Draw by how many percent forces differ from those on the finest pixels.
+
+    Without a cutoff they stand at two pixels, where the roughness of the surface ends, as open
+    marks.
+    """
+    changes = (bounded(atomic, "filtered_over_finest") - 1) / PERCENT
+    unfiltered = (bounded(atomic, "force_over_finest") - 1) / PERCENT
+    axes.axhline(0, color="0.6", lw=0.8, zorder=0)
+    for pixels, look in list(_looks(atomic).items())[:-1]:
+        of_pixels, whole = changes.sel(pixels=pixels), unfiltered.sel(pixels=pixels)
+        common = {**look, "elinewidth": 0.7, "ms": 4}
+        axes.errorbar(
+            changes["cutoff_wavelength"], of_pixels["value"], reach(of_pixels), lw=1, **common
+        )
+        end = [2 * atomic["pixel_size"].sel(pixels=pixels).item()]
+        axes.errorbar(end, [whole["value"].item()], reach(whole)[:, None], mfc="white", **common)
+    axes.set(ylabel="force over that on the finest − 1 (%)")
