@@ -46,21 +46,27 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
     Returns
     -------
     pandas.DataFrame
-        Edges of all combinations (panels a to c), exponents with what they say (panel d),
-        rms height and roll-off of each surface, and the published edges.
+        Edges of all combinations (panel a: short edges at the paper's contact area, b: long edges,
+        c: short edges at other areas), exponents with what they say (d), rms height and roll-off
+        of each surface, and the published edges.
     """
     edges = bounded(scaling, "edge").assign(reach=scaling["reach"])
     exponents = _exponents(scaling).assign(dependence=scaling["dependence"])
     spectra = scaling[["rms_height", "roll_off"]].to_array("quantity", "value")
+    area = scaling["area"].sel(area=scaling.attrs["area"], method="nearest").item()
+
+    def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
+        return np.select([rows["side"] == "large", rows["area"] == area], ["b", "a"], "c")
+
     published = pd.DataFrame(
         {"side": list(SIDES), "value": [_published(published_constants, side) for side in SIDES]}
     )
     rows = pd.concat(
         [
-            _rows(edges).assign(panel="a, b, c", quantity="edge", unit="nm"),
+            _rows(edges).assign(panel=panel_of_edge, quantity="edge", unit="nm"),
             _rows(exponents).assign(panel="d", quantity="exponent", unit="1"),
             _rows(spectra.to_dataset()).assign(panel="b", unit="nm"),
-            published.assign(panel="a, b, c", quantity="edge", unit="nm", origin="published"),
+            published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
         ]
     )
     return label_surfaces(rows, scaling).reindex(columns=COLUMNS).reset_index(drop=True)
@@ -178,7 +184,7 @@ def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
     for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
         axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
     for name, place in (("short edge", 0.5), ("long edge", -2.5)):
-        axes.text(1.95, place - 0.06, name, ha="right", va="top", fontsize="small", style="italic")
+        axes.text(1.95, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic")
         axes.axhline(place, color="0.7", lw=0.4)
     axes.set_yticks(places, [name for *_, name in EXPONENTS])
     axes.set(xlabel="exponent", xlim=(-1, 2))

@@ -29,8 +29,8 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     Returns
     -------
     pandas.DataFrame
-        Measured and predicted excess on surfaces (panels a and b) and random surfaces (b), and the
-        sizes needed (c).
+        Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b),
+        and the sizes needed (c).
     """
     surfaces = bounded(scan_size, "excess").assign(predicted=scan_size["predicted_excess"])
     known = scan_size[["known_excess", "predicted_known_excess"]].rename(
@@ -39,7 +39,7 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     needed = scan_size[["size_needed"]].rename(size_needed="value")
     rows = pd.concat(
         [
-            _rows(surfaces).assign(panel="a, b", quantity="excess", unit="1"),
+            _rows(surfaces).assign(panel="a", quantity="excess", unit="1"),
             _rows(known).assign(panel="b", quantity="excess", unit="1"),
             _rows(needed).assign(panel="c", quantity="size_needed", unit="nm"),
         ]
@@ -72,6 +72,7 @@ def draw(scan_size: xr.Dataset) -> Figure:
     sizes, rule, needed = figure.subplots(1, 3)
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
     _draw_sizes(sizes, at_range)
+    style.end_near_values([sizes])
     style.label_panel(sizes, "a", f"ρ = {at_range['rho']:g} nm")
     _draw_rule(rule, scan_size)
     style.label_panel(rule, "b", "rule and computed")
