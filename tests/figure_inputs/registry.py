@@ -20,6 +20,8 @@ from figure_inputs.published_tables import (
 )
 from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band, scales
+from figure_inputs.scaling import scaling
+from figure_inputs.scan_size import scan_size
 from figure_inputs.sets import sets
 from figure_inputs.surfaces import topography
 from hardcontact.figures.catalogue import FIGURES
@@ -45,6 +47,8 @@ INPUTS = {
         maps,
         repeated_contact,
         elastic_limit,
+        scaling,
+        scan_size,
         published_constants,
         published_pull_off,
         published_table1,

@@ -91,6 +91,26 @@ from hardcontact.study import configuration
         (("sets.large.pixels", 4094), ["sets.large.pixels", "4096", "found 4094"]),
         (("sets.small.cutoffs", ["2 nm"]), ["sets.small.cutoffs", "2.441 nm"]),
         (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
+        (
+            ("insight.scaling.large.pixels", 4094),
+            ["insight.scaling.large.pixels", "4096", "found 4094"],
+        ),
+        (
+            ("insight.scaling.small.cutoffs", ["2 nm"]),
+            ["insight.scaling.small.cutoffs", "4.883 nm", "found 2 nm"],
+        ),
+        (
+            ("insight.scaling.preloads", ["80 uN", "10 uN"]),
+            ["insight.scaling.preloads", "found 1e-05 N after 8e-05 N"],
+        ),
+        (
+            ("insight.scan_sizes.radii", ["250 um", "20 um"]),
+            ["insight.scan_sizes.radii", "ascending"],
+        ),
+        (
+            ("insight.scan_sizes.sizes", ["20 um"]),
+            ["insight.scan_sizes.sizes", "insight.scan_sizes.size (20000 nm)", "found 20000 nm"],
+        ),
     ],
 )
 def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):

@@ -21,6 +21,7 @@ from rule_graph import (
     MASTER_SMALL,
     MASTERS,
     OF_MEASURED,
+    OF_SPECTRA,
     POOLED,
     SCANS,
     SPECTRA,
@@ -36,7 +37,9 @@ from hardcontact.study.patterns import PUBLISHED
 MADE_OTHERWISE = {"synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scales"}
 
 #: What reads spectra and no scan.
-CLOSED = "compare_closed_form"
+CLOSED, WINDOWS = "compare_closed_form", "try_scan_sizes"
+#: Masters that the edges of the band are scaled by, and the edges.
+SCALED, EDGES = "compute_scaled_pull_off", "scale_edges"
 
 #: What the elastic constants concern.
 ELASTIC = {"solve_elastic_contact", "estimate_elastic_limit"}
@@ -45,26 +48,26 @@ ELASTIC = {"solve_elastic_contact", "estimate_elastic_limit"}
 #: configuration kept with the results and on the page of parameters.
 KEYS = {
     "study": ("second", AGGREGATED | BEYOND | {"trace_contact", "measure_indents", "infer"}),
-    "store": ("results/other", FROM_SCANS | SPECTRA | {CLOSED}),
+    "store": ("results/other", FROM_SCANS | SPECTRA | OF_SPECTRA),
     "surfaces": ("config/same.tsv", set()),
     "scans": ([1, 2, 3], FROM_SCANS | {"condition_scans"}),
     "effort": ("quick", set()),
     "quick": ({"seed": 3}, set()),
     "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer",
                                   "compare_laws"}),
-    "seed": (1, FROM_SCANS | {"condition_scans", CLOSED, *INFERRED}),
-    "sphere.surface": ("mcd", FROM_SCANS - POOLED | {"condition_scans", CLOSED}),
-    "sphere.radius": ("300 um", SCANS | FORCES | {CLOSED}),
+    "seed": (1, FROM_SCANS | OF_SPECTRA | {"condition_scans", EDGES, *INFERRED}),
+    "sphere.surface": ("mcd", FROM_SCANS - POOLED | OF_SPECTRA | {"condition_scans"}),
+    "sphere.radius": ("300 um", SCANS | FORCES | OF_SPECTRA | {EDGES}),
     "scan.pixels": (112, FROM_SCANS | {"condition_scans"}),
-    "scan.size": ("2400 nm", FROM_SCANS | {"condition_scans"}),
+    "scan.size": ("2400 nm", FROM_SCANS | {"condition_scans", WINDOWS}),
     "scan.realization_pixels": (256, FROM_SCANS | {"condition_scans"}),
     "scan.undefined_pixels": ("harmonic", set()),  # substitutes have none
     "scan.levelling": ("lines", set()),
-    "topography.slope": ("profile", FROM_SCANS | SPECTRA | {CLOSED}),
-    "topography.curvature": ("laplacian", FROM_SCANS | SPECTRA | {CLOSED}),
-    "contact.hardness": ("30 GPa", FORCES - {"map_forces"} | {CLOSED}),
-    "contact.preload": ("12 uN", FORCES - {"measure_indents", "map_forces"} | {CLOSED}),
-    "contact.window": ("12000 nm", FORCES | {CLOSED}),
+    "topography.slope": ("profile", FROM_SCANS | SPECTRA | OF_SPECTRA),
+    "topography.curvature": ("laplacian", FROM_SCANS | SPECTRA | OF_SPECTRA),
+    "contact.hardness": ("30 GPa", FORCES - {"map_forces"} | OF_SPECTRA | {SCALED}),
+    "contact.preload": ("12 uN", FORCES - {"measure_indents", "map_forces"} | OF_SPECTRA | {EDGES}),
+    "contact.window": ("12000 nm", FORCES | OF_SPECTRA | {SCALED}),
     "contact.count": (5, FORCES - {"vary_adhesion", "vary_scales", "compute_pool",
                                    "compute_law_forces"}),
     "adhesion.work": ("50 mJ/m2", set()),  # of own surfaces alone
@@ -76,22 +79,24 @@ KEYS = {
     "adhesion.traced_contact.contact": ([2, 3], {"trace_contact"}),
     "inference.error_threshold": (0.2, {"infer", "aggregate_robustness", "judge_sets"}),
     "inference.force_floor": ("20 nN", {"infer", "judge_sets"}),
-    "inference.samples": (120, INFERRED),
+    "inference.samples": (120, INFERRED | {EDGES}),
     "inference.confidence": (0.9, INFERRED | BEYOND | {"aggregate_topography"}),
     # The forces of scans are computed at this range too.
     "scales.range": ("5 nm", {"compute_pull_off", "vary_adhesion", *POOLED,
                               "measure_window_change", *FILTERED, "compute_law_forces",
-                              *BEYOND_AT_RANGES}),
+                              *BEYOND_AT_RANGES, EDGES, WINDOWS}),
     "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
-                               CLOSED, "compare_laws"}),
+                               CLOSED, "compare_laws", EDGES}),
     "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off", "judge_sets"}),
     "scales.sphere_roughness": (True, FILTERED),
     "scales.small.pixels": (2048, {MASTER_SMALL, "compute_filtered_pull_off"}),
-    "scales.small.transition": ("90 nm", {MASTER_SMALL, *FILTERED, "compute_law_forces"}),
+    "scales.small.transition": ("90 nm", {MASTER_SMALL, *FILTERED, "compute_law_forces",
+                               SCALED}),
     "scales.small.cutoffs": (["43 nm", "80 nm", "120 nm", "500 nm"], {"compute_filtered_pull_off"}),
     "scales.large.pixels": (2048, {"compute_filtered_pull_off"}),
     "scales.large.tiles": (3, {MASTER_LARGE, *FILTERED}),
-    "scales.large.transition": ("900 nm", {MASTER_LARGE, *FILTERED, "compute_law_forces"}),
+    "scales.large.transition": ("900 nm", {MASTER_LARGE, *FILTERED, "compute_law_forces",
+                               SCALED}),
     "scales.large.cutoffs": (["500 nm", "1800 nm", "4000 nm", "5000 nm"],
                              {"compute_filtered_pull_off"}),
     "elastic.sphere.modulus": ("360 GPa", ELASTIC),
@@ -130,6 +135,26 @@ KEYS = {
     "insight.large.pixels": (2048, {"compute_law_forces"}),
     "insight.large.tiles": (1, {"compute_law_forces"}),
     "insight.large.cutoffs": (["500 nm", "1800 nm"], {"compute_law_forces"}),
+    "insight.scaling.radii": (["125 um", "250 um"], {SCALED}),
+    "insight.scaling.ranges": (["2.8 nm", "5.6 nm"], {SCALED}),
+    "insight.scaling.preloads": (["10 uN", "40 uN"], {SCALED}),
+    "insight.scaling.count": (3, {SCALED}),
+    "insight.scaling.realizations": (1, {EDGES}),
+    "insight.scaling.small.pixels": (1024, {SCALED}),
+    "insight.scaling.small.cutoffs": (["43 nm", "120 nm"], {SCALED}),
+    "insight.scaling.large.pixels": (1024, {SCALED}),
+    "insight.scaling.large.tiles": (1, {SCALED}),
+    "insight.scaling.large.cutoffs": (["500 nm", "1800 nm"], {SCALED}),
+    "insight.scan_sizes.size": ("12 um", {WINDOWS}),
+    "insight.scan_sizes.pixels": (128, {WINDOWS}),
+    "insight.scan_sizes.realizations": (1, {WINDOWS}),
+    "insight.scan_sizes.spectra": (7, {WINDOWS}),
+    "insight.scan_sizes.radii": (["250 um"], {WINDOWS}),
+    "insight.scan_sizes.sizes": (["2500 nm"], {WINDOWS}),
+    "insight.scan_sizes.windows": (1, {WINDOWS}),
+    "insight.scan_sizes.ranges": (["5.6 nm"], {WINDOWS}),
+    "insight.scan_sizes.count": (4, {WINDOWS}),
+    "insight.scan_sizes.excess": (1.2, {WINDOWS}),
 }  # fmt: skip
 
 #: Keys that make another study of measured surfaces: tests/workflow/test_own_study.py changes them.
@@ -145,14 +170,14 @@ KEYS_OF_VARIANTS = {
 }
 
 #: What is made of one substitute surface, and with it; traced is uncd, indents are made on ncd.
-SUBSTITUTE = SPECTRA | FROM_SCANS | {CLOSED}
+SUBSTITUTE = SPECTRA | FROM_SCANS | OF_SPECTRA
 OF_MCD = SUBSTITUTE - {"trace_contact", "measure_indents"}
 
 #: Another text of a column of the rows of mcd (of its second scan), and the rules it concerns.
 COLUMNS = {
     "surface": ("xcd", OF_MCD - POOLED),  # of which Table 1 has no rms height
     "label": ("fine diamond", AGGREGATED - {"aggregate_robustness"} | BEYOND),
-    "scan": ("6", OF_MCD - {"calibrate_spectrum", "compute_pool", CLOSED}),
+    "scan": ("6", OF_MCD - {"calibrate_spectrum", "compute_pool", *OF_SPECTRA}),
     "source": (
         "measured",
         OF_MCD - {*SPECTRA, *POOLED, "synthesize_scan"} | {"measure_spectrum"},
@@ -222,7 +247,11 @@ FILES = {
     "resources/spectra/ncd.csv": following(SUBSTITUTE - {"trace_contact"}),
     "resources/spectra/mcd.csv": following(OF_MCD),
     "resources/spectra/ruby.csv": following(
-        SUBSTITUTE - MASTERS - POOLED - {"compute_filtered_pull_off", "map_forces", CLOSED}
+        SUBSTITUTE
+        - MASTERS
+        - POOLED
+        - OF_SPECTRA
+        - {"compute_filtered_pull_off", "map_forces", SCALED}
     ),
     "resources/spectra/height_distribution.csv": set(),  # its values are parameters of the rules
 }

@@ -17,7 +17,7 @@ FILTERED = {"compute_filtered_pull_off", "vary_scales"}
 #: What concerns substitutes with a published rms height alone.
 POOLED = {"compute_pool", "compare_sphere"}
 FORCES = CONTACTS | FILTERED | POOLED | {"compute_law_forces", "map_forces"}
-FROM_SCANS = SCANS | MASTERS | FORCES
+FROM_SCANS = SCANS | MASTERS | FORCES | {"compute_scaled_pull_off"}
 AGGREGATED = {
     "aggregate_topography", "aggregate_adhesion", "aggregate_elastic", "aggregate_asperities",
     "aggregate_scales", "aggregate_robustness", "judge_sets",
@@ -30,7 +30,11 @@ INFERRED = {
 KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
 #: What makes the datasets of the chapter beyond the paper, at other ranges than the paper's or not.
 BEYOND_AT_RANGES = {"compare_closed_form", "compare_laws", "map_forces"}
-BEYOND = BEYOND_AT_RANGES | {"aggregate_repeated_contact", "aggregate_elastic_limit"}
+BEYOND = BEYOND_AT_RANGES | {
+    "aggregate_repeated_contact", "aggregate_elastic_limit", "scale_edges", "try_scan_sizes",
+}  # fmt: skip
+#: What the chapter makes of spectra alone.
+OF_SPECTRA = {"compare_closed_form", "try_scan_sizes"}
 #: What concerns measured surfaces alone.
 OF_MEASURED = {
     "measure_spectrum", "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces",
@@ -49,6 +53,7 @@ DATASETS = {
     "sets": "judge_sets", "topography": "aggregate_topography",
     "closed_form": "compare_closed_form", "laws": "compare_laws", "maps": "map_forces",
     "repeated_contact": "aggregate_repeated_contact", "elastic_limit": "aggregate_elastic_limit",
+    "scaling": "scale_edges", "scan_size": "try_scan_sizes",
 }  # fmt: skip
 
 
@@ -83,6 +88,7 @@ FOLLOWS = {
     "compute_law_forces": {"compare_laws"},
     "repeat_contact": {"aggregate_repeated_contact"},
     "estimate_elastic_limit": {"aggregate_elastic_limit"},
+    "compute_scaled_pull_off": {"scale_edges"},
     **{rule: {"answer_insight"} for rule in BEYOND},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
@@ -101,7 +107,9 @@ INTERMEDIATE = {
         *MASTERS,
         "vary_scales",
         "aggregate_topography",
-        "compare_closed_form",
+        *OF_SPECTRA,
+        "scale_edges",
+        "compute_scaled_pull_off",
         "compute_law_forces",
     },
     "condition_scans": {"synthesize_scan", "aggregate_topography"},
@@ -109,7 +117,9 @@ INTERMEDIATE = {
         *MASTERS,
         "vary_scales",
         "aggregate_topography",
-        "compare_closed_form",
+        *OF_SPECTRA,
+        "scale_edges",
+        "compute_scaled_pull_off",
         "compute_law_forces",
     },
     "synthesize_scan": {"prepare_scan"},
@@ -120,6 +130,7 @@ INTERMEDIATE = {
         *CONTACTS,
         "vary_scales",
         "compute_law_forces",
+        "compute_scaled_pull_off",
         "map_forces",
     },
     MASTER_SMALL: {"compute_filtered_pull_off"},

@@ -10,7 +10,16 @@ import pytest
 from paper_numbers import SUBSTRATES
 from random_scans import levelled_scan
 from repository import OTHERWISE, ROOT, run_snakemake
-from rule_graph import AGGREGATED, BEYOND, BEYOND_AT_RANGES, KEPT, MASTERS, POOLED, following
+from rule_graph import (
+    AGGREGATED,
+    BEYOND,
+    BEYOND_AT_RANGES,
+    KEPT,
+    MASTERS,
+    OF_SPECTRA,
+    POOLED,
+    following,
+)
 from scan_files import container, scan
 
 #: Scans of robustness: of each surface, and of the substitutes made otherwise.
@@ -78,6 +87,8 @@ def test_a_range_that_scans_are_computed_at(finished):
             "aggregate_robustness",
             "judge_sets",
             *BEYOND_AT_RANGES,
+            "scale_edges",
+            "try_scan_sizes",
         ),
     }
 
@@ -117,7 +128,8 @@ def test_one_more_scan(finished):
         "compute_law_forces": 2 * len(SUBSTRATES),
         "repeat_contact": 2 * (len(SUBSTRATES) + 1),
         "estimate_elastic_limit": 3 * len(SUBSTRATES),
-        **after(*AGGREGATED, "trace_contact", "measure_indents", *BEYOND - {"compare_closed_form"}),
+        "compute_scaled_pull_off": 4 * len(SUBSTRATES),  # of two scans, on either side
+        **after(*AGGREGATED, "trace_contact", "measure_indents", *BEYOND - OF_SPECTRA),
     }
 
 

@@ -3,6 +3,7 @@
 from hardcontact.study.insight_files import InsightFiles
 
 INSIGHT = STUDY["insight"]
+SCALING, SCAN_SIZES = INSIGHT["scaling"], INSIGHT["scan_sizes"]
 INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)
 INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
@@ -265,3 +266,112 @@ rule aggregate_elastic_limit:
         ),
     script:
         "../scripts/aggregate_elastic_limit.py"
+
+
+rule compute_scaled_pull_off:
+    """Pull-off of a filtered master over radii, ranges of adhesion and contact areas."""
+    input:
+        scan=PATTERNS.stitched_substrate,
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        code=code_inputs("compute_scaled_pull_off.py"),
+    output:
+        PATTERNS.scaled,
+    log:
+        PATTERNS.log("compute_scaled_pull_off", PATTERNS.scaled),
+    benchmark:
+        PATTERNS.benchmark("compute_scaled_pull_off", PATTERNS.scaled)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "realization": int(w.scan),
+                "side": w.side,
+                "seed": STUDY["seed"],
+                "transition": STUDY["scales"][w.side]["transition"],
+                "window": STUDY["contact"]["window"],
+                "hardness": STUDY["contact"]["hardness"],
+                **{key: SCALING[key] for key in ("radii", "ranges", "preloads", "count")},
+                **SCALING[w.side],
+            }
+        ),
+    script:
+        "../scripts/compute_scaled_pull_off.py"
+
+
+rule scale_edges:
+    """How the edges of the band scale with R, rho and the contact area: scaling.nc."""
+    input:
+        masters=list(INSIGHT_FILES.scaled),
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        code=code_inputs("scale_edges.py"),
+    output:
+        PATTERNS.dataset("scaling"),
+    log:
+        PATTERNS.log("scale_edges"),
+    benchmark:
+        PATTERNS.benchmark("scale_edges")
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=canonical(
+            {
+                "masters": list(INSIGHT_FILES.scaled.values()),
+                "surfaces": SELECTION.substrates,
+                **NAMED_SURFACES,
+                "tolerance": STUDY["scales"]["tolerance"],
+                "seed": STUDY["seed"],
+                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
+                "sphere_radius": STUDY["sphere"]["radius"],
+                "rho": STUDY["scales"]["range"],
+                "area": STUDY["contact"]["preload"] / STUDY["contact"]["hardness"] * 1e18,
+            }
+        ),
+    script:
+        "../scripts/scale_edges.py"
+
+
+rule try_scan_sizes:
+    """How large a scan must be, from random surfaces, tested on the study's: scan_size.nc."""
+    input:
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        code=code_inputs("try_scan_sizes.py"),
+    output:
+        PATTERNS.dataset("scan_size"),
+    log:
+        PATTERNS.log("try_scan_sizes"),
+    benchmark:
+        PATTERNS.benchmark("try_scan_sizes")
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=canonical(
+            {
+                "surfaces": SELECTION.substrates,
+                **NAMED_SURFACES,
+                "rho": STUDY["scales"]["range"],
+                "scan_size": STUDY["scan"]["size"],
+                "trials": {
+                    **{
+                        key: SCAN_SIZES[key]
+                        for key in ("size", "pixels", "realizations", "radii", "excess")
+                    },
+                    "count": SCAN_SIZES["spectra"],
+                    "seed": STUDY["seed"],
+                    "confidence": STUDY["inference"]["confidence"],
+                    "contacts": {
+                        **{key: SCAN_SIZES[key] for key in ("sizes", "ranges", "count")},
+                        "each": SCAN_SIZES["windows"],
+                        "radius": STUDY["sphere"]["radius"],
+                        "window": STUDY["contact"]["window"],
+                        "load": {
+                            "name": "study",
+                            **{key: STUDY["contact"][key] for key in ("preload", "hardness")},
+                        },
+                    },
+                },
+            }
+        ),
+    script:
+        "../scripts/try_scan_sizes.py"

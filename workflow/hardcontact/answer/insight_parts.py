@@ -14,6 +14,8 @@ from hardcontact.answer.elastic_limit_sentences import elastic_limit_sentences
 from hardcontact.answer.law_sentences import law_sentences
 from hardcontact.answer.map_sentences import map_sentences
 from hardcontact.answer.repeated_contact_sentences import repeated_contact_sentences
+from hardcontact.answer.scaling_sentences import scaling_sentences
+from hardcontact.answer.scan_size_sentences import scan_size_sentences
 
 __all__ = ["PARTS", "Part"]
 
@@ -48,4 +50,8 @@ PARTS = {
     "fig_elastic_limit": Part(
         "Do all contacts yield, as the bearing area says?", elastic_limit_sentences
     ),
+    "fig_scaling": Part(
+        "Do the edges belong to the surface, the attraction or the sphere?", scaling_sentences
+    ),
+    "fig_scan_size": Part("How large must a scan be?", scan_size_sentences),
 }

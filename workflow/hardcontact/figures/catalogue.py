@@ -151,6 +151,19 @@ OF_INSIGHT = {
         "contacts that do not yield, and their force",
         ("elastic_limit",),
     ),
+    "fig_scaling": Figure(
+        INSIGHT,
+        "scaling of the band",
+        "edges of the band over radius, range and contact area",
+        ("scaling",),
+        ("published_constants",),
+    ),
+    "fig_scan_size": Figure(
+        INSIGHT,
+        "size of scans",
+        "how large a scan must be",
+        ("scan_size",),
+    ),
 }
 
 #: All figures.

@@ -51,6 +51,7 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
         [
             partial(_refuse_unknown_sphere, config, contacts),
             *_ascending(config),
+            partial(_refuse_large_windows, config),
             partial(_refuse_common_folder, config),
             partial(_refuse_long_numbers, config),
             *_descriptions(table),
@@ -119,10 +120,18 @@ def _ascending(config: dict[str, Any]) -> Iterator[Callable[[], None]]:
     """Yield a check that each list of quantities ascends."""
     for section in ("adhesion", "asperities", "insight"):
         yield partial(_refuse_descent, f"{section}.ranges", config[section]["ranges"], "nm")
-    for section, side in product(("scales", "sets", "insight"), ("small", "large")):
-        key, cutoffs = f"{section}.{side}.cutoffs", config[section][side]["cutoffs"]
+    insight = config["insight"]
+    of_masters = {name: config[name] for name in ("scales", "sets", "insight")}
+    of_masters["insight.scaling"] = insight["scaling"]
+    for (section, values), side in product(of_masters.items(), ("small", "large")):
+        key, cutoffs = f"{section}.{side}.cutoffs", values[side]["cutoffs"]
         yield partial(_refuse_descent, key, cutoffs, "nm")
-    yield partial(_refuse_descent, "insight.sizes", config["insight"]["sizes"], "nm")
+    yield partial(_refuse_descent, "insight.sizes", insight["sizes"], "nm")
+    for section, key in [*product(("scaling", "scan_sizes"), ("radii", "ranges")),
+                         ("scan_sizes", "sizes")]:  # fmt: skip
+        yield partial(_refuse_descent, f"insight.{section}.{key}", insight[section][key], "nm")
+    preloads = insight["scaling"]["preloads"]
+    yield partial(_refuse_descent, "insight.scaling.preloads", preloads, "N")
     for section in ("indent", "robustness"):
         yield partial(_refuse_descent, f"{section}.preloads", config[section]["preloads"], "N")
     robustness = config["robustness"]
@@ -138,6 +147,17 @@ def _refuse_descent(key: str, values: Sequence[float], unit: str) -> None:
                 f"config key {key}: expected ascending values, "
                 f"found {larger:.12g} {unit} after {smaller:.12g} {unit}"
             )
+
+
+def _refuse_large_windows(config: dict[str, Any]) -> None:
+    """Refuse windows that are not smaller than the surfaces that they are cut out of."""
+    given = config["insight"]["scan_sizes"]
+    largest, size = max(given["sizes"]), given["size"]
+    if largest >= size:
+        raise ValueError(
+            "config key insight.scan_sizes.sizes: expected less than insight.scan_sizes.size "
+            f"({size:.6g} nm), found {largest:.6g} nm"
+        )
 
 
 def _refuse_common_folder(config: dict[str, Any]) -> None:

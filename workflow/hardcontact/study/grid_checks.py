@@ -67,7 +67,7 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
         _refuse_small_sphere(config, grids[name])
     on_scan = [refuse_on_scan, refuse_on_elastic_scan] if of_the_paper else [refuse_on_scan]
     on_pair = [refuse_on_pair, refuse_on_elastic_pair] if of_the_paper else [refuse_on_pair]
-    sections = ("scales", "sets", "insight") if of_the_paper else ("scales",)
+    sections = ("scales", "sets", "insight", "insight.scaling") if of_the_paper else ("scales",)
     masters = list(product(sections, ("small", "large")))
     checks = [partial(limit, config, *one) for one, limit in product(grids.items(), on_scan)]
     for surface, grid in grids.items():

@@ -29,6 +29,7 @@ class InsightFiles(Files):
     ) -> None:
         super().__init__(configuration, selection, patterns)
         self._realizations = configuration["insight"]["realizations"]
+        self._scaled = configuration["insight"]["scaling"]["realizations"]
         contact, indent = configuration["contact"], configuration["indent"]
         hardest = max(indent["preloads"], key=lambda preload: magnitude(preload, "N"))
         self._indented = indent["surface"]
@@ -39,17 +40,35 @@ class InsightFiles(Files):
     @property
     def scans(self) -> list[tuple[str, int]]:
         """Surface and number of the first scans of every substrate, one a realization."""
-        return [
-            (surface, scan)
-            for surface in self._selection.substrates
-            for scan in self._selection.scans(surface)[: self._realizations]
-        ]
+        return self._first_scans(self._realizations)
 
     def of_scans(self, pattern: str) -> list[str]:
         """Return the files of a pattern, one a scan."""
         return [
             self._of_surface(pattern, surface, STUDY_VARIANT, scan=scan)
             for surface, scan in self.scans
+        ]
+
+    @property
+    def scaled(self) -> dict[str, tuple[str, int, str]]:
+        """Each file of masters at several spheres, ranges and areas: surface, scan, side."""
+        masters = [
+            (surface, scan, side)
+            for surface, scan in self._first_scans(self._scaled)
+            for side in ("small", "large")
+        ]
+        paths = [
+            self._of_surface(self._patterns.scaled, surface, STUDY_VARIANT, scan=scan, side=side)
+            for surface, scan, side in masters
+        ]
+        return dict(zip(paths, masters, strict=True))
+
+    def _first_scans(self, count: int) -> list[tuple[str, int]]:
+        """Return surface and number of the first so many scans of every substrate."""
+        return [
+            (surface, scan)
+            for surface in self._selection.substrates
+            for scan in self._selection.scans(surface)[:count]
         ]
 
     @property

@@ -1,6 +1,8 @@
 """What the scans of a surface permit of the masters that are built on them."""
 
 import math
+from functools import reduce
+from operator import getitem
 from typing import Any
 
 import numpy as np
@@ -31,8 +33,9 @@ def refuse_on_master(
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"scales", "sets", "insight"}
-        Masters of the study, of the sets and of robustness, or of other laws of attraction.
+    section : {"scales", "sets", "insight", "insight.scaling"}
+        Masters of the study, of the sets and of robustness, of other laws of attraction, or of
+        edges that are scaled.
     side : {"small", "large"}
         The scales that are added to a scan.
     surface : str
@@ -45,7 +48,8 @@ def refuse_on_master(
     ValueError
         In one line, naming the key.
     """
-    of_side = config["scales"][side] | config[section][side]
+    own: dict[str, Any] = reduce(getitem, section.split("."), config)[side]
+    of_side = config["scales"][side] | own
     pixels, tiles = of_side["pixels"], of_side.get("tiles", 1)
     size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
     if pixels < needed:
@@ -60,9 +64,8 @@ def refuse_on_master(
     finest = size / pixels
     cutoff_pixel_size = finest if side == "small" else grid.pixel_size
     for name, limit in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
-        given = section if name in config[section][side] else "scales"
-        wavelengths = config[given][side][name]
-        _refuse_wavelengths(f"{given}.{side}.{name}", wavelengths, surface, limit, size)
+        key = f"{section if name in own else 'scales'}.{side}.{name}"
+        _refuse_wavelengths(key, of_side[name], surface, limit, size)
     if section == "sets" or config["scales"]["sphere_roughness"]:
         finest = min(finest, sphere.pixel_size)
         master = grid._replace(size=size / 2)

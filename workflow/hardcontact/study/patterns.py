@@ -70,6 +70,8 @@ class Patterns:
         self.law_scan, self.law_small, self.law_large = (
             f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
         )
+        # Of all radii, loads and ranges that the edges of the band are scaled by.
+        self.scaled = f"{store}/scaling/{{surface}}/{{variant}}/scan-{{scan}}-{{side}}.nc"
 
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")

@@ -27,6 +27,7 @@ __all__ = [
     "all_scales_moments",
     "measured_psds",
     "read_spectrum",
+    "roll_off",
     "spectrum_dataset",
     "spectrum_from",
 ]
@@ -132,3 +133,9 @@ def all_scales_moments(spectrum: Spectrum) -> NDArray[np.float64]:
         for n in (1, 3, 5)
     )
     return np.sqrt(np.array([height, gradient, laplacian / 4]) / (2 * np.pi))
+
+
+def roll_off(spectrum: Spectrum) -> float:
+    """Return the wavelength (nm) whose octave holds most of the variance of heights."""
+    variance = spectrum.wavevector**2 * spectrum.density
+    return float(2 * np.pi / spectrum.wavevector[variance.argmax()])

@@ -1,0 +1,35 @@
+"""Edges of the band over radii, ranges and contact areas, as numbers without meaning."""
+
+import numpy as np
+import xarray as xr
+
+from figure_inputs.building import bounded, named
+from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
+
+RADII, AREAS, RANGES = [5e3, 250e3, 1e6], [50.0, 400.0, 3200.0], [1.4, 5.6, 11.2]
+CASES = ("side", "surface", "radius", "area", "rho")
+
+
+def scaling() -> xr.Dataset:
+    """Return edges that differ by all they depend on; one of them is open."""
+    edge = 40 + np.arange(2 * 4 * 27.0).reshape(2, 4, 3, 3, 3)
+    edge[1] *= 20
+    edge[1, 0, 0, 1, 0] = np.nan
+    exponent = np.linspace(-0.2, 1.2, 2 * 4 * 3 * 3).reshape(2, 4, 3, 3)
+    fits = ("side", "surface", "part")
+    data = named().assign_coords(
+        side=["small", "large"], radius=RADII, area=AREAS, rho=RANGES, part=PARTS, length=LENGTHS
+    )
+    data = data.assign(
+        bounded("edge", CASES, edge, unit="nm")
+        | bounded("exponent", (*fits, "length"), exponent)
+        | bounded("reach_exponent", fits, exponent[..., 0])
+    )
+    return data.assign(
+        dependence=((*fits, "length"), np.full(exponent.shape, "no", "<U9")),
+        edges_found=(fits, np.full(exponent.shape[:3], 27)),
+        reach=np.sqrt(2 * data["radius"] * data["rho"]),
+        contact_area=(("side", "area"), [AREAS, AREAS]),
+        rms_height=("surface", [4.0, 17, 97, 101]),
+        roll_off=("surface", [740.0, 1000, 2500, 2700]),
+    ).assign_attrs(sphere_radius=250e3, rho=5.6, area=400.0)

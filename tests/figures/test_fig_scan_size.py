@@ -1,0 +1,41 @@
+"""Size of scans: the table holds every factor, the panels draw the ranges they name."""
+
+from functools import cache
+
+import pytest
+from figure_inputs.scan_size import scan_size
+from figure_rows import select
+
+from hardcontact.figures import fig_scan_size
+
+
+@cache
+def drawn():
+    return fig_scan_size.draw(scan_size())
+
+
+def test_table_holds_every_factor_and_every_size():
+    data, rows = scan_size(), fig_scan_size.table(scan_size())
+    assert len(select(rows, quantity="excess")) == 4 * 3 * 2 + 5 * 3 * 2
+    (row,) = select(rows, surface="ncd", scan_size=2500.0, rho=5.6).to_dict("records")
+    of_ncd = data.sel(surface="ncd", scan_size=2500.0, rho=5.6)
+    assert row["value"] == of_ncd["excess"].item()
+    assert row["predicted"] == of_ncd["predicted_excess"].item()
+    assert row["high"] == of_ncd["excess_interval"].sel(bound="high").item()
+    assert len(select(rows, quantity="size_needed", unit="nm")) == 4 * 2
+
+
+def test_panels_show_computed_factors_the_rule_and_sizes():
+    data = scan_size()
+    sizes, rule, needed = drawn().axes
+    marks = [container.lines[0] for container in sizes.containers]
+    expected = data["excess"].sel(surface="polished_uncd", rho=5.6)
+    assert marks[0].get_ydata() == pytest.approx(expected.values)
+    assert len(rule.lines[0].get_xdata()) == 5 * 3 * 2
+    assert rule.lines[1].get_ydata() == pytest.approx(1.1 * rule.lines[1].get_xdata())
+    last = data["size_needed"].sel(surface="mcd") / 1e3
+    assert needed.lines[3].get_ydata() == pytest.approx(last.values)
+
+
+def test_substitutes_are_named():
+    assert any(text.get_text().startswith("substitute surfaces") for text in drawn().texts)

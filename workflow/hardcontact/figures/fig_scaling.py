@@ -1,0 +1,191 @@
+"""Scaling of the band: edges against the reach of the attraction and the contact, exponents."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
+from hardcontact.figures import style
+from hardcontact.figures.marks import reach
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+
+__all__ = ["draw", "table"]
+
+SIDES = {"small": "short edge (nm)", "large": "long edge (nm)"}
+REACH = "$\\sqrt{2R\\rho}$"
+CONTACT = "$\\sqrt{F/H}$"
+#: Exponents that are drawn, from above: edge, length or part of the combinations, name.
+EXPONENTS = [
+    *((side, length, name)
+      for side in SIDES
+      for length, name in zip(LENGTHS, ("$\\sqrt{R}$", "$\\sqrt{\\rho}$", CONTACT), strict=True)),
+    ("large", PARTS[1], f"{REACH}, below"),
+    ("large", PARTS[2], f"{REACH}, above"),
+]  # fmt: skip
+#: In the table, the exponent of the reach in place of those of the radius and the range apart.
+REACH_LENGTH = "reach"
+PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+COLUMNS = [
+    *ROW_COLUMNS, "side", "radius", "area", "rho", "reach", "part", "length", "dependence",
+    *VALUE_COLUMNS,
+]  # fmt: skip
+
+
+def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+    """Return what the figure is drawn from, one row a number.
+
+    Parameters
+    ----------
+    scaling : xarray.Dataset
+        As `draw` takes it.
+    published_constants : pandas.DataFrame
+        With the critical wavelengths of both sides (nm).
+
+    Returns
+    -------
+    pandas.DataFrame
+        Edges of all combinations (panel a: short edges at the paper's contact area, b: long edges,
+        c: short edges at other areas), exponents with what they say (d), rms height and roll-off
+        of each surface, and the published edges.
+    """
+    edges = bounded(scaling, "edge").assign(reach=scaling["reach"])
+    exponents = _exponents(scaling).assign(dependence=scaling["dependence"])
+    spectra = scaling[["rms_height", "roll_off"]].to_array("quantity", "value")
+    area = scaling["area"].sel(area=scaling.attrs["area"], method="nearest").item()
+
+    def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
+        return np.select([rows["side"] == "large", rows["area"] == area], ["b", "a"], "c")
+
+    published = pd.DataFrame(
+        {"side": list(SIDES), "value": [_published(published_constants, side) for side in SIDES]}
+    )
+    rows = pd.concat(
+        [
+            _rows(edges).assign(panel=panel_of_edge, quantity="edge", unit="nm"),
+            _rows(exponents).assign(panel="d", quantity="exponent", unit="1"),
+            _rows(spectra.to_dataset()).assign(panel="b", unit="nm"),
+            published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
+        ]
+    )
+    return label_surfaces(rows, scaling).reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+def _exponents(scaling: xr.Dataset) -> xr.Dataset:
+    """Return all exponents with their bounds; the length of that of the reach is REACH_LENGTH."""
+    of_reach = bounded(scaling, "reach_exponent").assign_coords(length=REACH_LENGTH)
+    return xr.concat([bounded(scaling, "exponent"), of_reach], "length")
+
+
+def _rows(values: xr.Dataset) -> pd.DataFrame:
+    """Return a row for each known `value`."""
+    frame = values.to_dataframe().reset_index().dropna(subset=["value"])
+    return frame.assign(origin="computed")
+
+
+def _published(published_constants: pd.DataFrame, side: str) -> float:
+    """Return the published edge (nm)."""
+    return float(published_constants["value"][f"critical_wavelength_{side}"])
+
+
+@style.print_style()
+def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+    """Draw edges against (a) the range and (b) reach of the attraction, (c) contact, (d) exponents.
+
+    Parameters
+    ----------
+    scaling : xarray.Dataset
+        As from `edge_scaling.edge_scaling`, with the attributes ``sphere_radius``, ``rho`` (nm)
+        and ``area`` (nm²) of the paper: sections go through the combination nearest to them.
+    published_constants : pandas.DataFrame
+        With the critical wavelengths of both sides (nm).
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    figure = style.create(5.6)
+    (short, long), (contact, exponents) = figure.subplots(2, 2)
+    at_area = scaling.sel(area=scaling.attrs["area"], method="nearest")
+    _draw_edges(short, at_area, "small", "rho", ["radius", "rho"])
+    short.set(xlabel="range of adhesion ρ (nm)")
+    _draw_edges(long, at_area, "large", "reach", ["radius", "rho"])
+    long.set(xlabel=f"reach of the attraction {REACH} (nm)")
+    for axes, letter in ((short, "a"), (long, "b")):
+        style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²")
+    _draw_proportional(long, scaling)
+    at_paper = scaling.sel(
+        radius=scaling.attrs["sphere_radius"], rho=scaling.attrs["rho"], method="nearest"
+    )
+    width = np.sqrt(at_paper["contact_area"].sel(side="small"))
+    _draw_edges(contact, at_paper.assign(width=width), "small", "width", ["area"])
+    contact.set(xlabel=f"width of the contact {CONTACT} (nm)")
+    radius = at_paper["radius"].item() / 1e3
+    style.label_panel(contact, "c", f"R = {radius:g} µm, ρ = {at_paper['rho']:g} nm")
+    for axes, side in ((short, "small"), (long, "large"), (contact, "small")):
+        axes.axhline(_published(published_constants, side), **PUBLISHED)
+    _draw_exponents(exponents, scaling)
+    figure.legend(
+        handles=style.surface_handles(scaling, ls="none"), loc="outside upper center", ncols=4
+    )
+    style.mark_basis(figure, scaling)
+    return figure
+
+
+def _draw_edges(
+    axes: Axes, cases: xr.Dataset, side: str, along: str, dimensions: list[str]
+) -> None:
+    """Draw the edges of one side, all surfaces, with intervals, against a length of the cases.
+
+    Edges that differ in the last dimension alone are connected.
+    """
+    edges = bounded(cases, "edge").assign(along=cases[along]).sel(side=side)
+    for surface, look in style.looks(cases["surface"].values).items():
+        of_surface = edges.sel(surface=surface).transpose(..., *dimensions)
+        stacked = of_surface.stack(case=dimensions).dropna("case", subset=["value"])
+        known = np.nan_to_num(reach(stacked))
+        axes.errorbar(
+            stacked["along"], stacked["value"], known, ls="none", ms=3, elinewidth=0.4, **look
+        )
+        lengths = of_surface["along"].broadcast_like(of_surface["value"])
+        lines = (one.transpose(*dimensions).values for one in (lengths, of_surface["value"]))
+        last = lengths.sizes[dimensions[-1]]
+        for line in zip(*(one.reshape(-1, last) for one in lines), strict=True):
+            axes.plot(*line, color=look["color"], lw=0.5, alpha=0.6)
+    axes.set(xscale="log", yscale="log", ylabel=SIDES[side])
+    for axis in (axes.xaxis, axes.yaxis):
+        style.label_logarithmic(axis, at=(1, 3))
+
+
+def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
+    """Draw the edge that is the reach, and at the right the roll-off of every surface."""
+    ends = np.array([scaling["reach"].min(), scaling["reach"].max()])
+    axes.plot(ends, ends, color="0.7", lw=0.8, zorder=0)
+    for surface, look in style.looks(scaling["surface"].values).items():
+        roll_off = scaling["roll_off"].sel(surface=surface).item()
+        axes.plot(1.0, roll_off, "<", transform=axes.get_yaxis_transform(), color=look["color"],
+                  ms=6, clip_on=False)  # fmt: skip
+
+
+def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
+    """Draw EXPONENTS of all surfaces with their intervals, each surface a little lower."""
+    exponents = _exponents(scaling)
+    looks = style.looks(scaling["surface"].values)
+    places = -np.arange(len(EXPONENTS), dtype=float)
+    beside = np.linspace(0.27, -0.27, len(looks))
+    for (surface, look), offset in zip(looks.items(), beside, strict=True):
+        for place, (side, which, _) in zip(places, EXPONENTS, strict=True):
+            part, length = (which, REACH_LENGTH) if which in PARTS else (PARTS[0], which)
+            one = exponents.sel(side=side, part=part, length=length, surface=surface)
+            known = np.nan_to_num(reach(one))[:, None]
+            axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
+    for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
+        axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
+    for name, place in (("short edge", 0.5), ("long edge", -2.5)):
+        axes.text(1.95, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic")
+        axes.axhline(place, color="0.7", lw=0.4)
+    axes.set_yticks(places, [name for *_, name in EXPONENTS])
+    axes.set(xlabel="exponent", xlim=(-1, 2))
+    style.label_panel(axes, "d", "edge in proportion: 1")

@@ -1,0 +1,128 @@
+"""How large a scan must be: force on windows over that on surfaces, and the rule that tells it."""
+
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from hardcontact.figures import style
+from hardcontact.figures.marks import reach
+from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+
+__all__ = ["draw", "table"]
+
+COLUMNS = [*ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", *VALUE_COLUMNS]
+OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+
+
+def table(scan_size: xr.Dataset) -> pd.DataFrame:
+    """Return what the figure is drawn from, one row a number.
+
+    Parameters
+    ----------
+    scan_size : xarray.Dataset
+        As `draw` takes it.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b),
+        and the sizes needed (c).
+    """
+    surfaces = bounded(scan_size, "excess").assign(predicted=scan_size["predicted_excess"])
+    known = scan_size[["known_excess", "predicted_known_excess"]].rename(
+        known_excess="value", predicted_known_excess="predicted"
+    )
+    needed = scan_size[["size_needed"]].rename(size_needed="value")
+    rows = pd.concat(
+        [
+            _rows(surfaces).assign(panel="a", quantity="excess", unit="1"),
+            _rows(known).assign(panel="b", quantity="excess", unit="1"),
+            _rows(needed).assign(panel="c", quantity="size_needed", unit="nm"),
+        ]
+    )
+    return label_surfaces(rows, scan_size).reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+def _rows(values: xr.Dataset) -> pd.DataFrame:
+    """Return a row for each known `value`."""
+    frame = values.to_dataframe().reset_index().dropna(subset=["value"])
+    return frame.assign(origin="computed")
+
+
+@style.print_style()
+def draw(scan_size: xr.Dataset) -> Figure:
+    """Draw (a) the excess against the scan, (b) against the rule, (c) sizes needed.
+
+    Parameters
+    ----------
+    scan_size : xarray.Dataset
+        As from `scan_size_trials.scan_size_trials`, with label and basis of surfaces and the
+        attributes ``rho`` and ``scan_size`` (nm) of the study.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        The figure.
+    """
+    figure = style.create(2.9)
+    sizes, rule, needed = figure.subplots(1, 3)
+    at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
+    _draw_sizes(sizes, at_range)
+    style.end_near_values([sizes])
+    style.label_panel(sizes, "a", f"ρ = {at_range['rho']:g} nm")
+    _draw_rule(rule, scan_size)
+    style.label_panel(rule, "b", "rule and computed")
+    for surface, look in style.looks(scan_size["surface"].values).items():
+        of_surface = scan_size["size_needed"].sel(surface=surface) / 1e3
+        needed.plot(scan_size["rho"], of_surface, ms=3, lw=0.6, **look)
+    needed.axhline(scan_size.attrs["scan_size"] / 1e3, **OF_SCAN)
+    needed.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)",
+               ylabel="scan needed (µm)")  # fmt: skip
+    style.label_panel(needed, "c", f"for {scan_size.attrs['allowed_excess']:g} times the force")
+    for axes in (sizes, rule, needed):
+        for axis in (axes.xaxis, axes.yaxis):
+            style.label_logarithmic(axis)
+    figure.legend(
+        handles=style.surface_handles(scan_size, ls="none"), loc="outside upper center", ncols=4
+    )
+    style.mark_basis(figure, scan_size)
+    return figure
+
+
+def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> None:
+    """Draw the excess of all surfaces, with intervals, and that of the rule as lines."""
+    excess = bounded(at_range, "excess")
+    sizes = at_range["scan_size"] / 1e3
+    for surface, look in style.looks(at_range["surface"].values).items():
+        one = excess.sel(surface=surface)
+        axes.errorbar(
+            sizes, one["value"], np.nan_to_num(reach(one)), ls="none", ms=3, elinewidth=0.6, **look
+        )
+        axes.plot(
+            sizes, at_range["predicted_excess"].sel(surface=surface), color=look["color"], lw=0.7
+        )
+    axes.axvline(at_range.attrs["scan_size"] / 1e3, **OF_SCAN)
+    axes.set(xscale="log", yscale="log", xlabel="edge of the scan (µm)",
+             ylabel="force over that on a large surface")  # fmt: skip
+
+
+def _draw_rule(axes: Axes, scan_size: xr.Dataset) -> None:
+    """Draw predicted against computed excess, of random surfaces in grey."""
+    axes.plot(
+        scan_size["known_excess"].values.ravel(),
+        scan_size["predicted_known_excess"].values.ravel(),
+        ".", color="0.75", ms=2,
+    )  # fmt: skip
+    for surface, look in style.looks(scan_size["surface"].values).items():
+        of_surface = scan_size.sel(surface=surface)
+        measured, predicted = (
+            of_surface[name].values.ravel() for name in ("excess", "predicted_excess")
+        )
+        axes.plot(measured, predicted, ls="none", ms=3, **look)
+    ends = [1.0, float(scan_size["known_excess"].max())]
+    axes.plot(ends, ends, color="0.5", lw=0.7, zorder=0)
+    axes.set(xscale="log", yscale="log", xlabel="computed", ylabel="rule")

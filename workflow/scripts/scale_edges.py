@@ -1,0 +1,25 @@
+"""How the edges of the critical band scale with R, rho and the contact area: scaling.nc."""
+
+from hardcontact.adhesion.edge_scaling import edge_scaling, stacked_scaling
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.records.dataset import read_all
+from hardcontact.study.job import job
+from hardcontact.surfaces.spectrum import read_spectrum
+
+with job(snakemake) as this:
+    given = this.parameters
+    spectra = zip(given["surfaces"], this.input.spectra, strict=True)
+    scaling = stacked_scaling(
+        read_all(given["masters"], this.input.masters),
+        {surface: read_spectrum(path) for surface, path in spectra},
+        {"labels": given["labels"], "basis": given["basis"]},
+    )
+    edges = edge_scaling(
+        scaling,
+        given["tolerance"],
+        Sampling(given["seed"], given["samples"], given["confidence"]),
+    )
+    this.write(
+        edges.assign_attrs({name: given[name] for name in ("sphere_radius", "rho", "area")}),
+        title="edges of the critical band over radii, ranges of adhesion and contact areas",
+    )
