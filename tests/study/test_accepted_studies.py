@@ -46,6 +46,10 @@ def tiny(draw):
         "small": draw(lengths(2 * period / small, period, 3)),
         "large": draw(lengths(2 * pixel, domain, 3)),
     }
+    of_insight = {
+        "small": {"pixels": small, "cutoffs": cutoffs["small"]},
+        "large": {"pixels": large, "tiles": tiles, "cutoffs": cutoffs["large"]},
+    }
     return {
         "scan": {
             "pixels": pixels,
@@ -90,6 +94,7 @@ def tiny(draw):
             "small": {"pixels": small, "cutoffs": cutoffs["small"]},
             "large": {"pixels": large, "cutoffs": cutoffs["large"]},
         },
+        "insight": {**of_insight, "scaling": of_insight},
         "robustness": {"preloads": [], "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"]},
     }
 
@@ -165,7 +170,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
         assert_forces(mean_filtered_pull_off(master, probe, parameters))
 
 
-@pytest.mark.parametrize("examples", [3, pytest.param(40, marks=pytest.mark.study)])
+@pytest.mark.parametrize("examples", [10, pytest.param(40, marks=pytest.mark.study)])
 def test_what_is_accepted_can_be_computed(at_root, examples):
     seen = []
 

@@ -151,8 +151,8 @@ def test_a_read_only_folder(finished_copy, name):
         paths = (finished_copy / "results").rglob("*")
         return {path: (path.stat().st_mtime_ns, path.stat().st_size) for path in paths}
 
-    for path in finished_copy.glob("results/quick/*/fig1.*"):
-        path.unlink()
+    # One file without others that are made from it: those could not be replaced, which Snakemake
+    # tells before the study can.
     (finished_copy / "results/quick/ro-crate-metadata.json").unlink()
     folder = finished_copy / name
     if name == ".snakemake":  # the folder has to be made, in one that is read-only
