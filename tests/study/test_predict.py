@@ -98,7 +98,18 @@ def test_waves_that_the_table_lacks_are_told(table):
     short = rough(60, 2e4, 0.8, 20)  # it rolls off beyond the table
     kept = short.wavevector > 2 * np.pi / 3000
     cut = type(short)(short.wavevector[kept], short.density[kept])
-    assert "take care: waves longer than" in predict(predict_arguments([table(header, *of(cut))]))
+    told = predict(predict_arguments([table(header, *of(cut))]))
+    assert_says(told, "take care: waves longer than", "less sure than a factor of two")
+    assert "six diamond spectra" not in told
+
+
+@pytest.mark.parametrize("factor", [1e-36, 1e36])
+def test_a_power_in_a_wrong_unit_is_refused(table, factor):
+    spectrum = rough(17, 1000, 0.8, 20)
+    wrong = type(spectrum)(spectrum.wavevector, factor * spectrum.density)
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(wrong))
+    message = refusal(predict, predict_arguments([path]))
+    assert_says(message, "rms height of 0.01 nm", "is the unit right?")
 
 
 def test_faults_end_the_command_with_a_line_each(table, monkeypatch, capsys):

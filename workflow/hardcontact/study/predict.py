@@ -48,6 +48,8 @@ MEANING = {
 #: Factor within which computed forces lay, on random surfaces of 20 µm and six spectra of diamond
 #: coatings under a sphere of 250 µm, at ranges of 0.5 to 20 nm: `adhesion.closed_form_errors`.
 ERROR = 1.7
+#: Rms height in nm below which there is no surface: a tenth of an atom.
+LEAST_HEIGHT = 0.01
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
@@ -87,6 +89,7 @@ def predict(arguments: Namespace) -> str:
     given, faults = options(arguments)
     spectra: list[Spectrum] = []
     refuse_all([partial(_refuse, faults), lambda: spectra.append(own_spectrum(arguments.file))])
+    _refuse_unreal_height(arguments.file, spectra[0])
     tolerance = read_yaml("config/config.yaml")["scales"]["tolerance"]
     return "\n".join(_told(spectra[0], given, float(tolerance)))
 
@@ -94,6 +97,16 @@ def predict(arguments: Namespace) -> str:
 def _refuse(faults: Sequence[str]) -> None:
     if faults:
         raise ValueError("\n".join(faults))
+
+
+def _refuse_unreal_height(path: str, spectrum: Spectrum) -> None:
+    """Refuse a height below any atom's or above the longest wave: its unit is wrong."""
+    height, longest = all_scales_moments(spectrum)[0], 2 * np.pi / spectrum.wavevector[0]
+    if not LEAST_HEIGHT <= height <= longest:
+        raise ValueError(
+            f"{path}: c_iso: expected an rms height of {_length(LEAST_HEIGHT)} to "
+            f"{_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit right?"
+        )
 
 
 def _told(spectrum: Spectrum, given: Mapping[str, Option], tolerance: float) -> Iterator[str]:
@@ -106,6 +119,8 @@ def _told(spectrum: Spectrum, given: Mapping[str, Option], tolerance: float) -> 
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     found = closed_form(spectrum, contact)
     smooth = found.force / found.relative
+    cautions = list(_cautions(spectrum, contact, found))
+    trust = f"of six diamond spectra, computed forces lay within a factor of {ERROR:g}"
     yield (
         f"spectrum: {_length(shortest)} to {_length(longest)}, rms height {_length(height)}, "
         f"rms gradient {gradient:.2g}"
@@ -116,8 +131,8 @@ def _told(spectrum: Spectrum, given: Mapping[str, Option], tolerance: float) -> 
         yield f"{name}: {given[name].text} ({meaning}: {source})"
     yield (
         f"pull-off force: {1e6 * found.force:.2g} µN, {found.relative:.2g} of the "
-        f"{1e6 * smooth:.3g} µN of a smooth surface (of six diamond spectra, computed forces lay "
-        f"within a factor of {ERROR:g})"
+        f"{1e6 * smooth:.3g} µN of a smooth surface "
+        f"({'less sure than a factor of two: see below' if cautions else trust})"
     )
     yield f"closest approach: {_length(found.closest_approach)} above the mean plane"
     yield f"regime: {found.regime}: {MEANING[found.regime]} (freezing {found.freezing:.2g})"
@@ -128,7 +143,7 @@ def _told(spectrum: Spectrum, given: Mapping[str, Option], tolerance: float) -> 
             f"{name} edge: {shown} (without all roughness {side} it the force changes by "
             f"{100 * tolerance:g} %)"
         )
-    yield from _cautions(spectrum, contact, found)
+    yield from cautions
 
 
 def _cautions(spectrum: Spectrum, contact: Contact, found: ClosedForm) -> Iterator[str]:
