@@ -47,7 +47,7 @@ MEANING = {
 }
 #: Factor within which computed forces lay, on random surfaces of 20 µm and six spectra of diamond
 #: coatings under a sphere of 250 µm, at ranges of 0.5 to 20 nm: `adhesion.closed_form_errors`.
-ERROR = 1.7
+ERROR = 1.8
 #: Rms height in nm below which there is no surface: a tenth of an atom.
 LEAST_HEIGHT = 0.01
 
