@@ -1,4 +1,4 @@
-"""Excess of forces on small scans, as numbers without meaning."""
+"""Excess of forces on small scans and their long edges, as numbers without meaning."""
 
 import numpy as np
 import xarray as xr
@@ -7,11 +7,14 @@ from figure_inputs.building import bounded, named
 from hardcontact.adhesion.scan_size_trials import RATIOS
 
 SIZES, RHO, TRIALS = [1250.0, 2500.0, 5000.0], [1.4, 5.6], 5
+#: The last two are whole surfaces.
+EDGE_SIZES, CUTOFFS = [*SIZES, 20e3, 40e3], [500.0, 2000.0]
 DIMENSIONS = ("surface", "scan_size", "rho")
+ON_SIZES = ("surface", "edge_size")
 
 
 def scan_size() -> xr.Dataset:
-    """Return factors of the force that differ by all they depend on."""
+    """Return factors of the force and edges that differ by all they depend on."""
     excess = 1 + np.arange(4 * 3 * 2.0).reshape(4, 3, 2) / 10
     known = 1 + np.arange(TRIALS * 3 * 2.0).reshape(TRIALS, 3, 2) / 20
     data = named().assign_coords(
@@ -26,6 +29,32 @@ def scan_size() -> xr.Dataset:
         exponent=("ratio", [1.3, 0.1, -0.4]),
         error=(("tested", "kind"), np.log([[1.1, 1.5], [1.2, 2.0]])),
         size_needed=(("surface", "rho"), 1e3 * np.arange(1.0, 9).reshape(4, 2)),
-    ).assign_attrs(
-        sphere_radius=250e3, surface_size=20e3, allowed_excess=1.1, rho=5.6, scan_size=2500.0
+    ).merge(_edges()).assign_attrs(
+        sphere_radius=250e3, surface_size=20e3, allowed_excess=1.1, rho=5.6, scan_size=2500.0,
+        tolerance=0.1, confidence=0.9,
     )  # fmt: skip
+
+
+def _edges() -> xr.Dataset:
+    """Return long edges, one of them open."""
+    edge = 1000 + 10 * np.arange(4 * 5.0).reshape(4, 5)
+    over = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20
+    data = named().drop_vars(["label", "basis"]).assign_coords(
+        edge_size=EDGE_SIZES, cutoff_wavelength=CUTOFFS
+    ).assign(bounded("long_edge", ON_SIZES, edge, unit="nm"))  # fmt: skip
+    data = data.assign(bounded("force_over_largest", ON_SIZES, over)).assign(
+        long_edge_bound=(ON_SIZES, np.full((4, 5), np.nan)),
+        long_edge_status=(ON_SIZES, np.full((4, 5), "found", dtype="<U20")),
+        long_edge_text=(
+            ON_SIZES, np.array([[f"{one:g} nm" for one in row] for row in edge], "<U60"),
+        ),
+        mirrored=("edge_size", [1, 1, 1, 0, 0]),
+        period=("edge_size", [2500.0, 5000.0, 10000.0, 20e3, 40e3]),
+    )  # fmt: skip
+    first = {"surface": "mcd", "edge_size": 1250.0}
+    data["long_edge"].loc[first] = np.nan
+    data["long_edge_interval"].loc[first] = np.nan
+    data["long_edge_bound"].loc[first] = 2400.0
+    data["long_edge_status"].loc[first] = "beyond the cell"
+    data["long_edge_text"].loc[first] = "at least 2.4 µm: the scans end here [not bounded]"
+    return data

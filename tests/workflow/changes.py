@@ -38,6 +38,8 @@ MADE_OTHERWISE = {"synthesize_scan", "prepare_scan", "vary_adhesion", "vary_scal
 
 #: What reads spectra and no scan.
 CLOSED, WINDOWS = "compare_closed_form", "try_scan_sizes"
+#: Windows without their long waves.
+SHORT = "filter_windows"
 #: Masters that the edges of the band are scaled by, and the edges.
 SCALED, EDGES = "compute_scaled_pull_off", "scale_edges"
 
@@ -84,9 +86,9 @@ KEYS = {
     # The forces of scans are computed at this range too.
     "scales.range": ("5 nm", {"compute_pull_off", "vary_adhesion", *POOLED,
                               "measure_window_change", *FILTERED, "compute_law_forces",
-                              *BEYOND_AT_RANGES, EDGES, WINDOWS}),
+                              *BEYOND_AT_RANGES, EDGES, SHORT}),
     "scales.tolerance": (0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
-                               CLOSED, "compare_laws", EDGES}),
+                               CLOSED, "compare_laws", EDGES, WINDOWS}),
     "scales.realizations": (3, {*MASTERS, "compute_filtered_pull_off", "judge_sets"}),
     "scales.sphere_roughness": (True, FILTERED),
     "scales.small.pixels": (2048, {MASTER_SMALL, "compute_filtered_pull_off"}),
@@ -145,16 +147,20 @@ KEYS = {
     "insight.scaling.large.pixels": (1024, {SCALED}),
     "insight.scaling.large.tiles": (1, {SCALED}),
     "insight.scaling.large.cutoffs": (["500 nm", "1800 nm"], {SCALED}),
-    "insight.scan_sizes.size": ("12 um", {WINDOWS}),
-    "insight.scan_sizes.pixels": (128, {WINDOWS}),
+    "insight.scan_sizes.size": ("12 um", {SHORT}),
+    "insight.scan_sizes.pixels": (128, {SHORT}),
     "insight.scan_sizes.realizations": (1, {WINDOWS}),
     "insight.scan_sizes.spectra": (7, {WINDOWS}),
     "insight.scan_sizes.radii": (["250 um"], {WINDOWS}),
-    "insight.scan_sizes.sizes": (["2500 nm"], {WINDOWS}),
+    "insight.scan_sizes.sizes": (["2500 nm"], {SHORT}),
     "insight.scan_sizes.windows": (1, {WINDOWS}),
     "insight.scan_sizes.ranges": (["5.6 nm"], {WINDOWS}),
-    "insight.scan_sizes.count": (4, {WINDOWS}),
+    "insight.scan_sizes.count": (4, {SHORT}),
     "insight.scan_sizes.excess": (1.2, {WINDOWS}),
+    "insight.scan_sizes.edges.size": ("24 um", {SHORT}),
+    "insight.scan_sizes.edges.realizations": (1, {SHORT}),
+    "insight.scan_sizes.edges.windows": (2, {SHORT}),
+    "insight.scan_sizes.edges.cutoffs": (["500 nm", "3000 nm"], {SHORT}),
 }  # fmt: skip
 
 #: Keys that make another study of measured surfaces: tests/workflow/test_own_study.py changes them.

@@ -34,7 +34,7 @@ BEYOND = BEYOND_AT_RANGES | {
     "aggregate_repeated_contact", "aggregate_elastic_limit", "scale_edges", "try_scan_sizes",
 }  # fmt: skip
 #: What the chapter makes of spectra alone.
-OF_SPECTRA = {"compare_closed_form", "try_scan_sizes"}
+OF_SPECTRA = {"compare_closed_form", "filter_windows", "try_scan_sizes"}
 #: What concerns measured surfaces alone.
 OF_MEASURED = {
     "measure_spectrum", "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces",
@@ -89,6 +89,7 @@ FOLLOWS = {
     "repeat_contact": {"aggregate_repeated_contact"},
     "estimate_elastic_limit": {"aggregate_elastic_limit"},
     "compute_scaled_pull_off": {"scale_edges"},
+    "filter_windows": {"try_scan_sizes"},
     **{rule: {"answer_insight"} for rule in BEYOND},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}

@@ -81,6 +81,7 @@ def test_a_range_that_scans_are_computed_at(finished):
         "compute_filtered_pull_off": 16 * len(SUBSTRATES),
         "vary_scales": 2 * VARIED,
         "compute_law_forces": 2 * len(SUBSTRATES),
+        "filter_windows": len(SUBSTRATES),
         **after(
             "aggregate_adhesion",
             "aggregate_scales",
@@ -146,6 +147,7 @@ def test_another_preload(finished):
         "compute_law_forces": 2 * len(SUBSTRATES),
         "repeat_contact": 2 * len(SUBSTRATES),  # NCD at the preload of the image stays
         "estimate_elastic_limit": 2 * len(SUBSTRATES),
+        "filter_windows": len(SUBSTRATES),
         **after(*AGGREGATED - {"aggregate_topography"}, "trace_contact", *BEYOND - {"map_forces"}),
     }
 

@@ -6,6 +6,15 @@ INSIGHT = STUDY["insight"]
 SCALING, SCAN_SIZES = INSIGHT["scaling"], INSIGHT["scan_sizes"]
 INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)
 INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
+WINDOW_CONTACTS = {
+    **{key: SCAN_SIZES[key] for key in ("sizes", "count")},
+    "radius": STUDY["sphere"]["radius"],
+    "window": STUDY["contact"]["window"],
+    "load": {
+        "name": "study",
+        **{key: STUDY["contact"][key] for key in ("preload", "hardness")},
+    },
+}
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 
 
@@ -332,9 +341,44 @@ rule scale_edges:
         "../scripts/scale_edges.py"
 
 
+rule filter_windows:
+    """Pull-off on windows and whole surfaces of one spectrum, with and without long waves."""
+    input:
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        code=code_inputs("filter_windows.py"),
+    output:
+        PATTERNS.filtered_windows,
+    log:
+        PATTERNS.log("filter_windows", PATTERNS.filtered_windows),
+    benchmark:
+        PATTERNS.benchmark("filter_windows", PATTERNS.filtered_windows)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "filters": {
+                    "sizes": [SCAN_SIZES["size"], SCAN_SIZES["edges"]["size"]],
+                    "pixel_size": SCAN_SIZES["size"] / SCAN_SIZES["pixels"],
+                    **{key: SCAN_SIZES["edges"][key] for key in ("realizations", "cutoffs")},
+                    "seed": STUDY["seed"],
+                    "contacts": WINDOW_CONTACTS
+                    | {
+                        "each": SCAN_SIZES["edges"]["windows"],
+                        "ranges": [STUDY["scales"]["range"]],
+                    },
+                },
+            }
+        ),
+    script:
+        "../scripts/filter_windows.py"
+
+
 rule try_scan_sizes:
     """How large a scan must be, from random surfaces, tested on the study's: scan_size.nc."""
     input:
+        windows=list(INSIGHT_FILES.filtered_windows),
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         code=code_inputs("try_scan_sizes.py"),
     output:
@@ -352,6 +396,7 @@ rule try_scan_sizes:
                 **NAMED_SURFACES,
                 "rho": STUDY["scales"]["range"],
                 "scan_size": STUDY["scan"]["size"],
+                "tolerance": STUDY["scales"]["tolerance"],
                 "trials": {
                     **{
                         key: SCAN_SIZES[key]
@@ -360,16 +405,8 @@ rule try_scan_sizes:
                     "count": SCAN_SIZES["spectra"],
                     "seed": STUDY["seed"],
                     "confidence": STUDY["inference"]["confidence"],
-                    "contacts": {
-                        **{key: SCAN_SIZES[key] for key in ("sizes", "ranges", "count")},
-                        "each": SCAN_SIZES["windows"],
-                        "radius": STUDY["sphere"]["radius"],
-                        "window": STUDY["contact"]["window"],
-                        "load": {
-                            "name": "study",
-                            **{key: STUDY["contact"][key] for key in ("preload", "hardness")},
-                        },
-                    },
+                    "contacts": WINDOW_CONTACTS
+                    | {"each": SCAN_SIZES["windows"], "ranges": SCAN_SIZES["ranges"]},
                 },
             }
         ),

@@ -16,7 +16,7 @@ from hardcontact.adhesion.scan_parts import logarithmic_interval
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import with_interval
 
-__all__ = ["band_edges"]
+__all__ = ["band_edges", "edges_of_curves"]
 
 SIDES = ["small", "large"]
 
@@ -65,9 +65,9 @@ def band_edges(
     curves = stack(sides, ["surface", "side"]).transpose("surface", "side", ...)
     notes = curves[["conditional", "interval_note"]].isel(side=0, drop=True)
     found = curves[["scale_ratio", "scale_ratio_interval"]].merge(notes)
-    found = found.assign(_edges(curves, "logarithm", logarithmic_limits(tolerance))).assign(
-        label=scales.label, basis=scales.basis
-    )
+    found = found.assign(
+        edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
+    ).assign(label=scales.label, basis=scales.basis)
     common = curves.change.notnull().all("surface").any("cutoff_wavelength").all()
     if curves.sizes["surface"] > 1 and common:
         found = found.assign(_pooled(curves, tolerance))
@@ -114,8 +114,26 @@ def _changes(ratio: np.ndarray, interval: np.ndarray) -> tuple[np.ndarray, np.nd
     return np.abs(ratio - 1), np.stack([least, ends.max(axis=-1)], axis=-1)
 
 
-def _edges(curves: xr.Dataset, measure: str, limits: tuple[float, float]) -> dict[str, Any]:
-    """Return the variables EDGE of all curves of a measure, over the dimensions of their cells."""
+def edges_of_curves(
+    curves: xr.Dataset, measure: str, limits: tuple[float, float]
+) -> dict[str, Any]:
+    """Return the edges of several curves with interval, status and text, as `described_edge` does.
+
+    Parameters
+    ----------
+    curves : xarray.Dataset
+        The measure and its interval (cutoff_wavelength, ...), NaN at cutoffs that a curve has not;
+        ``cell`` (...), longest wavelength of the surface in nm; side as a coordinate.
+    measure : str
+        ln(ratio), or the change of several surfaces.
+    limits : tuple of float
+        Lower and upper; within them a change counts as none.
+
+    Returns
+    -------
+    dict
+        The variables EDGE over the dimensions of ``cell``, ready for `xarray.Dataset`.
+    """
     dimensions, shape = curves.cell.dims, curves.cell.shape
     edges = [
         described_edge(
@@ -150,6 +168,6 @@ def _pooled(curves: xr.Dataset, tolerance: float) -> dict[str, Any]:
     """
     mean = curves[["change", "change_interval"]].mean("surface", skipna=False, keep_attrs=True)
     mean = mean.assign(cell=curves.cell.min("surface"))
-    found = _edges(mean, "change", (-np.inf, tolerance))
+    found = edges_of_curves(mean, "change", (-np.inf, tolerance))
     edges = {f"pooled_{name}": edge for name, edge in found.items()}
     return edges | {f"pooled_{name}": mean[name] for name in ("change", "change_interval")}

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from hardcontact.adhesion.scan_size_rule import Case, fitted_rule, rule_error
 from hardcontact.adhesion.scan_windows import WindowContacts, window_forces
+from hardcontact.adhesion.window_edges import ratio_of_means
 from hardcontact.random import generator
-from hardcontact.statistics import student_log_interval
 from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 from hardcontact.surfaces.synthesis import random_surface
@@ -108,13 +108,12 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
         ["realization", "scan_size", "rho"],
     )
     windows, whole = force.isel(scan_size=slice(-1)), force.isel(scan_size=-1, drop=True)
-    excess, single = windows.mean("realization") / whole.mean("realization"), windows / whole
-    about_one = student_log_interval(single, trials["confidence"], "realization")
+    excess, interval = ratio_of_means(windows, whole, trials["confidence"])
     nm = {"units": "nm"}
     return xr.Dataset(
         {
-            "excess": excess.assign_attrs(units="1"),
-            "excess_interval": excess * about_one / single.mean("realization"),
+            "excess": excess,
+            "excess_interval": interval,
             "rms_height": ((), all_scales_moments(spectrum)[0], nm),
             "roll_off": ((), roll_off(spectrum), nm),
             "radius": ((), radius, nm),

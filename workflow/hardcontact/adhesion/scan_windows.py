@@ -15,7 +15,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.topography import level, mirror_stitch
 
-__all__ = ["WindowContacts", "window_forces"]
+__all__ = ["WindowContacts", "mean_forces", "mirrored_windows", "window_forces"]
 
 
 class WindowContacts(TypedDict):
@@ -67,7 +67,13 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
         last scan size is that of the surface itself, which is not mirrored.
     """
     forces = [
-        np.mean([_forces(one, parameters) for one in _windows(surface, size, parameters)], axis=0)
+        np.mean(
+            [
+                mean_forces(one, parameters)
+                for one in mirrored_windows(surface, size, parameters["each"])
+            ],
+            axis=0,
+        )
         for size in parameters["sizes"]
     ]
     nm = {"units": "nm"}
@@ -75,7 +81,7 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
         {
             "pull_off_force": (
                 ("scan_size", "rho"),
-                np.array([*forces, _forces(surface, parameters)]),
+                np.array([*forces, mean_forces(surface, parameters)]),
                 FORCE,
             )
         },
@@ -87,16 +93,44 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
     )
 
 
-def _windows(surface: HeightMap, size: float, parameters: WindowContacts) -> Iterator[HeightMap]:
-    """Yield windows of a size (nm), levelled and mirrored, evenly along the diagonal."""
+def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[HeightMap]:
+    """Yield windows of a surface, levelled and mirrored as the paper does with its scans.
+
+    Parameters
+    ----------
+    surface : HeightMap
+        Periodic.
+    size : float
+        Edge of a window in nm.
+    count : int
+        Of the windows, evenly along the diagonal of the surface.
+
+    Yields
+    ------
+    HeightMap
+        Periodic over twice the size.
+    """
     pixels = round(size / surface.pixel_size)
-    for start in np.arange(parameters["each"]) * (surface.pixels // parameters["each"]):
+    for start in np.arange(count) * (surface.pixels // count):
         shifted = replace(surface, heights=np.roll(surface.heights, (-start, -start), (0, 1)))
         yield mirror_stitch(level(substitute_scan(shifted, pixels)))
 
 
-def _forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
-    """Return the mean forces (rho,) in N on a surface."""
+def mean_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
+    """Return the plastic pull-off of a smooth sphere on a surface, averaged over contacts.
+
+    Parameters
+    ----------
+    surface : HeightMap
+        Periodic.
+    parameters : WindowContacts
+        Contacts; the windows do not matter.
+
+    Returns
+    -------
+    numpy.ndarray
+        (rho,) in N at 1 J/m².
+    """
     array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
     pair = bodies(surface, None, parameters["radius"], array)
     found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])

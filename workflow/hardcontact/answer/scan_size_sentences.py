@@ -1,16 +1,27 @@
 """How large a scan must be, in sentences of plain text."""
 
+from collections.abc import Iterator
+
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import DIGITS, listed, print_bounded_as_paper, print_percent
+from hardcontact.answer.part_text import (
+    DIGITS,
+    NEAR_ONE,
+    labels,
+    listed,
+    print_bounded_as_paper,
+    print_each,
+    print_percent,
+)
 from hardcontact.claims.quantity_text import print_as_paper
+from hardcontact.statistics import bounds
 
 __all__ = ["scan_size_sentences"]
 
 
 def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
-    """Return how wrong forces on small scans are, the rule, its error, and the sizes needed.
+    """Return how wrong forces and long edges on small scans are, the rule, and the sizes needed.
 
     Parameters
     ----------
@@ -23,7 +34,15 @@ def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
         The answer first.
     """
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
-    return [_excess(at_range), _needed(at_range), _rule(scan_size), _error(scan_size)]
+    return [
+        _excess(at_range),
+        _edges(scan_size),
+        *_edges_of_others(scan_size),
+        _forces(scan_size),
+        _needed(at_range),
+        _rule(scan_size),
+        _error(scan_size),
+    ]
 
 
 def _excess(at_range: xr.Dataset) -> str:
@@ -38,6 +57,68 @@ def _excess(at_range: xr.Dataset) -> str:
         f"the same spectrum, by the factor {'; '.join(said)} at a range of "
         f"{print_as_paper(at_size['rho'].item(), 'nm')}."
     )
+
+
+def _edges(scan_size: xr.Dataset) -> str:
+    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
+    of_scan = windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+    of_whole = scan_size.isel(edge_size=-1)
+    said = "; ".join(
+        f"{label} {found} instead of {true}"
+        for label, found, true in zip(
+            scan_size["label"].values,
+            of_scan["long_edge_text"].values,
+            of_whole["long_edge_text"].values,
+            strict=True,
+        )
+    )
+    return (
+        f"Long edge of the band from mirrored scans of {_size(of_scan)} alone, without artificial "
+        f"roughness, instead of that from whole surfaces of {_size(of_whole)}: {said}."
+    )
+
+
+def _edges_of_others(scan_size: xr.Dataset) -> Iterator[str]:
+    """Yield the edges on windows of the other sizes, and on the smaller whole surfaces."""
+    sizes = scan_size["edge_size"].values
+    windows = sizes[scan_size["mirrored"].values == 1]
+    of_scan = windows[np.abs(windows - scan_size.attrs["scan_size"]).argmin()]
+    for size, mirrored in zip(sizes[:-1], scan_size["mirrored"].values, strict=False):
+        of_size = scan_size.sel(edge_size=size)
+        what = "mirrored scans" if mirrored else "whole surfaces"
+        if size != of_scan:
+            edges = zip(of_size["label"].values, of_size["long_edge_text"].values, strict=True)
+            said = "; ".join(f"{label} {text}" for label, text in edges)
+            yield f"The same edge from {what} of {_size(of_size)}: {said}."
+
+
+def _forces(scan_size: xr.Dataset) -> str:
+    """Return forces over those on the larger whole surfaces, and whether the smaller are enough."""
+    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
+    of_scan = windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+    smaller, larger = scan_size.isel(edge_size=-2), scan_size.isel(edge_size=-1)
+    low, high = bounds(smaller, "force_over_largest")
+    differ = smaller["surface"].values[((low > 1) | (high < 1)).values]
+    said = (
+        f"these are too small for {labels(scan_size, differ)}"
+        if len(differ)
+        else f"all intervals hold 1 and leave open up to {_farthest(low, high)}"
+    )
+    return (
+        f"Force over that on whole surfaces of {_size(larger)}: on mirrored scans of "
+        f"{_size(of_scan)} {print_each(of_scan, 'force_over_largest')}; on whole surfaces of "
+        f"{_size(smaller)} {print_each(smaller, 'force_over_largest', NEAR_ONE)}; {said}."
+    )
+
+
+def _farthest(low: xr.DataArray, high: xr.DataArray) -> str:
+    """Return how far the ends of intervals lie from one at most, in percent."""
+    ends = xr.concat([low, high], "bound")
+    return print_percent(float(abs(ends - 1).max()))
+
+
+def _size(scan_size: xr.Dataset) -> str:
+    return print_as_paper(scan_size["edge_size"].item(), "nm")
 
 
 def _needed(at_range: xr.Dataset) -> str:

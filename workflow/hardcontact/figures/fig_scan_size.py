@@ -1,4 +1,4 @@
-"""How large a scan must be: force on windows over that on surfaces, and the rule that tells it."""
+"""How large a scan must be: force and long edge on windows and on surfaces, and the rule."""
 
 from typing import Any
 
@@ -14,7 +14,9 @@ from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, labe
 
 __all__ = ["draw", "table"]
 
-COLUMNS = [*ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", *VALUE_COLUMNS]
+COLUMNS = [
+    *ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", "mirrored", "status", *VALUE_COLUMNS
+]  # fmt: skip
 OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 
 
@@ -30,21 +32,41 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     -------
     pandas.DataFrame
         Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b),
-        and the sizes needed (c).
+        and the sizes needed (c); long edges on windows and whole surfaces, and the forces there
+        over that on the largest (d). The value of an edge that is open is its bound.
     """
     surfaces = bounded(scan_size, "excess").assign(predicted=scan_size["predicted_excess"])
     known = scan_size[["known_excess", "predicted_known_excess"]].rename(
         known_excess="value", predicted_known_excess="predicted"
     )
     needed = scan_size[["size_needed"]].rename(size_needed="value")
+    on_largest = bounded(scan_size, "force_over_largest").assign(mirrored=scan_size["mirrored"])
+    of_edges = {"panel": "d", "rho": scan_size.attrs["rho"]}
     rows = pd.concat(
         [
             _rows(surfaces).assign(panel="a", quantity="excess", unit="1"),
             _rows(known).assign(panel="b", quantity="excess", unit="1"),
             _rows(needed).assign(panel="c", quantity="size_needed", unit="nm"),
+            _of_sizes(_edges(scan_size)).assign(quantity="long_edge", unit="nm", **of_edges),
+            _of_sizes(on_largest).assign(quantity="force_over_largest", unit="1", **of_edges),
         ]
     )
     return label_surfaces(rows, scan_size).reindex(columns=COLUMNS).reset_index(drop=True)
+
+
+def _edges(scan_size: xr.Dataset) -> xr.Dataset:
+    """Return long edges as `value`, `low` and `high`, those that are open by their bound."""
+    edges = bounded(scan_size, "long_edge")
+    return edges.assign(
+        value=edges["value"].fillna(scan_size["long_edge_bound"]),
+        mirrored=scan_size["mirrored"],
+        status=scan_size["long_edge_status"],
+    )
+
+
+def _of_sizes(values: xr.Dataset) -> pd.DataFrame:
+    """Return a row for each known `value` on windows and whole surfaces."""
+    return _rows(values).rename(columns={"edge_size": "scan_size"})
 
 
 def _rows(values: xr.Dataset) -> pd.DataFrame:
@@ -55,21 +77,21 @@ def _rows(values: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(scan_size: xr.Dataset) -> Figure:
-    """Draw (a) the excess against the scan, (b) against the rule, (c) sizes needed.
+    """Draw (a) the excess against the scan, (b) against the rule, (c) sizes needed, (d) long edges.
 
     Parameters
     ----------
     scan_size : xarray.Dataset
-        As from `scan_size_trials.scan_size_trials`, with label and basis of surfaces and the
-        attributes ``rho`` and ``scan_size`` (nm) of the study.
+        As from `scan_size_trials.scan_size_trials` and `window_edges.window_edges`, with label and
+        basis of surfaces and the attributes ``rho`` and ``scan_size`` (nm) of the study.
 
     Returns
     -------
     matplotlib.figure.Figure
         The figure.
     """
-    figure = style.create(2.9)
-    sizes, rule, needed = figure.subplots(1, 3)
+    figure = style.create(5.4)
+    (sizes, rule), (needed, edges) = figure.subplots(2, 2)
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
     _draw_sizes(sizes, at_range)
     style.end_near_values([sizes])
@@ -83,7 +105,9 @@ def draw(scan_size: xr.Dataset) -> Figure:
     needed.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)",
                ylabel="scan needed (µm)")  # fmt: skip
     style.label_panel(needed, "c", f"for {scan_size.attrs['allowed_excess']:g} times the force")
-    for axes in (sizes, rule, needed):
+    _draw_edges(edges, scan_size)
+    style.label_panel(edges, "d", f"ρ = {scan_size.attrs['rho']:g} nm")
+    for axes in (sizes, rule, needed, edges):
         for axis in (axes.xaxis, axes.yaxis):
             style.label_logarithmic(axis)
     figure.legend(
@@ -126,3 +150,29 @@ def _draw_rule(axes: Axes, scan_size: xr.Dataset) -> None:
     ends = [1.0, float(scan_size["known_excess"].max())]
     axes.plot(ends, ends, color="0.5", lw=0.7, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="computed", ylabel="rule")
+
+
+def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
+    """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits.
+
+    The grey line is the longest wave of a mirrored window. Surfaces stand beside each other.
+    """
+    edges = _edges(scan_size).assign(period=scan_size["period"])
+    shortest = scan_size["cutoff_wavelength"].min().item()
+    edges = edges.assign(
+        low=edges["low"].fillna(shortest), high=edges["high"].fillna(edges["period"])
+    )
+    looks = style.looks(scan_size["surface"].values)
+    beside = np.geomspace(0.88, 1 / 0.88, len(looks))
+    for (surface, look), factor in zip(looks.items(), beside, strict=True):
+        for mirrored, fill in ((1, look["color"]), (0, "white")):
+            one = edges.sel(surface=surface, edge_size=edges["mirrored"] == mirrored)
+            axes.errorbar(
+                factor * one["edge_size"] / 1e3, one["value"] / 1e3, reach(one) / 1e3, ls="none",
+                ms=3.5, elinewidth=0.7, mfc=fill, **look,
+            )  # fmt: skip
+    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
+    axes.plot(windows["edge_size"] / 1e3, windows["period"] / 1e3, color="0.7", lw=0.8, zorder=0)
+    axes.axvline(scan_size.attrs["scan_size"] / 1e3, **OF_SCAN)
+    axes.set(xscale="log", yscale="log", xlabel="edge of the scan (µm)",
+             ylabel="long edge of the band (µm)")  # fmt: skip

@@ -16,6 +16,7 @@ import pandas as pd
 from hardcontact import published
 from hardcontact.study.faults import refuse_all
 from hardcontact.study.grid_checks import check_scans
+from hardcontact.study.grid_limits import MAP_PIXELS
 from hardcontact.study.measured_forces import measured_forces
 from hardcontact.study.paper_checks import checks_of_paper, refuse_small_realization
 from hardcontact.study.patterns import PUBLISHED
@@ -52,6 +53,7 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
             partial(_refuse_unknown_sphere, config, contacts),
             *_ascending(config),
             partial(_refuse_large_windows, config),
+            partial(_refuse_small_surfaces, config),
             partial(_refuse_common_folder, config),
             partial(_refuse_long_numbers, config),
             *_descriptions(table),
@@ -130,6 +132,8 @@ def _ascending(config: dict[str, Any]) -> Iterator[Callable[[], None]]:
     for section, key in [*product(("scaling", "scan_sizes"), ("radii", "ranges")),
                          ("scan_sizes", "sizes")]:  # fmt: skip
         yield partial(_refuse_descent, f"insight.{section}.{key}", insight[section][key], "nm")
+    of_edges = insight["scan_sizes"]["edges"]["cutoffs"]
+    yield partial(_refuse_descent, "insight.scan_sizes.edges.cutoffs", of_edges, "nm")
     preloads = insight["scaling"]["preloads"]
     yield partial(_refuse_descent, "insight.scaling.preloads", preloads, "N")
     for section in ("indent", "robustness"):
@@ -158,6 +162,26 @@ def _refuse_large_windows(config: dict[str, Any]) -> None:
             "config key insight.scan_sizes.sizes: expected less than insight.scan_sizes.size "
             f"({size:.6g} nm), found {largest:.6g} nm"
         )
+
+
+def _refuse_small_surfaces(config: dict[str, Any]) -> None:
+    """Refuse whole surfaces that are no larger than the others, or do not hold the cutoffs."""
+    given = config["insight"]["scan_sizes"]
+    edges, size, pixel_size = given["edges"], given["size"], given["size"] / given["pixels"]
+    largest = MAP_PIXELS * pixel_size
+    if not size < edges["size"] <= largest:
+        raise ValueError(
+            "config key insight.scan_sizes.edges.size: expected more than insight.scan_sizes.size "
+            f"({size:.6g} nm) and at most {MAP_PIXELS} of its pixels ({largest:.6g} nm), "
+            f"found {edges['size']:.6g} nm"
+        )
+    for cutoff in edges["cutoffs"]:
+        if not 2 * pixel_size * (1 + 1e-9) < cutoff <= size:
+            raise ValueError(
+                "config key insight.scan_sizes.edges.cutoffs: expected more than two pixels "
+                f"({2 * pixel_size:.4g} nm) and at most insight.scan_sizes.size ({size:.6g} nm), "
+                f"found {cutoff:.6g} nm"
+            )
 
 
 def _refuse_common_folder(config: dict[str, Any]) -> None:

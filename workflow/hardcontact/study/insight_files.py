@@ -63,6 +63,15 @@ class InsightFiles(Files):
         ]
         return dict(zip(paths, masters, strict=True))
 
+    @property
+    def filtered_windows(self) -> dict[str, str]:
+        """Each file of forces on filtered windows, and its surface."""
+        pattern = self._patterns.filtered_windows
+        return {
+            self._of_surface(pattern, surface, STUDY_VARIANT): surface
+            for surface in self._selection.substrates
+        }
+
     def _first_scans(self, count: int) -> list[tuple[str, int]]:
         """Return surface and number of the first so many scans of every substrate."""
         return [
