@@ -86,12 +86,20 @@ def filtered_window_forces(name: str, density: Density, filters: WindowFilters) 
                 means[..., 1:],
                 {"units": "1", "long_name": long_name},
             ),
-            "period": ("edge_size", [*(2 * size for size in windows), *whole], nm),
+            "period": (
+                "edge_size",
+                [*(2 * size for size in windows), *whole],
+                nm | {"long_name": "longest wave of the surface"},
+            ),
             "mirrored": ("edge_size", [1] * len(windows) + [0] * len(whole), of_windows),
         },
         {
             "edge_size": ("edge_size", [*windows, *whole], nm | {"long_name": "edge of the scan"}),
-            "cutoff_wavelength": ("cutoff_wavelength", filters.cutoffs, nm),
+            "cutoff_wavelength": (
+                "cutoff_wavelength",
+                filters.cutoffs,
+                nm | {"long_name": "wavelength above which roughness is removed"},
+            ),
         },
     )
 

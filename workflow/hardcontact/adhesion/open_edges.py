@@ -25,7 +25,7 @@ EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     "edge": ((), {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"}),
     "edge_bound": ((), {"units": "nm", "long_name": "limit of an open edge"}),
     "edge_status": ((), {}),
-    "edge_interval": (("bound",), {"units": "nm"}),
+    "edge_interval": (("bound",), {"units": "nm", "long_name": "interval of the edge"}),
     "interval_status": (("bound",), {}),
     "edge_text": ((), {}),
 }

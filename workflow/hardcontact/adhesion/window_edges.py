@@ -77,11 +77,10 @@ def window_edges(
         {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
     ).assign_coords(side="large")
     edges = edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
-    one = {"units": "1", "confidence": confidence}
     of_largest = {"units": "1", "long_name": "force over that on the larger whole surface"}
     return given.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
         long_ratio=ratio,
-        long_ratio_interval=interval.assign_attrs(one),
+        long_ratio_interval=interval.assign_attrs(units="1"),
         force_over_largest=over_largest.assign_attrs(of_largest),
-        force_over_largest_interval=over_interval.assign_attrs(one),
+        force_over_largest_interval=over_interval.assign_attrs(of_largest, confidence=confidence),
     )
