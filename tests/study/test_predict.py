@@ -52,6 +52,21 @@ def test_profiles_are_converted(table):
     assert found.density == pytest.approx(expected)
 
 
+def test_zeros_say_no_roughness(table):
+    rows = [f"{length},nm,{density},nm4" for length, density in zip(
+        [1000, 500, 200, 100, 50, 20, 10], [0, 1e6, 1e5, 1e4, 1e3, 1e2, 0], strict=True
+    )]  # fmt: skip
+    found = own_spectrum(table(HEADER, *rows))
+    assert (found.density == [0, 1e6, 1e5, 1e4, 1e3, 1e2, 0]).all()
+    assert found(2 * np.pi / np.array([1000, 15, 5])) == pytest.approx(0, abs=1e-90)
+
+
+def test_a_fault_of_every_line_is_told_once(table):
+    message = refusal(own_spectrum, table(HEADER, *[f"{n},s,1,nm4" for n in range(1, 8)]))
+    assert_says(message, "line 2 and 6 more: wavelength_unit: expected a length", "found s")
+    assert len(message.splitlines()) == 1
+
+
 @pytest.mark.parametrize(
     ("lines", "parts"),
     [
