@@ -9,7 +9,7 @@ from hardcontact.answer import fit_curve
 from hardcontact.answer.first_sentences import first_sentences
 from hardcontact.answer.fit_sentences import fit_sentences
 
-FEW = "; so few tests hardly tell how they scatter and leave the upper end open"
+FEW = "; so few tests hardly tell how they scatter, so that the upper end is nearly open"
 
 
 def test_one_force_gives_the_work_at_each_range():

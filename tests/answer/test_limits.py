@@ -135,12 +135,14 @@ def test_edges_between_cutoffs_far_apart_are_named():
     text = said(of_edges=kept)
     assert (
         "The short edge of the band is read off between the two cutoffs computed beside it, 20 nm "
-        "and 80 nm; where between them it lies is interpolated. They are not its 95 % interval, "
-        "from 29.6 nm to 46.2 nm: so far could the scatter of forces move it."
+        "and 80 nm; where between them it lies is interpolated. Its 95 % interval is another "
+        "thing: from 29.6 nm to 46.2 nm, as far as the scatter of forces may move it."
     ) in text
     assert "The long edge of the band is read off" not in text
     unknown = kept.assign(edge_interval=kept["edge_interval"] * np.nan)
-    assert "interpolated." in said(of_edges=unknown) and "not its" not in said(of_edges=unknown)
+    assert "interpolated." in said(of_edges=unknown) and "another thing" not in said(
+        of_edges=unknown
+    )
     assert "interpolated" not in said() + said(of_edges=open_edges())
 
 

@@ -63,7 +63,7 @@ def _open_above(fit: xr.Dataset) -> str:
     value = np.log(fit["measured_force"].item())
     # An interval that is not known is not lopsided.
     if high - value > LOPSIDED * (value - low):
-        return "; so few tests hardly tell how they scatter and leave the upper end open"
+        return "; so few tests hardly tell how they scatter, so that the upper end is nearly open"
     return ""
 
 

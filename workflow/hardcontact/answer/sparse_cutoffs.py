@@ -25,7 +25,7 @@ def sparse_cutoffs(edges: xr.Dataset) -> list[str]:
     Returns
     -------
     list of str
-        A sentence or two each: the cutoffs beside an edge, and that they are not its interval.
+        A sentence or two each: the cutoffs beside an edge, and what its interval is.
     """
     texts = []
     for side in EDGES:
@@ -34,20 +34,20 @@ def sparse_cutoffs(edges: xr.Dataset) -> list[str]:
             texts.append(
                 f"{EDGES[side]} is read off between the two cutoffs computed beside it, "
                 f"{print_length(shorter)} and {print_length(longer)}; where between them it lies "
-                f"is interpolated.{_other_than_interval(edges.sel(side=side))}"
+                f"is interpolated.{_interval(edges.sel(side=side))}"
             )
     return texts
 
 
-def _other_than_interval(of_side: xr.Dataset) -> str:
-    """Return that these cutoffs are not the interval of an edge, if it has one."""
+def _interval(of_side: xr.Dataset) -> str:
+    """Return what the interval of an edge is, if it has one: not the cutoffs beside it."""
     ends = of_side["edge_interval"].values
     if not np.isfinite(ends).any():
         return ""
     low, high = (print_length(end) if np.isfinite(end) else "an open end" for end in ends)
     return (
-        f" They are not its {print_share(of_side.attrs['confidence'])} interval, from {low} to "
-        f"{high}: so far could the scatter of forces move it."
+        f" Its {print_share(of_side.attrs['confidence'])} interval is another thing: from {low} "
+        f"to {high}, as far as the scatter of forces may move it."
     )
 
 
