@@ -1,5 +1,6 @@
 """How large a scan must be: a rule from random surfaces, tested on those of the study."""
 
+from hardcontact.adhesion.named_surfaces import with_names
 from hardcontact.adhesion.scan_size_trials import scan_size_trials
 from hardcontact.adhesion.window_edges import window_edges
 from hardcontact.records import dataset
@@ -12,12 +13,11 @@ with job(snakemake) as this:
     spectra = dict(zip(surfaces, map(read_spectrum, this.input.spectra), strict=True))
     windows = dict(zip(surfaces, map(dataset.read, this.input.windows), strict=True))
     this.write(
-        scan_size_trials(spectra, given["trials"])
-        .merge(window_edges(windows, given["tolerance"], confidence))
-        .assign(
-            label=("surface", [given["labels"][surface] for surface in surfaces]),
-            basis=("surface", [given["basis"][surface] for surface in surfaces]),
-        )
-        .assign_attrs({name: given[name] for name in ("rho", "scan_size", "tolerance")}),
+        with_names(
+            scan_size_trials(spectra, given["trials"]).merge(
+                window_edges(windows, given["tolerance"], confidence)
+            ),
+            {"labels": given["labels"], "basis": given["basis"]},
+        ).assign_attrs({name: given[name] for name in ("rho", "scan_size", "tolerance")}),
         title="how large a scan must be, and the error of the rule that says so",
     )

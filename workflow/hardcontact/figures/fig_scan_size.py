@@ -10,7 +10,13 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+)
 
 __all__ = ["draw", "table"]
 
@@ -41,14 +47,13 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     )
     needed = scan_size[["size_needed"]].rename(size_needed="value")
     on_largest = bounded(scan_size, "force_over_largest").assign(mirrored=scan_size["mirrored"])
-    of_edges = {"panel": "d", "rho": scan_size.attrs["rho"]}
     rows = pd.concat(
         [
-            _rows(surfaces).assign(panel="a", quantity="excess", unit="1"),
-            _rows(known).assign(panel="b", quantity="excess", unit="1"),
-            _rows(needed).assign(panel="c", quantity="size_needed", unit="nm"),
-            _of_sizes(_edges(scan_size)).assign(quantity="long_edge", unit="nm", **of_edges),
-            _of_sizes(on_largest).assign(quantity="force_over_largest", unit="1", **of_edges),
+            computed_rows(surfaces, panel="a", quantity="excess", unit="1"),
+            computed_rows(known, panel="b", quantity="excess", unit="1"),
+            computed_rows(needed, panel="c", quantity="size_needed", unit="nm"),
+            _of_sizes(_edges(scan_size), "long_edge", "nm").assign(rho=scan_size.attrs["rho"]),
+            _of_sizes(on_largest, "force_over_largest", "1").assign(rho=scan_size.attrs["rho"]),
         ]
     )
     return label_surfaces(rows, scan_size).reindex(columns=COLUMNS).reset_index(drop=True)
@@ -64,15 +69,10 @@ def _edges(scan_size: xr.Dataset) -> xr.Dataset:
     )
 
 
-def _of_sizes(values: xr.Dataset) -> pd.DataFrame:
+def _of_sizes(values: xr.Dataset, quantity: str, unit: str) -> pd.DataFrame:
     """Return a row for each known `value` on windows and whole surfaces."""
-    return _rows(values).rename(columns={"edge_size": "scan_size"})
-
-
-def _rows(values: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each known `value`."""
-    frame = values.to_dataframe().reset_index().dropna(subset=["value"])
-    return frame.assign(origin="computed")
+    rows = computed_rows(values, panel="d", quantity=quantity, unit=unit)
+    return rows.rename(columns={"edge_size": "scan_size"})
 
 
 @style.print_style()
