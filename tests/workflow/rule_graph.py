@@ -90,6 +90,7 @@ FOLLOWS = {
     "estimate_elastic_limit": {"aggregate_elastic_limit"},
     "compute_scaled_pull_off": {"scale_edges"},
     **{rule: {"answer_insight"} for rule in BEYOND},
+    "compare_laws": {"answer_insight", "evaluate_claims"},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
         for name in FIGURES
