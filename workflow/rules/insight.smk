@@ -6,6 +6,7 @@ INSIGHT = STUDY["insight"]
 SCALING, SCAN_SIZES = INSIGHT["scaling"], INSIGHT["scan_sizes"]
 INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)
 INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
+SIDES = ("small", "large")
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 
 
@@ -31,6 +32,7 @@ rule compare_closed_form:
                 "trial": {
                     **{key: INSIGHT[key] for key in ("pixels", "realizations", "sizes")},
                     "ranges": INSIGHT_RANGES,
+                    "cutoffs": {side: STUDY["scales"][side]["cutoffs"] for side in SIDES},
                     "array": {
                         "window": STUDY["contact"]["window"],
                         "count": INSIGHT["count"],
@@ -82,7 +84,7 @@ rule compute_law_forces:
                 },
                 "scales": {
                     side: {"transition": STUDY["scales"][side]["transition"]} | INSIGHT[side]
-                    for side in ("small", "large")
+                    for side in SIDES
                 },
                 "seed": STUDY["seed"],
             }

@@ -28,6 +28,7 @@ SIDES = {
     "large": "roughness above the cutoff removed",
 }
 PUBLISHED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": "--"}
+CLOSED_FORM: dict[str, Any] = {"lw": 1.0, "ls": (0, (1, 1.2)), "zorder": 3}
 COLUMNS = [
     "side", "group", "label", "basis", "origin", "over", "quantity", "cutoff_wavelength",
     *VALUE_COLUMNS, "beyond",
@@ -35,22 +36,27 @@ COLUMNS = [
 
 
 def table(
-    band: xr.Dataset, scales: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+    band: xr.Dataset,
+    scales: xr.Dataset,
+    sets: xr.Dataset,
+    closed_form: xr.Dataset,
+    published_constants: pd.DataFrame,
 ) -> pd.DataFrame:
     """Return force ratios and critical wavelengths of Fig. 6, one row a point.
 
     Parameters
     ----------
-    band, scales, sets, published_constants : xarray.Dataset, pandas.DataFrame
+    band, scales, sets, closed_form, published_constants : xarray.Dataset, pandas.DataFrame
         As `draw` takes them.
 
     Returns
     -------
     pandas.DataFrame
-        `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1), and
-        `critical_wavelength` (nm). `over` says what `value`, `low` and `high` are: mean and
-        interval over the "realizations" of the study, or median and SHARE_OF_SETS over the "sets".
-        `beyond` names those of the three that lie beyond the last cutoff computed and are empty.
+        `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1),
+        `critical_wavelength` (nm), and `closed_form_ratio` (1) of the spectrum alone. `over` says
+        what `value`, `low` and `high` are: mean and interval over the "realizations" of the study,
+        or median and SHARE_OF_SETS over the "sets". `beyond` names those of the three that lie
+        beyond the last cutoff computed and are empty.
     """
     rows = pd.concat(
         frame
@@ -58,6 +64,7 @@ def table(
         for frame in (
             *_curve_rows(band.sel(side=side), sets.sel(side=side)),
             *_realization_rows(scales.sel(side=side)),
+            _closed_form_rows(closed_form.sel(side=side)),
             _without_open_ends(_critical(band.sel(side=side), sets.sel(side=side)), band, side),
             _published_row(side, _published_cutoff(published_constants, side)),
         )
@@ -67,7 +74,11 @@ def table(
 
 @style.print_style()
 def draw(
-    band: xr.Dataset, scales: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+    band: xr.Dataset,
+    scales: xr.Dataset,
+    sets: xr.Dataset,
+    closed_form: xr.Dataset,
+    published_constants: pd.DataFrame,
 ) -> Figure:
     """Draw Fig. 6: pull-off force of filtered surfaces over that of the unfiltered ones.
 
@@ -85,6 +96,8 @@ def draw(
         With `ratio(surface, realization, side, cutoff_wavelength)` and `transition(side)` in nm.
     sets : xarray.Dataset
         With the variables of `band` without intervals, by `set`.
+    closed_form : xarray.Dataset
+        With `filtered_ratio(surface, side, cutoff_wavelength)`, from the spectra alone.
     published_constants : pandas.DataFrame
         With the critical wavelengths of both sides (nm).
 
@@ -98,6 +111,7 @@ def draw(
     for letter, side, column in zip("ab", SIDES, grid.T, strict=True):
         of_side, of_sets = band.sel(side=side), sets.sel(side=side)
         _draw_ratios(column[0], of_side, of_sets, scales.sel(side=side))
+        _draw_closed_form(column[0], closed_form.sel(side=side))
         _draw_changes(column[1], of_side, of_sets)
         _draw_critical(column[2], of_side, of_sets)
         for axes in column:
@@ -163,6 +177,13 @@ def _realization_rows(of_side: xr.Dataset) -> list[pd.DataFrame]:
     named = frame.rename(columns={"surface": "group"})
     over = "realization " + named["realization"].astype(str)
     return [named.assign(origin="computed", quantity="ratio", unit="1", over=over)]
+
+
+def _closed_form_rows(of_side: xr.Dataset) -> pd.DataFrame:
+    """Return the ratio of the closed form against the cutoff."""
+    frame = of_side["filtered_ratio"].to_dataframe("value").dropna(subset="value").reset_index()
+    named = frame.rename(columns={"surface": "group"})
+    return named.assign(origin="computed", quantity="closed_form_ratio", unit="1", over="spectrum")
 
 
 def _cutoffs(of_side: xr.Dataset) -> np.ndarray:
@@ -235,6 +256,14 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: x
     style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
 
 
+def _draw_closed_form(axes: Axes, of_side: xr.Dataset) -> None:
+    """Draw the ratio of the closed form against cutoff (nm)."""
+    ratio = of_side["filtered_ratio"].dropna("cutoff_wavelength", how="all")
+    for surface, look in style.looks(of_side["surface"].values).items():
+        of_surface = ratio.sel(surface=surface)
+        axes.plot(ratio["cutoff_wavelength"], of_surface, color=look["color"], **CLOSED_FORM)
+
+
 def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
     """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
     cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
@@ -282,6 +311,7 @@ def _legend_handles(band: xr.Dataset, cutoffs: list[float]) -> list[Line2D | Pat
         *style.surface_handles(band),
         Line2D([], [], lw=1.8, label="mean |ratio − 1| of all", **_looks(band)[POOLED]),
         Line2D([], [], lw=0.35, color="0.3", label="single realization"),
+        Line2D([], [], color="0.3", label="closed form of the spectrum", **CLOSED_FORM),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(
             color="0.3",
