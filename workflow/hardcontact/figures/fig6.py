@@ -11,6 +11,17 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
+from hardcontact.figures.fig6_rows import (
+    POOLED,
+    closed_form_rows,
+    computed_cutoffs,
+    critical_rows,
+    curve_rows,
+    last_cutoff,
+    published_row,
+    realization_rows,
+    without_open_ends,
+)
 from hardcontact.figures.marks import BAND_OF_SETS, reach
 from hardcontact.figures.tables import (
     SHARE_OF_SETS,
@@ -22,7 +33,6 @@ from hardcontact.figures.tables import (
 
 __all__ = ["draw", "table"]
 
-POOLED = "pooled"
 SIDES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
@@ -62,11 +72,11 @@ def table(
         frame
         for side in SIDES
         for frame in (
-            *_curve_rows(band.sel(side=side), sets.sel(side=side)),
-            *_realization_rows(scales.sel(side=side)),
-            _closed_form_rows(closed_form.sel(side=side)),
-            _without_open_ends(_critical(band.sel(side=side), sets.sel(side=side)), band, side),
-            _published_row(side, _published_cutoff(published_constants, side)),
+            *curve_rows(band.sel(side=side), sets.sel(side=side)),
+            *realization_rows(scales.sel(side=side)),
+            closed_form_rows(closed_form.sel(side=side)),
+            without_open_ends(critical_rows(band.sel(side=side), sets.sel(side=side)), band, side),
+            published_row(side, _published_cutoff(published_constants, side)),
         )
     )
     return label_surfaces(rows, band, "group")[COLUMNS].reset_index(drop=True)
@@ -142,86 +152,6 @@ def _published_cutoff(published_constants: pd.DataFrame, side: str) -> float:
     return float(published_constants["value"][f"critical_wavelength_{side}"])
 
 
-def _published_row(side: str, cutoff: float) -> pd.DataFrame:
-    return pd.DataFrame(
-        {
-            "side": [side],
-            "group": POOLED,
-            "origin": "published",
-            "unit": "nm",
-            "quantity": "critical_wavelength",
-            "value": cutoff,
-        }
-    )
-
-
-def _curve_rows(of_side: xr.Dataset, of_sets: xr.Dataset) -> list[pd.DataFrame]:
-    """Return ratio and change against the cutoff, of the study and over the sets."""
-    return [
-        values.to_dataframe()[["value", "low", "high"]]
-        .dropna(subset="value")
-        .reset_index()
-        .rename(columns={"surface": "group"})
-        .assign(origin="computed", over=over, quantity=quantity, unit="1")
-        .assign(side=str(of_side["side"].item()))
-        for quantity in ("ratio", "change")
-        for over, values in (
-            ("realizations", bounded(of_side, f"scale_{quantity}")),
-            ("sets", over_sets(of_sets[f"scale_{quantity}"])),
-        )
-    ]
-
-
-def _realization_rows(of_side: xr.Dataset) -> list[pd.DataFrame]:
-    frame = of_side["ratio"].to_dataframe("value").dropna(subset="value").reset_index()
-    named = frame.rename(columns={"surface": "group"})
-    over = "realization " + named["realization"].astype(str)
-    return [named.assign(origin="computed", quantity="ratio", unit="1", over=over)]
-
-
-def _closed_form_rows(of_side: xr.Dataset) -> pd.DataFrame:
-    """Return the ratio of the closed form against the cutoff."""
-    frame = of_side["filtered_ratio"].to_dataframe("value").dropna(subset="value").reset_index()
-    named = frame.rename(columns={"surface": "group"})
-    return named.assign(origin="computed", quantity="closed_form_ratio", unit="1", over="spectrum")
-
-
-def _cutoffs(of_side: xr.Dataset) -> np.ndarray:
-    """Return the cutoffs (nm) of one side, of the study or of the sets."""
-    ratio = of_side["scale_ratio"]
-    known = ratio.notnull().any([dim for dim in ratio.dims if dim != "cutoff_wavelength"])
-    cutoffs: np.ndarray = of_side["cutoff_wavelength"].values[known.values]
-    return cutoffs
-
-
-def _last_cutoff(of_side: xr.Dataset) -> float:
-    """Return the cutoff (nm) that removes most, which stands for all beyond it."""
-    cutoffs = _cutoffs(of_side)
-    return float(cutoffs[-1] if of_side["side"].item() == "small" else cutoffs[0])
-
-
-def _critical(of_side: xr.Dataset, of_sets: xr.Dataset) -> pd.DataFrame:
-    """Return the critical wavelength (nm) of each group, of the study and over the sets."""
-    last = _last_cutoff(of_side)
-    of_study = bounded(of_side, "critical_wavelength")
-    of_study["value"] = of_study["value"].fillna(last)
-    spread = over_sets(of_sets["critical_wavelength"].fillna(last))
-    frames = [
-        values.to_dataframe()[["value", "low", "high"]].reset_index().assign(over=over)
-        for over, values in (("realizations", of_study), ("sets", spread))
-    ]
-    return pd.concat(frames, ignore_index=True)
-
-
-def _without_open_ends(critical: pd.DataFrame, band: xr.Dataset, side: str) -> pd.DataFrame:
-    """Return the rows of `_critical` without numbers that stand for all beyond the last cutoff."""
-    ends = critical[["value", "low", "high"]]
-    beyond = np.isclose(ends, _last_cutoff(band.sel(side=side)))
-    names = [", ".join(ends.columns[row]) for row in beyond]
-    known = critical.assign(**ends.mask(beyond), beyond=names, side=side)
-    return known.assign(origin="computed", quantity="critical_wavelength", unit="nm")
-
-
 def _looks(band: xr.Dataset) -> dict[str, dict[str, Any]]:
     """Return colour and marker of each group: those of its surface, black for all pooled."""
     return {**style.looks(band["surface"].values), POOLED: {"color": "black", "marker": "h"}}
@@ -232,7 +162,7 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: x
     tolerance = of_side.attrs["scale_tolerance"]
     axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
     curves, spread = bounded(of_side, "scale_ratio"), over_sets(of_sets["scale_ratio"])
-    cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
+    cutoff, of_band = computed_cutoffs(of_side), computed_cutoffs(of_sets)
     for surface, look in style.looks(of_side["surface"].values).items():
         at = {"surface": surface, "cutoff_wavelength": cutoff}
         mean, band = curves.sel(at), spread.sel(surface=surface, cutoff_wavelength=of_band)
@@ -266,7 +196,7 @@ def _draw_closed_form(axes: Axes, of_side: xr.Dataset) -> None:
 
 def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
     """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
-    cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
+    cutoff, of_band = computed_cutoffs(of_side), computed_cutoffs(of_sets)
     change = 100 * bounded(of_side, "scale_change").sel(cutoff_wavelength=cutoff)
     spread = 100 * over_sets(of_sets["scale_change"]).sel(cutoff_wavelength=of_band)
     for surface, look in style.looks(of_side["surface"].values).items():
@@ -282,8 +212,8 @@ def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
 def _draw_critical(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
     """Mark the critical wavelength (nm) of each group: of the study, over that of the sets."""
     looks, labels = _looks(of_side), _labels(of_side)
-    last, arrow = _last_cutoff(of_side), ">" if of_side["side"].item() == "small" else "<"
-    critical = _critical(of_side, of_sets).set_index(["group", "over"])
+    last, arrow = last_cutoff(of_side), ">" if of_side["side"].item() == "small" else "<"
+    critical = critical_rows(of_side, of_sets).set_index(["group", "over"])
     ends = critical[["value", "low", "high"]].to_dict("index")
     for place, (group, look) in enumerate(looks.items()):
         for over, width, opacity in (("sets", 7, BAND_OF_SETS), ("realizations", 1.4, 1)):
