@@ -4,6 +4,8 @@ import numpy as np
 import xarray as xr
 
 from figure_inputs.building import bounded, named
+from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS
+from hardcontact.adhesion.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
 from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
 
 RADII, AREAS, RANGES = [5e3, 250e3, 1e6], [50.0, 400.0, 3200.0], [1.4, 5.6, 11.2]
@@ -32,4 +34,13 @@ def scaling() -> xr.Dataset:
         contact_area=(("side", "area"), [AREAS, AREAS]),
         rms_height=("surface", [4.0, 17, 97, 101]),
         roll_off=("surface", [740.0, 1000, 2500, 2700]),
+        rough_height=("surface", [4.0, 17, 97, 101]),
+        approach=("surface", [10.0, 60, 300, 330]),
+        freezing=("surface", [0.3, 0.9, 5.6, 5.5]),
+        regime=("surface", [MANY_POINTS, MANY_POINTS, SINGLE_PEAKS, SINGLE_PEAKS]),
+        predicted_edge=(("surface", "side"), [[np.nan, 1200], [40, 1500], [50, 1600], [20, 1800]]),
+        short_edge_from=("surface", ["", RANGE, RANGE, CONTACT]),
+        long_edge_from=("surface", [ROLL_OFF, ROLL_OFF, REACH, REACH]),
+        contact_diameter=((), 22.6),
+        attraction_reach=((), 1673.0),
     ).assign_attrs(sphere_radius=250e3, rho=5.6, area=400.0)
