@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from known_spectra import rough
 
 from hardcontact.adhesion.closed_form import (
@@ -11,7 +12,14 @@ from hardcontact.adhesion.closed_form import (
     Contact,
     closed_form,
 )
-from hardcontact.adhesion.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF, edge_regimes
+from hardcontact.adhesion.edge_regimes import (
+    CONTACT,
+    RANGE,
+    REACH,
+    ROLL_OFF,
+    cause_exponents,
+    edge_regimes,
+)
 
 SPHERE = Contact(radius=250e3, rho=5.6, work=1.0, area=400.0)
 
@@ -60,3 +68,28 @@ def test_a_surface_without_roughness_has_no_edges():
     found = regime(rough(1e-6))
     assert found.regime.item() == SMOOTH and found.short_edge_from.item() == ""
     assert np.isnan(found.predicted_edge).all()
+
+
+def test_exponents_are_those_of_edges_that_contact_and_range_set_by_turns():
+    """Edges on three surfaces, c sqrt(area) or c rho, with c of the surface."""
+    spectra = {name: rough(30.0, **COARSE) for name in "abc"}
+    axes = {
+        "surface": list("abc"),
+        "radius": [1e5, 2e5],
+        "area": [1.0, 4.0, 9.0, 1e6, 4e6, 9e6],
+        "rho": [5.6, 8.0],
+    }
+    coordinates = xr.Dataset(coords=axes)
+    of_contact = np.sqrt(coordinates["area"]) + 0 * coordinates["rho"] + 0 * coordinates["radius"]
+    edge = of_contact.where(coordinates["area"] > 1e3, coordinates["rho"])
+    edge = edge * xr.DataArray([1.0, 2.0, 5.0], {"surface": list("abc")})
+    scaling = xr.Dataset(
+        {"edge": edge, "contact_area": coordinates["area"]}, attrs={"confidence": 0.95}
+    ).expand_dims(side=["small"])
+    found = cause_exponents(scaling, spectra, SPHERE, TOLERANCE)
+    assert found["cause_edges"].values.tolist() == [36, 36]
+    for cause, expected in ((CONTACT, [0, 0, 1]), (RANGE, [0, 2, 0])):
+        exponents = found["cause_exponent"].sel(cause=cause)
+        np.testing.assert_allclose(exponents, expected, atol=1e-9)
+        interval = found["cause_exponent_interval"].sel(cause=cause)
+        np.testing.assert_allclose(interval, np.transpose([expected] * 2), atol=1e-6)

@@ -66,3 +66,10 @@ def test_a_smooth_surface_has_no_peaks_to_compare():
     assert "the force on NCD hardly depends on the roughness. Its" in " ".join(
         scaling_sentences(data)
     )
+
+
+def test_exponents_stand_by_what_should_set_the_edge():
+    (said,) = (one for one in scaling_sentences(scaling()) if "should set the edge" in one)
+    wider, narrower = said.split(": ")[1].split("; ")
+    assert "1 [0.8, 1.2] where it is wider (20 edges)" in wider
+    assert "0.9 [0.72, 1.1] and 0.3 [0.24, 0.36] where it is narrower (70 edges)" in narrower

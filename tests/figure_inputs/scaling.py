@@ -20,12 +20,19 @@ def scaling() -> xr.Dataset:
     exponent = np.linspace(-0.2, 1.2, 2 * 4 * 3 * 3).reshape(2, 4, 3, 3)
     fits = ("side", "surface", "part")
     data = named().assign_coords(
-        side=["small", "large"], radius=RADII, area=AREAS, rho=RANGES, part=PARTS, length=LENGTHS
+        side=["small", "large"],
+        radius=RADII,
+        area=AREAS,
+        rho=RANGES,
+        part=PARTS,
+        length=LENGTHS,
+        cause=[CONTACT, RANGE],
     )
     data = data.assign(
         bounded("edge", CASES, edge, unit="nm")
         | bounded("exponent", (*fits, "length"), exponent)
         | bounded("reach_exponent", fits, exponent[..., 0])
+        | bounded("cause_exponent", ("cause", "length"), np.array([[0.1, 0.2, 1], [0.1, 0.9, 0.3]]))
     )
     return data.assign(
         dependence=((*fits, "length"), np.full(exponent.shape, "no", "<U9")),
@@ -41,6 +48,7 @@ def scaling() -> xr.Dataset:
         predicted_edge=(("surface", "side"), [[np.nan, 1200], [40, 1500], [50, 1600], [20, 1800]]),
         short_edge_from=("surface", ["", RANGE, RANGE, CONTACT]),
         long_edge_from=("surface", [ROLL_OFF, ROLL_OFF, REACH, REACH]),
+        cause_edges=("cause", [20, 70]),
         contact_diameter=((), 22.6),
         attraction_reach=((), 1673.0),
     ).assign_attrs(sphere_radius=250e3, rho=5.6, area=400.0)

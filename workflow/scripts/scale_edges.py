@@ -1,7 +1,7 @@
 """How the edges of the critical band scale with R, rho and the contact area: scaling.nc."""
 
 from hardcontact.adhesion.closed_form import Contact
-from hardcontact.adhesion.edge_regimes import edge_regimes
+from hardcontact.adhesion.edge_regimes import cause_exponents, edge_regimes
 from hardcontact.adhesion.edge_scaling import edge_scaling, stacked_scaling
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.adhesion.sampling import Sampling
@@ -25,9 +25,10 @@ with job(snakemake) as this:
     )
     contact = Contact(given["sphere_radius"], given["rho"], WORK_OF_ADHESION, given["area"])
     regimes = edge_regimes(spectra, contact, given["tolerance"])
+    causes = cause_exponents(edges, spectra, contact, given["tolerance"])
     this.write(
-        edges.merge(regimes).assign_attrs(
-            {name: given[name] for name in ("sphere_radius", "rho", "area")}
-        ),
+        edges.merge(regimes)
+        .merge(causes)
+        .assign_attrs({name: given[name] for name in ("sphere_radius", "rho", "area")}),
         title="edges of the critical band over radii, ranges of adhesion and contact areas",
     )

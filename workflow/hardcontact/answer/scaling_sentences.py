@@ -33,9 +33,9 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
     Parameters
     ----------
     scaling : xarray.Dataset
-        As from `edge_scaling.edge_scaling`, with the variables of `edge_regimes.edge_regimes` at
-        the sphere, range and load of the paper, and the attributes ``sphere_radius``, ``rho`` (nm)
-        and ``area`` (nm²) of these.
+        As from `edge_scaling.edge_scaling`, with the variables of `edge_regimes.edge_regimes` and
+        `edge_regimes.cause_exponents` at the sphere, range and load of the paper, and the
+        attributes ``sphere_radius``, ``rho`` (nm) and ``area`` (nm²) of these.
 
     Returns
     -------
@@ -49,6 +49,7 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
         *exponents,
         *(_of_reach(scaling, part) for part in PARTS[1:]),
         *_regimes(scaling),
+        _causes(scaling),
         _found(scaling),
     ]
 
@@ -112,6 +113,23 @@ def _regimes(scaling: xr.Dataset) -> list[str]:
         f"{_short_edge(one)}. {_long_edge(one)}."
         for one in each
     ]
+
+
+def _causes(scaling: xr.Dataset) -> str:
+    """Return whether the short edge scales as what should set it."""
+    said = []
+    for cause, where in ((CONTACT, "wider"), (RANGE, "narrower")):
+        of_cause = scaling.sel(cause=cause)
+        numbers = listed(
+            print_bounded_as_paper(of_cause.sel(length=length), "cause_exponent", "1")
+            for length in LENGTHS
+        )
+        said.append(f"{numbers} where it is {where} ({of_cause['cause_edges'].item()} edges)")
+    return (
+        "A contact that is wider than the short edge of the closed form should set the edge, which "
+        "then follows √(F/H) alone; where it is narrower the edge should follow √ρ alone. "
+        f"Exponents against {listed(NAMES.values())} over all surfaces: {'; '.join(said)}."
+    )
 
 
 def _nm(of_surface: xr.Dataset, name: str) -> str:
