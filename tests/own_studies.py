@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+from contextlib import contextmanager
 
 import numpy as np
 from measurements import map_of
@@ -13,6 +14,13 @@ from scan_files import nanoscope
 SHARED = ROOT.parent / "shared" / "scans"
 #: Of the counts of a Nanoscope file, in nm.
 COUNT = 0.1
+#: In nm, one of those computed, and in J/m²: what own forces follow.
+RANGE, WORK = 5.6, 0.05
+#: Targets of the paper's study that own surfaces leave out.
+LEFT_OUT = {
+    "elastic", "plasticity", "asperities", "classical", "sets", "robustness", "claims", "figures",
+    "pages", "insight", "atomic",
+}  # fmt: skip
 
 
 def new(folder, *arguments):
@@ -56,3 +64,21 @@ def spm(path, heights, size):
     """Write heights (y, x) in nm on square pixels as a Nanoscope file; size (nm) along x."""
     rows, columns = heights.shape
     return nanoscope(path, np.round(heights / COUNT), (size, size * rows / columns))
+
+
+def forces_on(adhesion, surface, rng):
+    """Forty forces in µN, log-normal about the mean force of a surface at RANGE and WORK."""
+    of_surface = adhesion.pull_off_force.sel(surface=surface, contact_model="plastic")
+    mean = WORK * float(of_surface.sel(rho=RANGE, method="nearest").mean()) * 1e6
+    return mean * np.exp(rng.normal(-(0.5**2) / 2, 0.5, size=40))
+
+
+@contextmanager
+def changed(path, text):
+    """Change a file for a while."""
+    before = path.read_text()
+    path.write_text(text)
+    try:
+        yield
+    finally:
+        path.write_text(before)

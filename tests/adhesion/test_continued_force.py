@@ -71,7 +71,8 @@ def test_work_is_inversely_proportional_to_the_force():
     )
 
 
-@pytest.mark.parametrize("count", [2, pytest.param(5, marks=pytest.mark.study)])
+@pytest.mark.study
+@pytest.mark.parametrize("count", [2, 5])
 def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share(count):
     rng = np.random.default_rng(3)
     drawn, held = 300, 0

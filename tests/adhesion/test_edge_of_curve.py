@@ -23,17 +23,16 @@ def edge_of_ratios(side, cutoffs, ratio, low, high):
 
 
 def test_a_ratio_that_passes_through_one_between_cutoffs_leaves_where_it_is_known_to():
-    # ln(ratio) falls by ln(3) a decade of the cutoff and is zero at 3 µm.
+    # The known curve is (3 µm / cutoff)^0.16: one at 3 µm, 0.91 and 1.12 at the cutoffs around it.
     cutoffs = np.array([20e3, 5380.0, 1450.0, 389.0])
-    ratio = (3e3 / cutoffs) ** np.log10(3)
+    ratio = (3e3 / cutoffs) ** 0.16
     ratio[0] = 0.95  # flat again where nothing is left to be removed
-    ratio[1] = 0.93
     found = edge_of_ratios("large", cutoffs, ratio, 0.99 * ratio, 1.01 * ratio)
-    line = np.log([0.93, ratio[2]])
+    line = np.log(ratio[1:3])
     share = (np.log(1.1) - line[0]) / (line[1] - line[0])
     assert found["edge"] == pytest.approx(5380 * (1450 / 5380) ** share)
-    # The known curve reaches 1.1 at 2.46 µm; |ratio - 1| would put it at 4.9 µm.
-    assert found["edge"] == pytest.approx(3e3 / 1.1 ** (1 / np.log10(3)), rel=0.35)
+    # It reaches 1.1 at 1.65 µm; |ratio - 1| on the line between both would do so at 3.6 µm.
+    assert found["edge"] == pytest.approx(3e3 / 1.1 ** (1 / 0.16), rel=1e-9)
     np.testing.assert_allclose(found["edge_interval"], [1450, 5380])
 
 

@@ -47,6 +47,7 @@ def test_interval_is_over_scans_not_over_contacts():
 COVERED = {"force_median": 0.94, "lognormal_median": 0.94, "lognormal_shape": 0.79}
 
 
+@pytest.mark.study
 @pytest.mark.parametrize("name", COVERED)
 def test_interval_of_pooled_statistics_covers_as_often_as_was_measured(name):
     """Five scans with a log-normal factor each, which enters the shape squared: it covers less."""

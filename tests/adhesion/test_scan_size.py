@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scan_windows import LOAD, RANGES, contacts_on
 
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
 from hardcontact.adhesion.scan_size_rule import Case, ScanSizeRule, fitted_rule, rule_error
@@ -10,16 +11,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.topography import level, mirror_stitch
 
-LOAD = {"name": "one", "preload": 10e-6, "hardness": 25e9}
-WINDOWS = {
-    "sizes": [320.0, 640.0],
-    "each": 2,
-    "radius": 2000.0,
-    "ranges": [2.0, 5.0],
-    "window": 640.0,
-    "count": 2,
-    "load": LOAD,
-}
+WINDOWS = contacts_on(640.0, 2000.0, [320.0, 640.0])
 
 
 def surface(rms):
@@ -29,7 +21,7 @@ def surface(rms):
 
 def mean_force(one):
     pair = bodies(one, None, 2000.0, {"window": 640.0, "count": 2})
-    return mean_pull_off_of_pair(pair, [LOAD], [2.0, 5.0]).variables["pull_off_force"][1][0]
+    return mean_pull_off_of_pair(pair, [LOAD], RANGES).variables["pull_off_force"][1][0]
 
 
 def test_windows_of_a_flat_surface_have_its_force():

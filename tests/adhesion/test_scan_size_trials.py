@@ -3,6 +3,7 @@
 from functools import cache
 
 import numpy as np
+from scan_windows import contacts_on
 
 from hardcontact.adhesion.scan_size_rule import Case, ScanSizeRule
 from hardcontact.adhesion.scan_size_trials import random_spectra, scan_size_trials, window_excess
@@ -15,15 +16,7 @@ TRIALS = {
     "realizations": 2,
     "count": 5,
     "radii": [2e3, 2e4],
-    "contacts": {
-        "sizes": [500.0, 1000.0],
-        "each": 2,
-        "radius": 5e3,
-        "ranges": [2.0, 5.0],
-        "window": 2000.0,
-        "count": 2,
-        "load": {"name": "one", "preload": 10e-6, "hardness": 25e9},
-    },
+    "contacts": contacts_on(2000.0, 5e3, [500.0, 1000.0]),
     "excess": 1.1,
     "seed": 3,
     "confidence": 0.95,

@@ -133,8 +133,16 @@ def test_edges_between_cutoffs_far_apart_are_named():
     data = edges()
     kept = data.isel(cutoff_wavelength=~data["cutoff_wavelength"].isin([10, 40]).values)
     text = said(of_edges=kept)
-    assert "The short edge of the band is interpolated between cutoffs of 20 nm and 80 nm" in text
-    assert "The long edge of the band is interpolated" not in text
+    assert (
+        "The short edge of the band is read off between the two cutoffs computed beside it, 20 nm "
+        "and 80 nm; where between them it lies is interpolated. Its 95 % interval is another "
+        "thing: from 29.6 nm to 46.2 nm, as far as the scatter of forces may move it."
+    ) in text
+    assert "The long edge of the band is read off" not in text
+    unknown = kept.assign(edge_interval=kept["edge_interval"] * np.nan)
+    assert "interpolated." in said(of_edges=unknown) and "another thing" not in said(
+        of_edges=unknown
+    )
     assert "interpolated" not in said() + said(of_edges=open_edges())
 
 

@@ -2,13 +2,11 @@
 
 import numpy as np
 import pytest
-from answer_inputs import SURFACES, continued, edges, fit, force, open_edges, without_interval
+from answer_inputs import SURFACES, continued, edges, force, open_edges, without_interval
 from refusals import assert_says
 
-from hardcontact.answer import fit_curve
 from hardcontact.answer.sentences import (
     band_sentences,
-    fit_sentences,
     force_sentences,
     is_open,
     one_sentence,
@@ -102,37 +100,6 @@ def test_a_band_without_interval_says_why():
     data["scale_ratio_interval"] = data["scale_ratio_interval"] * np.nan
     text = band_sentences("x", data.assign(interval_note="no interval: a single quarter"))
     assert text.endswith(" No interval: a single quarter.") and "95 %" not in text
-
-
-def test_one_force_gives_the_work_at_each_range():
-    text = fit_sentences(fit_curve.of_answer(fit()))
-    assert_says(
-        text, "Measured: 640 nN [576, 704] on my coating (40 tests; scans: from 3 scans)",
-        "One mean force: every range", "46.3 mJ/m² [37, 57.9] at the range of 5.6 nm asked for",
-        "19.6 mJ/m² [15.7, 24.5] at 1 nm", "73.2 mJ/m² [58.6, 91.5] at 14 nm", "95 % intervals",
-    )  # fmt: skip
-    assert "published" not in text.lower() and "goes on" not in text
-
-
-def test_the_work_with_continued_roughness_stands_beside_that_of_the_scans():
-    data = fit_curve.of_answer(fit())
-    data["continued_differs"].loc[{"side": "small"}] = 1
-    assert "asked for, or 23.1 mJ/m² [18.5, 28.9] there if the roughness goes on below 20 nm" in (
-        fit_sentences(data)
-    )
-
-
-def test_several_forces_give_range_and_work():
-    text = fit_sentences(fit_curve.of_answer(fit(2)))
-    assert_says(text, "1.3 µN [1.17, 1.43] on twin", "Range 5.6 nm, work 46 mJ/m²", "region:")
-    assert_says(text, "my coating: 46.3 mJ/m²", "twin: 46.3 mJ/m²")
-
-
-def test_a_fit_without_intervals_has_none():
-    data = fit_curve.of_answer(fit())
-    for name in ("measured_force", "work_of_adhesion"):
-        data[f"{name}_interval"] = data[f"{name}_interval"] * np.nan
-    assert "[" not in fit_sentences(data)
 
 
 def test_pooled_band_is_in_words():

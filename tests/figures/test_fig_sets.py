@@ -61,6 +61,7 @@ def test_a_fact_that_orders_the_ranges_has_correlation_one(power, expected):
     assert row["quantity"] == "rms_gradient" and row["value"] == pytest.approx(expected)
 
 
+@pytest.mark.study
 def test_interval_holds_the_correlation_of_normal_pairs_as_often_as_it_says():
     rng, correlation, inside = np.random.default_rng(3), 0.5, 0
     expected = 6 / np.pi * np.arcsin(correlation / 2)  # Spearman's of a normal distribution

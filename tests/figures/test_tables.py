@@ -8,8 +8,10 @@ from figure_inputs.published_tables import published_constants
 
 from hardcontact.figures.tables import (
     bounded,
+    computed_rows,
     label_surfaces,
     over_sets,
+    published_edge,
     published_value,
     rows_by_construction,
     value_and_bounds,
@@ -23,6 +25,17 @@ def test_bounded_has_value_low_and_high():
     assert np.allclose(curves["low"], 0.8 * curves["value"])
     assert np.allclose(curves["high"], 1.2 * curves["value"])
     assert "bound" not in curves.coords
+
+
+def test_rows_are_those_of_known_values():
+    values = xr.Dataset(
+        {"value": ("side", [3.0, np.nan]), "low": ("side", [2.0, 1.0])}, {"side": ["a", "b"]}
+    )
+    (row,) = computed_rows(values, panel="c", quantity="edge").to_dict("records")
+    assert row == {
+        "side": "a", "value": 3.0, "low": 2.0, "origin": "computed", "panel": "c",
+        "quantity": "edge",
+    }  # fmt: skip
 
 
 def test_one_number_with_its_bounds():
@@ -41,6 +54,7 @@ def test_published_values_have_the_ends_of_their_uncertainty():
     assert np.allclose(list(work.values()), [0.0463, 0.0428, 0.0498])
     cutoff = published_value(constants, "critical_wavelength_small")
     assert cutoff["value"] == 43 and np.isnan([cutoff["low"], cutoff["high"]]).all()
+    assert published_edge(constants, "small") == 43 and published_edge(constants, "large") == 1800
 
 
 def test_rows_get_the_label_of_their_surface():

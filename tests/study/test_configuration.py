@@ -10,7 +10,10 @@ from hardcontact.study import configuration
 @pytest.mark.parametrize(
     ("key", "value", "parts"),
     [
-        ("studdy", "a", ["found studdy"]),
+        ("studdy", "a", ["found studdy (did you mean study?)"]),
+        ("forcs", "a.csv", ["found forcs (did you mean forces?)"]),
+        ("effort", "quik", ["config key effort: expected full or quick, found 'quik'"]),
+        ("sphere.radius", 250, ["a length with a unit, such as 5.6 nm or 250 um, found 250"]),
         ("scan.pixel", 5, ["config key scan:", "pixels", "found pixel"]),
         ("seed", MISSING, ["found no seed"]),
         ("scales.small.cutoffs", MISSING, ["config key scales.small:", "found no cutoffs"]),
@@ -23,7 +26,7 @@ from hardcontact.study import configuration
         (
             "contact.preload",
             1.0e-5,
-            ["config key contact.preload:", "a number with a unit", "1e-05"],
+            ["config key contact.preload:", "a force with a unit, such as 10 uN,", "1e-05"],
         ),
         ("contact.preload", "10", ["config key contact.preload:", "unit", "'10'"]),
         ("contact.preload", "ten uN", ["config key contact.preload:", "'ten uN'"]),
@@ -47,7 +50,7 @@ from hardcontact.study import configuration
         (
             "scales.small.cutoffs",
             [5],
-            ["config key scales.small.cutoffs.0:", "a number with a unit", "5"],
+            ["config key scales.small.cutoffs.0:", "a length with a unit", "5"],
         ),
         ("scales.small.cutoffs", [], ["config key scales.small.cutoffs:", "at least 1 entries"]),
         ("scan.undefined_pixels", "fill", ["scan.undefined_pixels:", "harmonic", "'fill'"]),
@@ -78,6 +81,10 @@ from hardcontact.study import configuration
 )
 def test_key_refused(key, value, parts):
     assert_says(refusal(numbers, key, value), "config key", "expected", *parts)
+
+
+def test_no_key_is_guessed_that_is_not_near():
+    assert "did you mean" not in refusal(numbers, "colour", 1)
 
 
 @pytest.mark.parametrize(

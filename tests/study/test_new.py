@@ -69,6 +69,7 @@ def test_one_scan(folder, monkeypatch, capsys):
     assert done.code == 0 and not done.errors
     assert_says(done.out, "one.nc", "height map", "64 x 64", "2.5 µm", "contact")
     assert f"snakemake --configfile config/{NAME}.yaml" in done.out.splitlines()
+    assert f"In tables, own forces and paths: a_test_of_new is {NAME}" in done.out.splitlines()
     config, table = accepted(folder, NAME)
     assert config["published"] == "none" and config["sphere"]["surface"] == "smooth"
     assert table.path.tolist() == ["one.nc"] and table.surface.tolist() == ["a_test_of_new"]
@@ -105,6 +106,8 @@ def test_several_surfaces_a_sphere_and_forces(folder, monkeypatch, capsys):
     config, table = accepted(folder, NAME)
     assert table.surface.tolist() == ["bare", "coated_ii", "sphere"]
     assert table.label.tolist() == ["bare", "Coated (II)", "sphere"]
+    spelled = "In tables, own forces and paths: coated_ii is Coated (II)"
+    assert spelled in done.out.splitlines()
     assert config["sphere"] == {"surface": "sphere", "radius": 1e5}
     assert config["forces"] == "my.csv" and config["scales"]["range"] == 4
     assert config["adhesion"]["work"] == 0.05

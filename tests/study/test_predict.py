@@ -10,7 +10,7 @@ from refusals import assert_says, refusal
 from hardcontact.adhesion.closed_form import Contact, closed_form
 from hardcontact.study import new
 from hardcontact.study.own_spectrum import own_spectrum
-from hardcontact.study.predict import predict, predict_arguments
+from hardcontact.study.predict import TRIED, predict, predict_arguments
 from hardcontact.surfaces.profile_conversion import isotropic_from_profile
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
@@ -52,6 +52,21 @@ def test_profiles_are_converted(table):
     assert found.density == pytest.approx(expected)
 
 
+def test_zeros_say_no_roughness(table):
+    rows = [f"{length},nm,{density},nm4" for length, density in zip(
+        [1000, 500, 200, 100, 50, 20, 10], [0, 1e6, 1e5, 1e4, 1e3, 1e2, 0], strict=True
+    )]  # fmt: skip
+    found = own_spectrum(table(HEADER, *rows))
+    assert (found.density == [0, 1e6, 1e5, 1e4, 1e3, 1e2, 0]).all()
+    assert found(2 * np.pi / np.array([1000, 15, 5])) == pytest.approx(0, abs=1e-90)
+
+
+def test_a_fault_of_every_line_is_told_once(table):
+    message = refusal(own_spectrum, table(HEADER, *[f"{n},s,1,nm4" for n in range(1, 8)]))
+    assert_says(message, "line 2 and 6 more: wavelength_unit: expected a length", "found s")
+    assert len(message.splitlines()) == 1
+
+
 @pytest.mark.parametrize(
     ("lines", "parts"),
     [
@@ -89,8 +104,24 @@ def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
     assert_says(
         told, f"pull-off force: {1e6 * expected.force:.2g} µN", f"regime: {expected.regime}",
         "range: 8nm (range of adhesion: as given)", "the paper's; --preload", "short edge",
-        "long edge",
+        "long edge", f"({TRIED})",
     )  # fmt: skip
+    assert "left out" not in told
+
+
+def test_the_help_states_the_error_that_a_prediction_states(capsys):
+    with pytest.raises(SystemExit):
+        predict_arguments(["--help"])
+    assert_says(capsys.readouterr().out, TRIED, "four diamond coatings")
+
+
+def test_rows_without_roughness_are_left_out_and_counted(table):
+    header, rows = "wavevector,wavevector_unit,c_iso,c_iso_unit", of(rough(17, 1000, 0.8, 20))
+    zeros = [f"{q},rad/nm,0,nm4" for q in (1e-7, 2e-7, 1e3)]
+    first, ends, *_ = predict(predict_arguments([table(header, *rows, *zeros)])).splitlines()
+    assert first == "left out: 3 rows of the table with a density of 0, no roughness there"
+    shortest = 2 * np.pi / own_spectrum(table(header, *rows)).wavevector[-1]
+    assert ends.startswith(f"spectrum: {shortest:.3g} nm to ")
 
 
 def test_waves_that_the_table_lacks_are_told(table):
@@ -100,7 +131,7 @@ def test_waves_that_the_table_lacks_are_told(table):
     cut = type(short)(short.wavevector[kept], short.density[kept])
     told = predict(predict_arguments([table(header, *of(cut))]))
     assert_says(told, "take care: waves longer than", "less sure than a factor of two")
-    assert "six diamond spectra" not in told
+    assert TRIED not in told
 
 
 @pytest.mark.parametrize("factor", [1e-36, 1e36])

@@ -19,6 +19,7 @@ def said(run):
     return line
 
 
+@pytest.mark.study
 def test_another_working_directory_is_refused(repository, tmp_path):
     snakefile = str(repository / "Snakefile")
     line = said(snakemake(repository, "-n", "--directory", str(tmp_path)))
@@ -27,6 +28,7 @@ def test_another_working_directory_is_refused(repository, tmp_path):
     assert said(snakemake(tmp_path, "-n", "--snakefile", snakefile)) == line
 
 
+@pytest.mark.study
 def test_use_as_a_module_is_refused(repository, tmp_path):
     text = f'module study:\n    snakefile: "{repository / "Snakefile"}"\n\nuse rule * from study\n'
     (tmp_path / "Snakefile").write_text(text)

@@ -30,7 +30,9 @@ def test_magnitude(text, unit, value):
      "10 foo", 10, None, ["1 nm"], "__import__('os') nm"],
 )  # fmt: skip
 def test_what_is_no_length_is_refused_in_one_line(text):
-    with pytest.raises(ValueError, match="expected a number with a unit") as refused:
+    with pytest.raises(
+        ValueError, match="expected a length with a unit, such as 5.6 nm or 250 um, found"
+    ) as refused:
         units.magnitude(text, "nm")
     assert "\n" not in str(refused.value)
 

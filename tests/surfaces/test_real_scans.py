@@ -66,14 +66,19 @@ mcd\tMCD\t1\tsubstitute\tresources/spectra/mcd.csv\t
 mcd\tMCD\t2\tsubstitute\tresources/spectra/mcd.csv\t
 ruby\truby\t1\tsubstitute\tresources/spectra/ruby.csv\t
 """
-#: The scan is 512 pixels of 19.5 nm, as the quick study's; four tiles of it need 4096. Its relief
-#: needs ranges of 0.25 nm or more.
+#: The scan is 512 pixels of 19.5 nm, 1024 when mirrored; masters of more tiles need more pixels.
+#: Its relief needs ranges of 0.25 nm or more.
 OWN = {
     "study": "own",
     "surfaces": "own.tsv",
     "adhesion": {"ranges": ["0.5 nm", "1 nm", "5.6 nm"]},
     "scales": {"large": {"pixels": 4096}},
     "sets": {"small": {"pixels": 4096}, "large": {"pixels": 4096}},
+    "insight": {
+        "small": {"pixels": 1024},
+        "large": {"pixels": 2048},
+        "scaling": {"small": {"pixels": 1024}, "large": {"pixels": 2048}},
+    },
     "robustness": {"heights": {"surface": "mcd"}, "tip": {"surface": "mcd"}},
     "indent": {"surface": "uncd"},
 }

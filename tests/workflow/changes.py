@@ -158,7 +158,7 @@ KEYS = {
     "insight.scan_sizes.excess": (1.2, {WINDOWS}),
 }  # fmt: skip
 
-#: Keys that make another study of measured surfaces: tests/workflow/test_own_study.py changes them.
+#: Keys that make another study of measured surfaces, changed by tests/workflow/test_own_reruns.py.
 KEYS_OF_OWN_SURFACES = {"published", "forces"}
 
 #: The same of keys that concern the variants of robustness alone, whose masters no set draws.

@@ -2,18 +2,18 @@
 
 from hardcontact import published
 from hardcontact.adhesion.closed_form_errors import Trial, closed_form_errors
+from hardcontact.adhesion.named_surfaces import with_names
 from hardcontact.study.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
     given = this.parameters
-    surfaces = given["surfaces"]
     work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
-    spectra = dict(zip(surfaces, map(read_spectrum, this.input.spectra), strict=True))
+    spectra = dict(zip(given["surfaces"], map(read_spectrum, this.input.spectra), strict=True))
     this.write(
-        closed_form_errors(spectra, Trial(work=work, **given["trial"])).assign(
-            label=("surface", [given["labels"][surface] for surface in surfaces]),
-            basis=("surface", [given["basis"][surface] for surface in surfaces]),
+        with_names(
+            closed_form_errors(spectra, Trial(work=work, **given["trial"])),
+            {"labels": given["labels"], "basis": given["basis"]},
         ),
         title="closed form of the pull-off force and its error",
     )

@@ -4,11 +4,8 @@ from hardcontact.adhesion.law_forces import filtered_range_forces, range_grid, s
 from hardcontact.random import generator
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.masters import SIDES, synthesized_master
 from hardcontact.surfaces.spectrum import read_spectrum
-from hardcontact.surfaces.synthesis import large_scale_master, small_scale_master
-
-#: How a master is synthesized, and the key that says how large.
-MASTERS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
 
 with job(snakemake) as this:
     given = this.parameters
@@ -22,13 +19,13 @@ with job(snakemake) as this:
         title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",
         output="scan",
     )
-    for side, (synthesize, size) in MASTERS.items():
+    for side in SIDES:
         scales = given["scales"][side]
-        master = synthesize(
+        master = synthesized_master(
+            side,
             generator(given["seed"], surface, number, f"{side}-scale laws"),
             scan,
-            scales[size],
-            scales["transition"],
+            scales,
             read_spectrum(this.input.spectrum),
         )
         this.write_arrays(

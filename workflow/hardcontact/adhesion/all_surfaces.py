@@ -1,14 +1,14 @@
 """Datasets of all surfaces, stacked from those of single pairs, scans or masters."""
 
 from collections.abc import Mapping
-from typing import Any, TypedDict, TypeVar
+from typing import Any, TypeVar
 
 import xarray as xr
 
+from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.records.dataset import stack
 
 __all__ = [
-    "Described",
     "at_load",
     "stacked_asperities",
     "stacked_elastic_contacts",
@@ -21,23 +21,6 @@ __all__ = [
 Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
 Key = tuple[Any, ...]
 CONTACT_AXES = ["contact_y", "contact_x"]
-
-
-class Described(TypedDict):
-    """Label of each surface, and whether it was measured or is a substitute."""
-
-    labels: Mapping[str, str]
-    basis: Mapping[str, str]
-
-
-def _with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
-    """Add label and basis of every surface."""
-    return dataset.assign(
-        {
-            name: ("surface", [of_surface[str(surface)] for surface in dataset.surface.values])
-            for name, of_surface in (("label", described["labels"]), ("basis", described["basis"]))
-        }
-    )
 
 
 def _numbered(part: xr.Dataset) -> xr.Dataset:
@@ -77,7 +60,7 @@ def stacked_pull_off_forces(
         contact_pixels=counts.contact_pixels.max(dimensions, keep_attrs=True),
         window_change=changes.window_change,
     )
-    return _with_names(forces, described)
+    return with_names(forces, described)
 
 
 def stacked_filtered_forces(masters: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
@@ -125,7 +108,7 @@ def stacked_filtered_forces(masters: Mapping[Key, xr.Dataset], described: Descri
     scales.ratio.attrs = {"units": "1", "long_name": "mean pull-off force over that unfiltered"}
     scales.unfiltered_wavelength.attrs = end_of_spectrum
     scales.cutoff_wavelength.attrs = {"units": "nm", "long_name": "cutoff wavelength"}
-    return _with_names(scales, described)
+    return with_names(scales, described)
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
@@ -211,9 +194,9 @@ def stacked_elastic_contacts(scans: Mapping[Key, xr.Dataset], described: Describ
     for (surface, _), scan in scans.items():
         first.setdefault((surface,), scan[["pressure"]])
     pressure = stack(first, ["surface"]).pressure
-    return _with_names(contacts.assign(pressure=pressure), described)
+    return with_names(contacts.assign(pressure=pressure), described)
 
 
 def stacked_asperities(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
     """Return `asperities_of_pair` of all surfaces and scans: (surface, scan, contact, rho)."""
-    return _with_names(stack(scans, ["surface", "scan"]), described)
+    return with_names(stack(scans, ["surface", "scan"]), described)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from hardcontact.contact.bearing_area import LowestGaps
 from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.pixel_gaps import gaps_at
 
 __all__ = ["ContactPixels", "Contacts"]
 
@@ -104,9 +105,4 @@ def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_
     code = (4 * geometry.window, 1)  # one number a pixel, in the order of rows and columns
     codes, first = np.unique(places @ code, return_index=True)
     places = places[first[~np.isin(codes, offsets @ code)]]
-    y, x = ((geometry.positions[list(place)] + places) % pixels).T
-    gaps = geometry.paraboloid(places).sum(axis=1) - bodies.substrate.heights[y, x]
-    if bodies.roughness is not None:
-        u, v = (places % bodies.roughness.pixels).T
-        gaps -= bodies.roughness.heights[u, v]
-    return np.asarray(gaps)
+    return gaps_at(bodies, geometry.positions[list(place)], places)

@@ -4,12 +4,11 @@ from typing import TypedDict
 
 import numpy as np
 
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, mean_pull_off_of_pair
+from hardcontact.adhesion.filtered_masters import forces_at_cutoffs
+from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
 from hardcontact.contact.geometry import ContactArray, bodies
-from hardcontact.records.log import progress
-from hardcontact.records.netcdf import Arrays
-from hardcontact.surfaces.filters import filtered
+from hardcontact.records.netcdf import Arrays, Variable
 from hardcontact.surfaces.height_map import HeightMap
 
 __all__ = ["ScaledContacts", "scaled_pull_off"]
@@ -70,39 +69,22 @@ def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> Arrays:
         touch; ``unfiltered_wavelength``, the end of the unfiltered spectrum. The coordinate area
         is the preload over the hardness in nm².
     """
-    side, pixels = parameters["side"], parameters["pixels"]
-    cutoffs: list[float | None] = [None, *parameters["cutoffs"]]
-    unfiltered, *forces = (
-        _forces(filtered(master, side, cutoff, pixels), parameters)
-        for cutoff in progress(cutoffs, len(cutoffs), "cutoffs")
+    nm = {"units": "nm"}
+    areas = np.asarray(parameters["preloads"]) / parameters["hardness"] * 1e18
+    axes: dict[str, Variable] = {
+        "radius": (("radius",), np.array(parameters["radii"]), nm),
+        "area": (("area",), areas, {"units": "nm2", "long_name": "preload over hardness"}),
+        "rho": (("rho",), np.array(parameters["ranges"]), nm),
+    }
+    curves = forces_at_cutoffs(
+        master, parameters["side"], parameters, lambda surface: _forces(surface, parameters), axes
     )
-    pixel_size = master.size / pixels
+    pixel_size = master.size / parameters["pixels"]
     touching = [
         contact_pixel_count(load, pixel_size) * pixel_size**2 for load in _loads(parameters)
     ]
-    areas = np.asarray(parameters["preloads"]) / parameters["hardness"] * 1e18
-    end = 2 * pixel_size if side == "small" else master.size
-    combination = ("radius", "area", "rho")
-    nm = {"units": "nm"}
-    return Arrays(
-        {
-            "unfiltered_pull_off_force": (combination, unfiltered, FORCE),
-            "pull_off_force": (("cutoff_wavelength", *combination), np.array(forces), FORCE),
-            "contact_area": (("area",), touching, {"units": "nm2", "long_name": "touching pixels"}),
-            "unfiltered_wavelength": (
-                (),
-                end,
-                nm | {"long_name": "end of the unfiltered spectrum"},
-            ),
-        },
-        {
-            "cutoff_wavelength": (("cutoff_wavelength",), np.array(parameters["cutoffs"]), nm),
-            "radius": (("radius",), np.array(parameters["radii"]), nm),
-            "area": (("area",), areas, {"units": "nm2", "long_name": "preload over hardness"}),
-            "rho": (("rho",), np.array(parameters["ranges"]), nm),
-        },
-        {"work_of_adhesion": WORK_OF_ADHESION},
-    )
+    contact_area = (("area",), touching, {"units": "nm2", "long_name": "touching pixels"})
+    return curves._replace(variables=curves.variables | {"contact_area": contact_area})
 
 
 def _loads(parameters: ScaledContacts) -> list[NamedLoad]:

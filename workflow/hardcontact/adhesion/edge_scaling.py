@@ -12,8 +12,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.all_surfaces import Described
 from hardcontact.adhesion.critical_band import POOLED, critical_band
+from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import bounds, jackknife_interval, with_interval
@@ -66,16 +66,13 @@ def stacked_scaling(
     }
     stacked = stack(parts, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     first = stacked.isel(realization=0, drop=True)
-    names = stacked["surface"].values.tolist()
-    of_surfaces = [spectra[name] for name in names]
+    of_surfaces = [spectra[name] for name in stacked["surface"].values.tolist()]
     nm = {"units": "nm"}
-    return stacked.assign(
+    return with_names(stacked, described).assign(
         unfiltered_wavelength=first["unfiltered_wavelength"],
         contact_area=first["contact_area"].isel(surface=0, drop=True),
         rms_height=("surface", [all_scales_moments(one)[0] for one in of_surfaces], nm),
         roll_off=("surface", [roll_off(one) for one in of_surfaces], nm),
-        label=("surface", [described["labels"][name] for name in names]),
-        basis=("surface", [described["basis"][name] for name in names]),
     )
 
 

@@ -12,9 +12,8 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import Described
 from hardcontact.adhesion.force_sum import opened_total, pull_off_force
-from hardcontact.adhesion.named_surfaces import with_names
+from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies

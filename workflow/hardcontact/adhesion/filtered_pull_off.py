@@ -4,11 +4,11 @@ from typing import TypedDict
 
 import numpy as np
 
+from hardcontact.adhesion.filtered_masters import Cutoffs, forces_at_cutoffs
 from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, contact_axes, load_axis
 from hardcontact.contact.bearing_area import ContactSettings, NamedLoad, contact_pixel_count
 from hardcontact.contact.geometry import ContactArray, bodies
-from hardcontact.records.log import progress
 from hardcontact.records.netcdf import Arrays
 from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
@@ -46,21 +46,6 @@ class FilteredContact(TypedDict):
     radius: float
     rho: float
     contact: ContactSettings
-
-
-class Cutoffs(TypedDict):
-    """What a master is filtered at.
-
-    Attributes
-    ----------
-    pixels : int
-        Along an edge of a filtered surface.
-    cutoffs : list of float
-        In nm.
-    """
-
-    pixels: int
-    cutoffs: list[float]
 
 
 class FilteredContacts(ContactArray):
@@ -148,24 +133,14 @@ def mean_filtered_pull_off(
         ``pull_off_force`` (cutoff_wavelength, load), ``unfiltered_pull_off_force`` (load) and
         ``unfiltered_wavelength``, the end of the unfiltered spectrum.
     """
-    side, scales = parameters["side"], parameters["scales"]
-    cutoffs: list[float | None] = [None, *scales["cutoffs"]]
-    unfiltered, *forces = (
-        _mean_forces(filtered(master, side, cutoff, scales["pixels"]), sphere, parameters)
-        for cutoff in progress(cutoffs, len(cutoffs), "cutoffs")
+    curves = forces_at_cutoffs(
+        master,
+        parameters["side"],
+        parameters["scales"],
+        lambda surface: _mean_forces(surface, sphere, parameters),
+        load_axis(parameters["loads"]),
     )
-    end = 2 * master.size / scales["pixels"] if side == "small" else master.size
-    nanometres = {"units": "nm", "long_name": "end of the unfiltered spectrum"}
-    axis = (("cutoff_wavelength",), np.asarray(scales["cutoffs"], float), {"units": "nm"})
-    return Arrays(
-        {
-            "unfiltered_pull_off_force": (("load",), unfiltered, FORCE),
-            "pull_off_force": (("cutoff_wavelength", "load"), np.array(forces), FORCE),
-            "unfiltered_wavelength": ((), end, nanometres),
-        },
-        {"cutoff_wavelength": axis} | load_axis(parameters["loads"]),
-        {"work_of_adhesion": WORK_OF_ADHESION, "rho": parameters["rho"]},
-    )
+    return curves._replace(attributes=curves.attributes | {"rho": parameters["rho"]})
 
 
 def _mean_forces(

@@ -9,7 +9,14 @@ from scipy.interpolate import make_interp_spline
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.statistics import student_log_interval, student_log_samples, with_interval
 
-__all__ = ["at_range", "force_curves", "mean_forces", "mean_of_each_scan", "on_fine_grid"]
+__all__ = [
+    "at_range",
+    "force_curves",
+    "mean_forces",
+    "mean_of_each_scan",
+    "means_over_scans",
+    "on_fine_grid",
+]
 
 #: Dimensions of single contacts, and of the sphere scans they are made with.
 CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
@@ -48,16 +55,37 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, n
     sampled : ndarray (sample, surface, rho)
         In N, as from `student_log_samples`; NaN of a surface of one scan.
     """
-    scans = mean_of_each_scan(forces)
-    sampled = [
+    return means_over_scans(mean_of_each_scan(forces), "adhesion", sampling)
+
+
+def means_over_scans(
+    scans: xr.DataArray, purpose: str, sampling: Sampling
+) -> tuple[np.ndarray, np.ndarray]:
+    """Average the forces of scans of each surface, and sample this mean.
+
+    Parameters
+    ----------
+    scans : xarray.DataArray (surface, scan, rho)
+        Mean force of each in N, NaN where a scan is missing.
+    purpose : str
+        What the random numbers are for, before the name of the surface.
+    sampling : Sampling
+        Of the means.
+
+    Returns
+    -------
+    means, sampled : ndarray (surface, rho) and (sample, surface, rho)
+        As `mean_forces` returns them.
+    """
+    drawn = [
         student_log_samples(
-            sampling.generator("adhesion", str(surface)),
+            sampling.generator(purpose, str(surface)),
             scans.sel(surface=surface).dropna("scan").values,
             sampling.samples,
         )
         for surface in scans.surface.values
     ]
-    return scans.mean("scan").values, np.stack(sampled, axis=1)
+    return scans.mean("scan").values, np.stack(drawn, axis=1)
 
 
 def force_curves(

@@ -8,11 +8,10 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import Described
 from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.interaction_laws import LAWS, Law
 from hardcontact.adhesion.law_forces import law_forces
-from hardcontact.adhesion.named_surfaces import with_names
+from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import jackknife_interval, with_interval

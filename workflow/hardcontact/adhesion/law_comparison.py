@@ -14,6 +14,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.adhesion.error_map import fit, fit_work
+from hardcontact.adhesion.force_curves import means_over_scans
 from hardcontact.adhesion.inference import Pair
 from hardcontact.adhesion.interaction_laws import (
     EXPONENTIAL,
@@ -26,7 +27,6 @@ from hardcontact.adhesion.interaction_laws import (
 from hardcontact.adhesion.law_bands import bands_of_law, edge_factors
 from hardcontact.adhesion.law_forces import law_forces, range_grid
 from hardcontact.adhesion.sampling import Sampling
-from hardcontact.statistics import student_log_samples
 
 __all__ = ["CASES", "LawChoices", "compare_laws"]
 
@@ -102,7 +102,8 @@ def compare_laws(
     """
     surfaces = forces.surface.values.tolist()
     target = published.mean_force.reindex(surfaces)
-    of_ranges = _mean_forces(forces.pull_off_force, choices.sampling)
+    scans = forces.pull_off_force.transpose("surface", "scan", "rho")
+    of_ranges = _Forces(forces.rho.values, *means_over_scans(scans, "laws", choices.sampling))
     of_laws = [_of_law(law, of_ranges, target, choices) for law in LAWS]
     bands = [
         bands_of_law(
@@ -138,20 +139,6 @@ class _Forces(NamedTuple):
     ranges: np.ndarray
     means: np.ndarray
     sampled: np.ndarray
-
-
-def _mean_forces(forces: xr.DataArray, sampling: Sampling) -> _Forces:
-    """Return means over scans of forces (surface, scan, rho), and samples of them."""
-    scans = forces.transpose("surface", "scan", "rho")
-    sampled = [
-        student_log_samples(
-            sampling.generator("laws", str(surface)),
-            scans.sel(surface=surface).dropna("scan").values,
-            sampling.samples,
-        )
-        for surface in scans.surface.values
-    ]
-    return _Forces(forces.rho.values, scans.mean("scan").values, np.stack(sampled, axis=1))
 
 
 def _of_law(law: Law, forces: _Forces, target: pd.Series, choices: LawChoices) -> xr.Dataset:

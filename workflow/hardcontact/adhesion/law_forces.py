@@ -7,18 +7,17 @@ mixture every term has such a factor of its own, and those of small range exceed
 contact pixels are therefore flattened to the gap 0 before each sum, which then runs over gaps >= 0.
 """
 
-from collections.abc import Sequence
 from dataclasses import replace
-from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.contact_pixels import Contacts
+from hardcontact.adhesion.filtered_masters import Cutoffs, forces_at_cutoffs
 from hardcontact.adhesion.force_curves import on_fine_grid
 from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.interaction_laws import Law, work_shares
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, range_axis
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import (
     ContactSettings,
@@ -28,13 +27,10 @@ from hardcontact.contact.bearing_area import (
 )
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
 from hardcontact.contact.tiles import as_tiles
-from hardcontact.records.log import progress
-from hardcontact.records.netcdf import Arrays, Variable
-from hardcontact.surfaces.filters import filtered
+from hardcontact.records.netcdf import Arrays
 from hardcontact.surfaces.height_map import HeightMap
 
 __all__ = [
-    "Filters",
     "RangeContacts",
     "filtered_range_forces",
     "law_forces",
@@ -69,13 +65,6 @@ class RangeContacts(ContactSettings):
     radius: float
     reach: float
     ranges: list[float]
-
-
-class Filters(TypedDict):
-    """Cutoffs (nm) of one side, and pixels along an edge of a filtered master."""
-
-    pixels: int
-    cutoffs: list[float]
 
 
 def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
@@ -141,7 +130,7 @@ def filtered_range_forces(
     master: HeightMap,
     sphere: HeightMap | None,
     side: str,
-    filters: Filters,
+    scales: Cutoffs,
     parameters: RangeContacts,
 ) -> Arrays:
     """Return the mean plastic pull-off of a master, whole and filtered, at all ranges.
@@ -154,8 +143,8 @@ def filtered_range_forces(
         Roughness of the sphere; None of a smooth one.
     side : str
         ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
-    filters : Filters
-        Cutoffs and pixels.
+    scales : Cutoffs
+        The filters.
     parameters : RangeContacts
         Contacts, sphere and ranges.
 
@@ -165,21 +154,12 @@ def filtered_range_forces(
         ``pull_off_force`` (cutoff_wavelength, rho), ``unfiltered_pull_off_force`` (rho) and
         ``unfiltered_wavelength``.
     """
-    cutoffs: list[float | None] = [None, *filters["cutoffs"]]
-    unfiltered, *forces = (
-        mean_range_forces(filtered(master, side, cutoff, filters["pixels"]), sphere, parameters)
-        for cutoff in progress(cutoffs, len(cutoffs), "cutoffs")
-    )
-    end = 2 * master.size / filters["pixels"] if side == "small" else master.size
-    axis = (("cutoff_wavelength",), np.asarray(filters["cutoffs"], float), {"units": "nm"})
-    return Arrays(
-        {
-            "unfiltered_pull_off_force": (("rho",), unfiltered, FORCE),
-            "pull_off_force": (("cutoff_wavelength", "rho"), np.array(forces), FORCE),
-            "unfiltered_wavelength": ((), end, {"units": "nm"}),
-        },
-        {"cutoff_wavelength": axis, **_range_axis(parameters["ranges"])},
-        {"work_of_adhesion": WORK_OF_ADHESION},
+    return forces_at_cutoffs(
+        master,
+        side,
+        scales,
+        lambda surface: mean_range_forces(surface, sphere, parameters),
+        range_axis(parameters["ranges"]),
     )
 
 
@@ -218,15 +198,9 @@ def scan_range_forces(
             "pull_off_force": (("rho",), whole, FORCE),
             "half_window_pull_off_force": (("rho",), narrow, FORCE),
         },
-        _range_axis(parameters["ranges"]),
+        range_axis(parameters["ranges"]),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
-
-
-def _range_axis(ranges: Sequence[float]) -> dict[str, Variable]:
-    """Return the coordinate of the ranges of exponential laws."""
-    attributes = {"units": "nm", "long_name": "range of an exponential law"}
-    return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
 
 
 def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> Floats:

@@ -1,10 +1,18 @@
-"""Labels and bases of surfaces in the datasets of the chapter on what decides the band."""
+"""Labels and bases of surfaces in datasets of several."""
+
+from collections.abc import Mapping
+from typing import TypedDict
 
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import Described
+__all__ = ["Described", "with_names"]
 
-__all__ = ["with_names"]
+
+class Described(TypedDict):
+    """Label of each surface, and whether it was measured or is a substitute."""
+
+    labels: Mapping[str, str]
+    basis: Mapping[str, str]
 
 
 def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:

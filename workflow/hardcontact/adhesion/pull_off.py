@@ -25,6 +25,7 @@ __all__ = [
     "load_axis",
     "mean_pull_off_of_pair",
     "pull_off_of_pair",
+    "range_axis",
     "window_change",
 ]
 
@@ -46,7 +47,7 @@ def load_axis(loads: Sequence[NamedLoad]) -> dict[str, Variable]:
     return {"load": (("load",), [load["name"] for load in loads], {"long_name": "load"})}
 
 
-def _range_axis(ranges: Sequence[float]) -> dict[str, Variable]:
+def range_axis(ranges: Sequence[float]) -> dict[str, Variable]:
     """Return the coordinate of ranges of adhesion."""
     attributes = {"units": "nm", "long_name": "range of adhesion"}
     return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
@@ -97,7 +98,7 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arr
             "contact_pixels": (("contact_model",), [1, contact_pixels], {"units": "1"}),
         },
         {"contact_model": (("contact_model",), ["rigid", "plastic"], {})}
-        | _range_axis(ranges)
+        | range_axis(ranges)
         | contact_axes(bodies),
         {
             "work_of_adhesion": WORK_OF_ADHESION,
@@ -141,7 +142,7 @@ def mean_pull_off_of_pair(
     forces = pull_off_force(totals, rhos, pixel_size, WORK_OF_ADHESION)
     return Arrays(
         {"pull_off_force": (("load", "rho"), forces, FORCE)},
-        load_axis(loads) | _range_axis(ranges),
+        load_axis(loads) | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
 

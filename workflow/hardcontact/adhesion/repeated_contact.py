@@ -7,10 +7,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.all_surfaces import Described
 from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
 from hardcontact.adhesion.indented_sphere import repeated_totals
-from hardcontact.adhesion.named_surfaces import with_names
+from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.repeated_contact import IndentSizes, indent_sizes

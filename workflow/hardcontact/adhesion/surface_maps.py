@@ -7,6 +7,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.map_statistics import deviation_interval
+from hardcontact.adhesion.named_surfaces import with_names
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.adhesion.scan_maps import SAMPLINGS, MapSettings, force_maps, normal_quantile
 from hardcontact.adhesion.smooth_sphere import dmt_pull_off
@@ -67,13 +68,7 @@ def maps_of_surfaces(
         key: force_maps(read_height_map(path), settings)
         for key, path in progress(files, len(files), "scans")
     }
-    maps = maps_of_scans(scans, settings)
-    return maps.assign(
-        {
-            name: ("surface", [of_surface[str(surface)] for surface in maps["surface"].values])
-            for name, of_surface in (("label", labels), ("basis", basis))
-        }
-    )
+    return with_names(maps_of_scans(scans, settings), {"labels": labels, "basis": basis})
 
 
 def maps_of_scans(scans: Mapping[tuple[str, int], xr.Dataset], settings: MapSettings) -> xr.Dataset:

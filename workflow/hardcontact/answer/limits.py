@@ -18,6 +18,7 @@ from hardcontact.answer.sentences import (
     printed_continued_force,
     transition_words,
 )
+from hardcontact.answer.sparse_cutoffs import EDGES, sparse_cutoffs
 
 __all__ = ["artificial_edges", "grave_limits", "limits", "measurement_name"]
 
@@ -27,15 +28,10 @@ NAMED = 4
 #: Share of the force on a smooth sphere that a window holds as good as whole.
 WHOLE = 0.99
 
-#: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
-SPARSE = 2.0
-
 #: Kind of what stands for the measurements of a substitute.
 DESCRIPTION = "description"
 #: How roughness that is continued at each side ends.
 END = {"small": "down to", "large": "up to"}
-
-EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
 
 
 def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
@@ -62,7 +58,7 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *_of_continued_roughness(force),
         *_of_pixels(force),
         *_of_intervals(edges, force),
-        *_of_cutoffs(edges),
+        *sparse_cutoffs(edges),
         *_of_spectrum(spectra),
     ]
 
@@ -222,28 +218,6 @@ def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
             f"{force['correlation_of_parts'].item():.2f} for this reason is taken into account."
         )
     return texts
-
-
-def _of_cutoffs(edges: xr.Dataset) -> list[str]:
-    """Return which edges were found between cutoffs that lie far apart."""
-    texts = []
-    for side in EDGES:
-        shorter, longer = _neighbours(edges.sel(side=side))
-        if longer > SPARSE * shorter:
-            texts.append(
-                f"{EDGES[side]} is interpolated between cutoffs of {print_length(shorter)} and "
-                f"{print_length(longer)}: all that was computed is that it lies between them."
-            )
-    return texts
-
-
-def _neighbours(of_side: xr.Dataset) -> tuple[float, float]:
-    """Return the cutoffs (nm) between which the edge of one side was found, NaN of an open one."""
-    edge = of_side["edge"].item()
-    known = of_side["scale_ratio"].dropna("cutoff_wavelength")["cutoff_wavelength"].values
-    if np.isnan(edge):
-        return np.nan, np.nan
-    return float(known[known <= edge].max()), float(known[known >= edge].min())
 
 
 def _of_spectrum(spectra: xr.Dataset) -> list[str]:

@@ -8,10 +8,10 @@ import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, measurements
 from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.first_sentences import first_sentences
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
 from hardcontact.answer.ratios import SIDES, computed_cutoffs
-from hardcontact.answer.sentences import one_sentence
 from hardcontact.statistics import bounds
 
 __all__ = ["METRICS", "answer_numbers"]
@@ -55,8 +55,8 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
         "tolerance": _number(given.edges.attrs["tolerance"], "1"),
         "confidence": _number(given.edges.attrs["confidence"], "1"),
         "surfaces": {
-            surface: _of_surface(label, given.of_surface(surface))
-            for surface, label in given.labels().items()
+            surface: {"answer": text} | _of_surface(given.of_surface(surface))
+            for surface, text in first_sentences(given).items()
         },
         "pooled_band": _pooled(given.edges),
         "fit": None if given.fit is None else _fit(given.fit),
@@ -64,13 +64,12 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
     }
 
 
-def _of_surface(label: str, given: Datasets) -> dict[str, Any]:
+def _of_surface(given: Datasets) -> dict[str, Any]:
     """Return the numbers of one surface from its parts of the datasets."""
     basis = str(given.topography["basis"].item())
     return {
         "label": str(given.topography["label"].item()),
         "basis": basis,
-        "answer": one_sentence(label, given.edges, given.force),
         "scan_size": _of(given.topography, "scan_size", "nm"),
         "pixel_size": _of(given.topography, "pixel_size", "nm"),
         "scans": _scans(given.topography),

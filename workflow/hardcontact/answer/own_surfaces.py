@@ -11,6 +11,8 @@ from hardcontact.answer import fit_curve, force_curve, maps, psd, ratios
 from hardcontact.answer.artificial import artificial_bands, artificial_words
 from hardcontact.answer.canvas import png
 from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.first_sentences import first_sentences
+from hardcontact.answer.fit_sentences import fit_sentences
 from hardcontact.answer.force_curve import model_of
 from hardcontact.answer.html import figure_html, list_html, page, table_html, text_html
 from hardcontact.answer.limits import grave_limits, limits
@@ -19,9 +21,7 @@ from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.quartiles import quartile_sentences
 from hardcontact.answer.sentences import (
     band_sentences,
-    fit_sentences,
     force_sentences,
-    one_sentence,
     pooled_sentence,
 )
 from hardcontact.answer.tables import measurement_table, roughness_table
@@ -109,7 +109,7 @@ def _paragraphs(given: Datasets, write: Callable[[str, Datasets], str]) -> str:
 
 def _first_screen(given: Datasets) -> str:
     """Return the answer of each surface in a sentence, and what it means."""
-    sentences = _paragraphs(given, lambda label, of: one_sentence(label, of.edges, of.force))
+    sentences = "\n".join(f"<p>{text_html(text)}</p>" for text in first_sentences(given).values())
     tolerance = print_share(given.edges.attrs["tolerance"])
     confidence = print_share(given.edges.attrs["confidence"])
     meaning = (

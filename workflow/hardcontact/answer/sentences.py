@@ -1,4 +1,4 @@
-"""The answer in words: the band and the force of a surface, the fit of its own forces."""
+"""The answer in words: the band and the force of a surface."""
 
 import re
 
@@ -12,9 +12,9 @@ from hardcontact.figures.style import print_share
 
 __all__ = [
     "band_sentences",
+    "capital",
     "differing_sides",
     "edge_words",
-    "fit_sentences",
     "force_sentences",
     "is_open",
     "one_sentence",
@@ -137,7 +137,7 @@ def band_sentences(label: str, edges: xr.Dataset) -> str:
         "when all roughness beyond it is removed."
     )
     note = str(edges["interval_note"].item())
-    intervals = f"{_capital(note)}."
+    intervals = f"{capital(note)}."
     if np.isfinite(edges["scale_ratio_interval"]).any():
         intervals = (
             f"Brackets are {print_share(edges.attrs['confidence'])} intervals, {note}; their ends "
@@ -217,55 +217,6 @@ def force_sentences(label: str, force: xr.Dataset) -> str:
     )
 
 
-def fit_sentences(fit: xr.Dataset) -> str:
-    """Return what the user's own forces say about range and work of adhesion.
-
-    Parameters
-    ----------
-    fit : xarray.Dataset
-        Part of fit.nc of one contact model: `measured_force` in N with its interval, `tests`,
-        `label` and `interval_note` (surface), `work_of_adhesion` (surface, rho), `fit_text`,
-        `continued_work` and `continued_differs` (surface, side), `transition` (side).
-
-    Returns
-    -------
-    str
-        Plain text.
-    """
-    surfaces = [fit.sel(surface=surface) for surface in fit["surface"].values]
-    forces = ", ".join(
-        f"{print_bounded(one, 'measured_force', 'N')} on {one['label'].item()} "
-        f"({one['interval_note'].item()})"
-        for one in surfaces
-    )
-    text = f"Measured: {forces}. {_capital(str(fit['fit_text'].item()))}."
-    works = "; ".join(_works(one) for one in surfaces)
-    return f"{text} {works}. Brackets: {print_share(fit.attrs['confidence'])} intervals."
-
-
-def _works(fit: xr.Dataset) -> str:
-    """Return the works of adhesion of one surface: at the range asked for and at the ends."""
-    asked = fit.attrs["range_of_adhesion"]
-    here = fit.sel(rho=asked, method="nearest")
-    text = f"{fit['label'].item()}: {_work(here)} at the range of {print_length(asked)} asked for"
-    for side in differing_sides(fit):
-        continued = print_bounded(fit.sel(side=side), "continued_work", "J m-2")
-        text += (
-            f", or {continued} there if the roughness goes on {transition_words(fit, side)} as its "
-            "spectrum does, because the work is the measured force over the computed one"
-        )
-    first, last = (
-        f"{_work(end)} at {print_length(end['rho'].item())}"
-        for end in (fit.isel(rho=0), fit.isel(rho=-1))
-    )
-    return f"{text}; from {first} to {last} over all ranges computed"
-
-
-def _work(fit: xr.Dataset) -> str:
-    """Return the work of adhesion that fits at one range, as printed."""
-    return print_bounded(fit, "work_of_adhesion", "J m-2")
-
-
-def _capital(text: str) -> str:
+def capital(text: str) -> str:
     """Return a text that begins with a capital letter."""
     return text[:1].upper() + text[1:]

@@ -29,6 +29,7 @@ from hardcontact.figures.tables import (
     bounded,
     label_surfaces,
     over_sets,
+    published_edge,
 )
 
 __all__ = ["draw", "table"]
@@ -76,7 +77,7 @@ def table(
             *realization_rows(scales.sel(side=side)),
             closed_form_rows(closed_form.sel(side=side)),
             without_open_ends(critical_rows(band.sel(side=side), sets.sel(side=side)), band, side),
-            published_row(side, _published_cutoff(published_constants, side)),
+            published_row(side, published_edge(published_constants, side)),
         )
     )
     return label_surfaces(rows, band, "group")[COLUMNS].reset_index(drop=True)
@@ -125,7 +126,7 @@ def draw(
         _draw_changes(column[1], of_side, of_sets)
         _draw_critical(column[2], of_side, of_sets)
         for axes in column:
-            axes.axvline(_published_cutoff(published_constants, side), zorder=1, **PUBLISHED)
+            axes.axvline(published_edge(published_constants, side), zorder=1, **PUBLISHED)
             axes.label_outer()
             style.shade_artificial(axes, [_artificial(scales.sel(side=side))])
         style.label_panel(column[0], letter, SIDES[side])
@@ -134,7 +135,7 @@ def draw(
         for axes in row:
             style.label_logarithmic(axes.yaxis, at=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
-    cutoffs = [_published_cutoff(published_constants, side) for side in SIDES]
+    cutoffs = [published_edge(published_constants, side) for side in SIDES]
     style.legend_above(figure, _legend_handles(band, cutoffs))
     figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)
@@ -145,11 +146,6 @@ def _artificial(of_side: xr.Dataset) -> tuple[float, float]:
     """Return the wavelengths (nm) at which the masters of one side have artificial roughness."""
     transition = float(of_side["transition"])
     return (0.0, transition) if of_side["side"].item() == "small" else (transition, np.inf)
-
-
-def _published_cutoff(published_constants: pd.DataFrame, side: str) -> float:
-    """Return the published critical wavelength (nm) of one side of the band."""
-    return float(published_constants["value"][f"critical_wavelength_{side}"])
 
 
 def _looks(band: xr.Dataset) -> dict[str, dict[str, Any]]:

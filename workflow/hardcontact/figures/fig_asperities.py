@@ -11,7 +11,13 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, label_surfaces, value_and_bounds
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    label_surfaces,
+    published_edge,
+    value_and_bounds,
+)
 
 __all__ = ["draw", "table"]
 
@@ -132,11 +138,6 @@ def _critical(band: xr.Dataset) -> dict[str, float]:
     return value_and_bounds(band.sel(side="large", group=POOLED), "critical_wavelength")
 
 
-def _published_critical(published_constants: pd.DataFrame) -> float:
-    """Return the published long critical wavelength (nm)."""
-    return float(published_constants["value"]["critical_wavelength_large"])
-
-
 def _curve_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
     rows = _quartiles(asperities, name).to_dataframe()[list(QUARTILES)].reset_index()
     panel, unit = QUANTITIES[name].panel, QUANTITIES[name].unit
@@ -151,7 +152,7 @@ def _smooth_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
 def _critical_rows(band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     both = [
         {"origin": "computed", **_critical(band)},
-        {"origin": "published", "value": _published_critical(published_constants)},
+        {"origin": "published", "value": published_edge(published_constants, "large")},
     ]
     return pd.DataFrame(both).assign(panel="d", quantity="critical_wavelength", unit="nm")
 
@@ -176,7 +177,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long critical wavelength (µm), computed with its interval, and published."""
     value, low, high = (length / MICROMETRE for length in _critical(band).values())
-    published = _published_critical(published_constants) / MICROMETRE
+    published = published_edge(published_constants, "large") / MICROMETRE
     confidence = style.print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
     if np.isfinite([low, high]).all():

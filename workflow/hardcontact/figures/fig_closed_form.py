@@ -10,7 +10,13 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+)
 
 __all__ = ["draw", "table"]
 
@@ -36,21 +42,20 @@ def table(closed_form: xr.Dataset) -> pd.DataFrame:
         N; b: `error`, predicted over computed; c: `whole_freezing` of all scales. Against `rho` and
         by `map_size`, both in nm. Without a panel: both edges of the band in nm.
     """
-    computed = bounded(closed_form, "computed_force").to_dataframe().reset_index()
-    rows = [computed.assign(panel="a", quantity="computed_force", unit="N")]
+    computed = bounded(closed_form, "computed_force")
+    rows = [computed_rows(computed, panel="a", quantity="computed_force", unit="N")]
     for panel, name, unit in (
         ("a", "predicted_force", "N"),
         ("a", "first_term_force", "N"),
         ("b", "error", "1"),
         ("c", "whole_freezing", "1"),
     ):
-        values = closed_form[name].to_series().rename("value").reset_index()
-        rows.append(values.assign(panel=panel, quantity=name, unit=unit))
-    edges = closed_form["edge"].to_series().rename("value").reset_index()
+        values = closed_form[[name]].rename({name: "value"})
+        rows.append(computed_rows(values, panel=panel, quantity=name, unit=unit))
+    edges = computed_rows(closed_form[["edge"]].rename(edge="value"), panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
-    rows.append(edges.assign(panel="", unit="nm"))
-    whole = pd.concat(rows, ignore_index=True).assign(origin="computed")
-    return label_surfaces(whole, closed_form)[COLUMNS]
+    rows.append(edges)
+    return label_surfaces(pd.concat(rows, ignore_index=True), closed_form)[COLUMNS]
 
 
 @style.print_style()

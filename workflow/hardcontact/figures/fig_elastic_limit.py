@@ -11,7 +11,13 @@ from matplotlib.figure import Figure
 from hardcontact.adhesion.elastic_limit import VARIANTS
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+)
 
 __all__ = ["draw", "table"]
 
@@ -43,24 +49,27 @@ def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
         contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
         variant (d), and the bearing area.
     """
-    index = _rows(
-        _distribution(elastic_limit).to_dataset(name="value"), "plasticity_index", "a", "1"
+    index = computed_rows(
+        _distribution(elastic_limit).to_dataset(name="value"),
+        panel="a", quantity="plasticity_index", unit="1",
+    )  # fmt: skip
+    shares = [
+        computed_rows(bounded(elastic_limit, name), panel="b", quantity=name, unit="1")
+        for name in SHARES
+    ]
+    areas = [
+        computed_rows(
+            elastic_limit[[name]].rename({name: "value"}), panel="c", quantity=name, unit="nm2"
+        )
+        for name in AREAS
+    ]
+    forces = computed_rows(
+        bounded(elastic_limit, "force_ratio"), panel="d", quantity="force_ratio", unit="1"
     )
-    shares = [_rows(bounded(elastic_limit, name), name, "b", "1") for name in SHARES]
-    areas = [_rows(elastic_limit[[name]], name, "c", "nm2") for name in AREAS]
-    forces = _rows(bounded(elastic_limit, "force_ratio"), "force_ratio", "d", "1")
     bearing = pd.DataFrame([{"panel": "c", "origin": "given", "quantity": "bearing_area"}])
     bearing = bearing.assign(value=elastic_limit.attrs["bearing_area"], unit="nm2")
     rows = label_surfaces(pd.concat([index, *shares, *areas, forces]), elastic_limit)
     return pd.concat([rows, bearing]).reindex(columns=COLUMNS).reset_index(drop=True)
-
-
-def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
-    """Return a row for each number that is there."""
-    (name,) = [name for name in values.data_vars if name not in ("low", "high")]
-    frame = values.rename({name: "value"}).to_dataframe().reset_index().dropna(subset=["value"])
-    kept = [column for column in COLUMNS if column in frame]
-    return frame[kept].assign(panel=panel, origin="computed", quantity=quantity, unit=unit)
 
 
 def _distribution(limit: xr.Dataset) -> xr.DataArray:

@@ -11,7 +11,13 @@ from matplotlib.figure import Figure
 from hardcontact.adhesion.interaction_laws import LAWS, pressure
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+)
 
 __all__ = ["draw", "table"]
 
@@ -46,31 +52,27 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
         and the edges of the band, also over those of Eq. 1 (panels d and e), of each substrate and
         of all pooled: a `group`.
     """
-    fits = [_rows(bounded(laws, name), name, "a", unit) for name, unit in FITS.items()]
-    strengths = _rows(laws[["implied_over_known"]], "implied_over_known", "a", "1")
-    errors = _rows(laws[["error"]].rename(target="case"), "error", "b", "1")
-    ratios = _rows(bounded(laws, "ratio"), "ratio", "c", "1")
-    published = _rows(laws[["published_ratio"]], "ratio", "c", "1").assign(origin="published")
-    of_sides = [
-        _rows(bounded(laws, name).rename(group="surface").sel(side=[side]), name, panel, unit)
+    strengths = laws[["implied_over_known"]].rename(implied_over_known="value")
+    drawn = [("a", name, unit, bounded(laws, name)) for name, unit in FITS.items()]
+    drawn += [
+        ("a", "implied_over_known", "1", strengths),
+        ("b", "error", "1", laws[["error"]].rename(error="value", target="case")),
+        ("c", "ratio", "1", bounded(laws, "ratio")),
+        ("c", "published_ratio", "1", laws[["published_ratio"]].rename(published_ratio="value")),
+    ]
+    drawn += [
+        (panel, name, unit, bounded(laws, name).rename(group="surface").sel(side=[side]))
         for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
         for side, (panel, _) in SIDES.items()
     ]
-    rows = pd.concat([*fits, strengths, errors, ratios, published, *of_sides])
-    rows = rows.rename(columns={"surface": "group"})
+    rows = pd.concat(
+        computed_rows(values, panel=panel, quantity=name, unit=unit)
+        for panel, name, unit, values in drawn
+    ).rename(columns={"surface": "group"})
+    published = rows["quantity"] == "published_ratio"
+    rows["origin"] = rows["origin"].mask(published, "published")
+    rows["quantity"] = rows["quantity"].mask(published, "ratio")
     return label_surfaces(rows, laws, "group").reindex(columns=COLUMNS).reset_index(drop=True)
-
-
-def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
-    """Return a row for each number of a dataset with `value` or one variable of any name."""
-    (name,) = [name for name in values.data_vars if name not in ("low", "high")]
-    kept = ["surface", "law", "case", "side", "length", "value", "low", "high"]
-    frame = values.rename({name: "value"}).expand_dims("number").to_dataframe().reset_index()
-    return (
-        frame[[column for column in kept if column in frame]]
-        .dropna(subset=["value"])
-        .assign(panel=panel, origin="computed", quantity=quantity, unit=unit)
-    )
 
 
 @style.print_style()
@@ -87,11 +89,7 @@ def draw(laws: xr.Dataset) -> Figure:
     matplotlib.figure.Figure
         The figure.
     """
-    figure = style.create(5.2)
-    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1))
-    above, below = rows[0], rows[1]
-    pressures, errors, ratios = above.subgridspec(1, 3).subplots(squeeze=False)[0]
-    small, large = below.subgridspec(1, 2).subplots(squeeze=False)[0]
+    figure, (pressures, errors, ratios), (small, large) = style.three_above_two(5.2, 1)
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)
     _draw_ratios(ratios, laws)

@@ -8,7 +8,13 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import style
 from hardcontact.figures.fig5 import DEPTHS
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+)
 
 __all__ = ["draw", "table"]
 
@@ -42,12 +48,17 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
         depths and sizes in an image. Of the map its deepest pixel; the rest stays in the dataset.
     """
     curves = [
-        _rows(bounded(repeated_contact, name), name, panel, unit)
+        computed_rows(bounded(repeated_contact, name), panel=panel, quantity=name, unit=unit)
         for name, (panel, unit, _) in CURVES.items()
     ]
     image = _of_image(repeated_contact)
-    deepest = _rows(image[["indentation"]].max(["y", "x"]), "indentation", "d", "nm")
-    indents = [deepest, *(_rows(image[[name]], name, "e", "nm") for name in SIZES)]
+    indents = [
+        computed_rows(values.rename({name: "value"}), panel=panel, quantity=name, unit="nm")
+        for name, panel, values in (
+            ("indentation", "d", image[["indentation"]].max(["y", "x"])),
+            *((name, "e", image[[name]]) for name in SIZES),
+        )
+    ]
     published = [
         {"panel": CURVES[name][0], "quantity": name, "low": low, "high": high}
         for name in IMAGE
@@ -56,14 +67,6 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
     given = pd.DataFrame(published).assign(origin="published", unit="nm")
     rows = label_surfaces(pd.concat([*curves, *indents]), repeated_contact)
     return pd.concat([rows, given]).reindex(columns=COLUMNS).reset_index(drop=True)
-
-
-def _rows(values: xr.Dataset, quantity: str, panel: str, unit: str) -> pd.DataFrame:
-    """Return a row for each number that is there."""
-    (name,) = [name for name in values.data_vars if name not in ("low", "high")]
-    frame = values.rename({name: "value"}).to_dataframe().reset_index().dropna(subset=["value"])
-    kept = [column for column in COLUMNS if column in frame]
-    return frame[kept].assign(panel=panel, origin="computed", quantity=quantity, unit=unit)
 
 
 @style.print_style()
@@ -82,11 +85,7 @@ def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Fig
     matplotlib.figure.Figure
         The figure.
     """
-    figure = style.create(5.2)
-    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.15))
-    above, below = rows[0], rows[1]
-    curves = above.subgridspec(1, 3).subplots(squeeze=False)[0]
-    view, sizes = below.subgridspec(1, 2).subplots(squeeze=False)[0]
+    figure, curves, (view, sizes) = style.three_above_two(5.2, 1.15)
     for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
         _draw_curves(axes, repeated_contact, name)
         if name in IMAGE:

@@ -9,7 +9,14 @@ from matplotlib.figure import Figure
 from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+    published_edge,
+)
 
 __all__ = ["draw", "table"]
 
@@ -58,14 +65,13 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
     def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
         return np.select([rows["side"] == "large", rows["area"] == area], ["b", "a"], "c")
 
-    published = pd.DataFrame(
-        {"side": list(SIDES), "value": [_published(published_constants, side) for side in SIDES]}
-    )
+    of_paper = [published_edge(published_constants, side) for side in SIDES]
+    published = pd.DataFrame({"side": list(SIDES), "value": of_paper})
     rows = pd.concat(
         [
-            _rows(edges).assign(panel=panel_of_edge, quantity="edge", unit="nm"),
-            _rows(exponents).assign(panel="d", quantity="exponent", unit="1"),
-            _rows(spectra.to_dataset()).assign(panel="b", unit="nm"),
+            computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
+            computed_rows(exponents, panel="d", quantity="exponent", unit="1"),
+            computed_rows(spectra.to_dataset(), panel="b", unit="nm"),
             published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
         ]
     )
@@ -76,17 +82,6 @@ def _exponents(scaling: xr.Dataset) -> xr.Dataset:
     """Return all exponents with their bounds; the length of that of the reach is REACH_LENGTH."""
     of_reach = bounded(scaling, "reach_exponent").assign_coords(length=REACH_LENGTH)
     return xr.concat([bounded(scaling, "exponent"), of_reach], "length")
-
-
-def _rows(values: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each known `value`."""
-    frame = values.to_dataframe().reset_index().dropna(subset=["value"])
-    return frame.assign(origin="computed")
-
-
-def _published(published_constants: pd.DataFrame, side: str) -> float:
-    """Return the published edge (nm)."""
-    return float(published_constants["value"][f"critical_wavelength_{side}"])
 
 
 @style.print_style()
@@ -125,7 +120,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     radius = at_paper["radius"].item() / 1e3
     style.label_panel(contact, "c", f"R = {radius:g} µm, ρ = {at_paper['rho']:g} nm")
     for axes, side in ((short, "small"), (long, "large"), (contact, "small")):
-        axes.axhline(_published(published_constants, side), **PUBLISHED)
+        axes.axhline(published_edge(published_constants, side), **PUBLISHED)
     _draw_exponents(exponents, scaling)
     figure.legend(
         handles=style.surface_handles(scaling, ls="none"), loc="outside upper center", ncols=4

@@ -10,7 +10,13 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures.tables import (
+    ROW_COLUMNS,
+    VALUE_COLUMNS,
+    bounded,
+    computed_rows,
+    label_surfaces,
+)
 
 __all__ = ["draw", "table"]
 
@@ -39,18 +45,12 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     needed = scan_size[["size_needed"]].rename(size_needed="value")
     rows = pd.concat(
         [
-            _rows(surfaces).assign(panel="a", quantity="excess", unit="1"),
-            _rows(known).assign(panel="b", quantity="excess", unit="1"),
-            _rows(needed).assign(panel="c", quantity="size_needed", unit="nm"),
+            computed_rows(surfaces, panel="a", quantity="excess", unit="1"),
+            computed_rows(known, panel="b", quantity="excess", unit="1"),
+            computed_rows(needed, panel="c", quantity="size_needed", unit="nm"),
         ]
     )
     return label_surfaces(rows, scan_size).reindex(columns=COLUMNS).reset_index(drop=True)
-
-
-def _rows(values: xr.Dataset) -> pd.DataFrame:
-    """Return a row for each known `value`."""
-    frame = values.to_dataframe().reset_index().dropna(subset=["value"])
-    return frame.assign(origin="computed")
 
 
 @style.print_style()

@@ -40,6 +40,7 @@ __all__ = [
     "print_style",
     "shade_artificial",
     "surface_handles",
+    "three_above_two",
 ]
 
 WIDTH = 7.0  # inch: two columns of a journal page
@@ -108,6 +109,30 @@ def create(height: float) -> Figure:
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
     return Figure(figsize=(WIDTH, height), layout=layout)
+
+
+def three_above_two(height: float, below: float) -> tuple[Figure, np.ndarray, np.ndarray]:
+    """Return a figure of this height in inches with three panels above two.
+
+    Parameters
+    ----------
+    height : float
+        Of the figure, in inches.
+    below : float
+        Height of the lower panels over that of the upper ones.
+
+    Returns
+    -------
+    figure : matplotlib.figure.Figure
+        The figure.
+    upper, lower : ndarray of matplotlib.axes.Axes
+        (3,) and (2,).
+    """
+    figure = create(height)
+    rows = figure.add_gridspec(2, 1, height_ratios=(1, below))
+    upper = rows[0].subgridspec(1, 3).subplots(squeeze=False)[0]
+    lower = rows[1].subgridspec(1, 2).subplots(squeeze=False)[0]
+    return figure, upper, lower
 
 
 def freeze_layout(figure: Figure) -> None:

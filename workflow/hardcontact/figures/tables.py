@@ -1,5 +1,7 @@
 """Columns of the tables of figures: what a row is, values with their interval, labels."""
 
+from typing import Any
+
 import pandas as pd
 import xarray as xr
 
@@ -12,8 +14,10 @@ __all__ = [
     "SHARE_OF_SETS",
     "VALUE_COLUMNS",
     "bounded",
+    "computed_rows",
     "label_surfaces",
     "over_sets",
+    "published_edge",
     "published_value",
     "rows_by_construction",
     "value_and_bounds",
@@ -36,6 +40,25 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
     return data[[name]].rename({name: "value"}).assign(low=low, high=high)
 
 
+def computed_rows(values: xr.Dataset, **columns: Any) -> pd.DataFrame:
+    """Return a row for each known value of computed quantities.
+
+    Parameters
+    ----------
+    values : xarray.Dataset
+        With `value`, perhaps its bounds `low` and `high`, and more that belongs to each value.
+    **columns : str or callable
+        Columns that say what the rows are, as `pandas.DataFrame.assign` takes them.
+
+    Returns
+    -------
+    pandas.DataFrame
+        A column for each dimension, coordinate and variable, and these.
+    """
+    known = values.to_dataframe().reset_index().dropna(subset=["value"])
+    return known.assign(origin="computed", **columns)
+
+
 def over_sets(values: xr.DataArray) -> xr.Dataset:
     """Return the median over the dimension `set` as `value`, and SHARE_OF_SETS as `low`, `high`.
 
@@ -56,6 +79,11 @@ def published_value(constants: pd.DataFrame, name: str) -> dict[str, float]:
     """Return `value`, `low` and `high` of a published constant; NaN without an uncertainty."""
     value, spread = constants["value"][name], constants["uncertainty"][name]
     return {"value": value, "low": value - spread, "high": value + spread}
+
+
+def published_edge(constants: pd.DataFrame, side: str) -> float:
+    """Return the published critical wavelength (nm) of one side of the band."""
+    return float(constants["value"][f"critical_wavelength_{side}"])
 
 
 def label_surfaces(rows: pd.DataFrame, data: xr.Dataset, column: str = "surface") -> pd.DataFrame:

@@ -217,6 +217,10 @@ def _told(found: Found, plan: Plan, overlay: str, table: str) -> Iterator[str]:
     uses = [CONTACT if id(entry) in contact else SPECTRUM for entry in found.entries]
     yield "Found:"
     yield printed_table(found.entries, uses)
+    labels = {entry.source.surface: entry.source.label for entry in found.entries}
+    spelled = [f"{name} is {label}" for name, label in labels.items() if name != label]
+    if spelled:
+        yield f"\nIn tables, own forces and paths: {', '.join(spelled)}"
     if found.unreadable:
         yield "\nLeft out:"
         yield from found.unreadable

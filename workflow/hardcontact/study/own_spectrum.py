@@ -3,10 +3,7 @@
 Every fault is one line: the file and its line, what was expected, what was found.
 """
 
-import csv
-import io
 import math
-import os
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -14,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from hardcontact.study.schema import plain
-from hardcontact.study.surface_table import TABLE_LIMIT
 from hardcontact.study.units import magnitude
+from hardcontact.study.user_table import Row, UserTable, found, user_table
 from hardcontact.surfaces.profile_conversion import isotropic_from_profile
 from hardcontact.surfaces.spectrum import Spectrum
 
@@ -39,7 +36,7 @@ def own_spectrum(path: str | Path) -> Spectrum:
     path : str or Path
         CSV with a header: `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² =
         1/(2 pi) ∫ q C_iso dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); a column of the unit of each,
-        named for it with `_unit`, such as rad/nm, nm, nm4, nm3.
+        named for it with `_unit`, such as rad/nm, nm, nm4, nm3. A c_iso of 0 says no roughness.
 
     Returns
     -------
@@ -51,22 +48,18 @@ def own_spectrum(path: str | Path) -> Spectrum:
     ValueError
         One line a problem, all of them.
     """
-    header, rows = _table(path)
-    wave, density = _quantities(path, header)
-    points: dict[int, tuple[float, float]] = {}
-    problems = []
-    for line, cells in rows:
-        if len(cells) != len(header):
-            faults = [f"expected {len(header)} cells, found {len(cells)}"]
-        else:
-            row = dict(zip(header, cells, strict=True))
-            faults = _faults(row, wave, density)
-            if not faults:
-                points[line] = _wavevector(row, wave), _density(row, density)
-        problems += [f"{path}: line {line}: {fault}" for fault in faults]
+    table = user_table(path, "a table of a power spectral density")
+    wave, density = _quantities(table)
+    problems = table.problems(lambda row: _faults(row, wave, density))
+    points = {
+        line: (_wavevector(row, wave), _density(row, density))
+        for line, row in table.rows().items()
+        if not _faults(row, wave, density)
+    }
     problems += _repeated(path, points)
-    if not problems and len(points) < FEWEST:
-        problems.append(f"{path}: expected at least {FEWEST} wavelengths, found {len(points)}")
+    rough = sum(value > 0 for _, value in points.values())
+    if not problems and rough < FEWEST:
+        problems.append(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
     if problems:
         raise ValueError("\n".join(problems))
     wavevector, values = np.array(sorted(points.values())).T
@@ -76,30 +69,15 @@ def own_spectrum(path: str | Path) -> Spectrum:
     return Spectrum(wavevector, values)
 
 
-def _table(path: str | Path) -> tuple[list[str], list[tuple[int, list[str]]]]:
-    """Return the header of a CSV, and line and cells of every other row."""
-    if not os.path.isfile(path):
-        raise ValueError(f"{path}: expected a table of a power spectral density, found no file")
-    if os.path.getsize(path) > TABLE_LIMIT:
-        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
-    try:
-        text = Path(path).read_bytes().decode("utf-8-sig")
-        reader = csv.reader(io.StringIO(text), strict=True)
-        rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise ValueError(f"{path}: expected a CSV in UTF-8, found: {error}") from None
-    filled = [(line, cells) for line, cells in rows if any(cells)]
-    if not filled:
-        raise ValueError(f"{path}: expected the columns {COLUMNS}; found no column")
-    return filled[0][1], filled[1:]
-
-
-def _quantities(path: str | Path, header: list[str]) -> tuple[str, str]:
+def _quantities(table: UserTable) -> tuple[str, str]:
     """Return the names of the columns of waves and of densities."""
-    faults, found = [], []
+    path, header = table.path, table.header
+    if not header:
+        raise ValueError(f"{path}: expected the columns {COLUMNS}; found no column")
+    faults, present = [], []
     for pair in (WAVES, DENSITIES):
         named = [name for name in pair if name in header]
-        found += named[:1]
+        present += named[:1]
         if len(named) != 1:
             faults.append(
                 f"{path}: expected one of the columns {' and '.join(pair)}, found "
@@ -107,7 +85,7 @@ def _quantities(path: str | Path, header: list[str]) -> tuple[str, str]:
             )
     faults += [
         f"{path}: expected a column {name}_unit beside {name}, found none"
-        for name in found
+        for name in present
         if f"{name}_unit" not in header
     ]
     faults += [
@@ -117,28 +95,29 @@ def _quantities(path: str | Path, header: list[str]) -> tuple[str, str]:
     ]
     if faults:
         raise ValueError("\n".join(faults))
-    wave, density = found
+    wave, density = present
     return wave, density
 
 
-def _faults(row: Mapping[str, str], wave: str, density: str) -> list[str]:
+def _faults(row: Row, wave: str, density: str) -> list[str]:
     """Return what is wrong with the cells of a row."""
-    faults = [
-        f"{name}: expected a positive number, found {_found(row[name])}"
-        for name in (wave, density)
-        if not _number(row[name]) > 0
-    ]
+    faults = []
+    if not _number(row[wave]) > 0:
+        faults.append(f"{wave}: expected a positive number, found {found(row[wave])}")
+    if not (_number(row[density]) > 0 or (density == "c_iso" and _number(row[density]) == 0)):
+        least = "a number of at least 0" if density == "c_iso" else "a positive number"
+        faults.append(f"{density}: expected {least}, found {found(row[density])}")
     expected = "a length, such as nm"
     if wave == "wavevector":
         expected = "radians over a length, such as rad/nm (q = 2 pi/wavelength)"
     if math.isnan(_wavevector({**row, wave: "1"}, wave)):
         unit = row[f"{wave}_unit"]
-        faults.append(f"{wave}_unit: expected {expected}, found {_found(unit)}")
+        faults.append(f"{wave}_unit: expected {expected}, found {found(unit)}")
     if math.isnan(_density({**row, density: "1"}, density)):
         unit, power = row[f"{density}_unit"], POWER[density]
         faults.append(
             f"{density}_unit: expected a length to the power of {power}, such as nm{power}, "
-            f"found {_found(unit)}"
+            f"found {found(unit)}"
         )
     return faults
 
@@ -156,11 +135,6 @@ def _repeated(path: str | Path, points: Mapping[int, tuple[float, float]]) -> li
     return faults
 
 
-def _found(cell: str) -> str:
-    """Return a cell as a message shows it."""
-    return plain(cell) if cell else "nothing"
-
-
 def _number(text: str) -> float:
     """Return a finite number; NaN if the text is none."""
     try:
@@ -170,7 +144,7 @@ def _number(text: str) -> float:
     return value if math.isfinite(value) else math.nan
 
 
-def _wavevector(row: Mapping[str, str], name: str) -> float:
+def _wavevector(row: Row, name: str) -> float:
     """Return q in rad/nm; NaN if the unit is none of the quantity."""
     number, unit = _number(row[name]), row[f"{name}_unit"]
     if name == "wavelength":
@@ -179,7 +153,7 @@ def _wavevector(row: Mapping[str, str], name: str) -> float:
     return number / _nanometres(match[1]) if match else math.nan
 
 
-def _density(row: Mapping[str, str], name: str) -> float:
+def _density(row: Row, name: str) -> float:
     """Return a density in powers of nm; NaN if the unit has another power."""
     digit = {3: "3³", 4: "4⁴"}[POWER[name]]
     match = re.fullmatch(rf"(\D+?)(?:\^|\*\*)?[{digit}]", row[f"{name}_unit"])

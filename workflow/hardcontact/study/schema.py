@@ -5,22 +5,22 @@ largest value in that unit. Of patterns: `expects`, which says in words what mat
 `recomputes` are for the tables of the documentation (`key_tables`).
 """
 
+import difflib
 import math
 import re
 import reprlib
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from typing import Any
 
 import jsonschema
 
-from hardcontact.study.units import magnitude
+from hardcontact.study.units import magnitude, quantity_words
 
 __all__ = ["Schema", "plain", "refuse", "resolved"]
 
 #: How the message names what a keyword of a schema expects.
 EXPECTED = {
     "const": "{}",
-    "enum": "one of {}",
     "maxItems": "at most {} entries",
     "maxLength": "at most {} characters",
     "maximum": "at most {}",
@@ -45,6 +45,8 @@ TYPES = {
 
 #: How many faults are told at once.
 FAULTS = 10
+#: How alike an unknown key and a known one are, of 1, if the latter was meant: a letter or two.
+NEAR = 0.75
 
 Schema = Mapping[str, Any]
 
@@ -143,8 +145,11 @@ def _sentence(fault: Any) -> str:
     """Return what was expected and what was found."""
     if fault.validator == "additionalProperties":
         known = set(fault.schema["properties"])
-        unknown = ", ".join(sorted(plain(key) for key in fault.instance if key not in known))
-        return f"expected one of {', '.join(fault.schema['properties'])}; found {unknown[:200]}"
+        unknown = sorted(plain(key) for key in fault.instance if key not in known)
+        return (
+            f"expected one of {', '.join(fault.schema['properties'])}; "
+            f"found {', '.join(unknown)[:200]}{_meant(unknown, known)}"
+        )
     if fault.validator == "required":
         missing = ", ".join(sorted(set(fault.schema["required"]) - set(fault.instance)))
         return f"expected all of {', '.join(fault.schema['required'])}; found no {missing}"
@@ -153,7 +158,9 @@ def _sentence(fault: Any) -> str:
     if fault.validator == "unit":
         return str(fault.message)
     if fault.validator == "type" and "unit" in fault.schema:
-        expected = f"a number with a unit of {fault.schema['unit']}"
+        expected = quantity_words(fault.schema["unit"])
+    elif fault.validator == "enum":
+        expected = " or ".join(choice or "nothing" for choice in fault.validator_value)
     elif fault.validator == "type":
         expected = TYPES[fault.validator_value]
     elif fault.validator == "pattern" and "expects" in fault.schema:
@@ -161,3 +168,10 @@ def _sentence(fault: Any) -> str:
     else:
         expected = EXPECTED[fault.validator].format(fault.validator_value)
     return f"expected {expected}, found {_shortened(fault.instance)}"
+
+
+def _meant(unknown: Iterable[str], known: Collection[str]) -> str:
+    """Return a question for the keys that unknown ones are nearly, or nothing."""
+    near = (difflib.get_close_matches(key, known, 1, NEAR) for key in unknown)
+    meant = ", ".join(dict.fromkeys(key for keys in near for key in keys))
+    return f" (did you mean {meant}?)" if meant else ""

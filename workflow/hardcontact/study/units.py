@@ -6,10 +6,15 @@ import reprlib
 
 import pint
 
-__all__ = ["magnitude", "printed", "token"]
+__all__ = ["magnitude", "printed", "quantity_words", "token"]
 
-#: A quantity of each unit, as users may write it.
-_EXAMPLES = {"nm": "5.6 nm or 250 um", "N": "10 uN", "Pa": "25 GPa", "J/m2": "46.3 mJ/m2"}
+#: What has each unit, in words, and how users may write it.
+_EXPECTED = {
+    "nm": "a length with a unit, such as 5.6 nm or 250 um",
+    "N": "a force with a unit, such as 10 uN",
+    "Pa": "a pressure with a unit, such as 25 GPa",
+    "J/m2": "an energy per area with a unit, such as 46.3 mJ/m2",
+}
 
 _registry: pint.UnitRegistry[float] = pint.UnitRegistry(cache_folder=None)
 
@@ -50,10 +55,12 @@ def magnitude(text: object, unit: str) -> float:
             return float(f"{value:.12g}")
     except (pint.PintError, ValueError, AttributeError):
         pass  # not a unit, or not of this dimension: refused below
-    raise ValueError(
-        f"expected a number with a unit convertible to {unit}, such as {_EXAMPLES[unit]}, "
-        f"found {reprlib.repr(text)}"
-    )
+    raise ValueError(f"expected {quantity_words(unit)}, found {reprlib.repr(text)}")
+
+
+def quantity_words(unit: str) -> str:
+    """Return what is expected where a quantity of nm, N, Pa or J/m2 is: in words, with examples."""
+    return _EXPECTED[unit]
 
 
 def printed(text: str) -> str:

@@ -1,32 +1,15 @@
-"""The quick study's results: datasets, claims, figures and pages; the same seed, the same."""
+"""The quick study's datasets: variables, units, origin, physics; the same seed, the same values."""
 
-import json
-import re
 from collections import Counter
-from html import escape
 
 import numpy as np
-import pandas as pd
 import pytest
 import xarray as xr
-from browser import needs_browser, shown
-from html_page import Page
 from paper_numbers import SUBSTRATES
-from repository import OTHERWISE, ROOT, copy_repository, run_snakemake
+from repository import OTHERWISE, copy_repository, run_snakemake
 
-from hardcontact.claims.evaluation import COLUMNS
-from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.contact.bearing_area import contact_pixel_count
-from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT, OF_PAPER
 from hardcontact.records import dataset
-from hardcontact.statistics import bounds
-from hardcontact.study.pages import PAGES
-
-
-@pytest.fixture(scope="module")
-def results(finished):
-    return finished / "results" / "quick"
-
 
 #: Variables of the final datasets: unit, then names; "-" where there is no unit.
 CONTENT = {
@@ -216,181 +199,6 @@ def test_one_or_two_asperities_carry_the_share_that_is_looked_at(results):
         alone = data[name].where(data.patches <= patches, drop=True)
         assert alone.size and (alone.fillna(1) >= data.attrs["share"] - 1e-9).all()
     assert (data.two_largest_share < 1).all() and (data.patches >= 1).all()
-
-
-# Robustness
-
-
-@pytest.fixture(scope="module")
-def robustness(results):
-    return dataset.read(results / "robustness.nc")
-
-
-def test_variants_are_those_of_the_configuration(robustness):
-    names = "baseline laplacian skewness+0.5 tip-17nm rough_sphere preload-5uN hardness-47GPa"
-    groups = "baseline curvature heights tip sphere preload hardness".split()
-    assert robustness.variant.values.tolist() == names.split()
-    assert robustness.group.values.tolist() == groups
-
-
-def test_only_what_a_variant_concerns_is_another(robustness):
-    fitted = [name for name in robustness if robustness[name].dtype.kind == "f"]
-    fitted = robustness[[name for name in fitted if "side" not in robustness[name].dims]]
-    rough = fitted.sel(variant="rough_sphere")
-    assert len(fitted) == 9 and all(value.isnull().all() for value in rough.values())
-    others = fitted.drop_sel(variant="rough_sphere").sel(minimum=1)  # others need not exist
-    assert all(np.isfinite(value).all() for value in others.values())
-    cutoffs = robustness.critical_wavelength
-    assert np.isfinite(cutoffs).all()
-    for name in robustness.variant.values[1:]:
-        assert (cutoffs.sel(variant=name) != cutoffs.sel(variant="baseline")).any(), name
-
-
-@pytest.mark.parametrize("name", ["range_of_adhesion", "work_of_adhesion"])
-def test_variants_lie_in_their_intervals(robustness, name):
-    value, (low, high) = robustness[name], bounds(robustness, name)
-    known = np.isfinite(value)
-    assert ((low <= value) | ~known).all() and ((value <= high) | ~known).all()
-
-
-def test_a_single_realization_has_no_interval(robustness):
-    assert robustness.attrs["realizations"] == 1
-    assert robustness.critical_wavelength_interval.isnull().all()
-
-
-def test_loads_that_as_many_pixels_carry_are_one(robustness):
-    preload, hardness = (robustness.sel(variant=name) for name in ("preload-5uN", "hardness-47GPa"))
-    for pixel in (2500 / 128, 5000 / 1024, 20000 / 1024):  # scans, masters of either side
-        half, hard, study = (
-            contact_pixel_count({"preload": preload, "hardness": hardness}, pixel)
-            for preload, hardness in ((5e-6, 25e9), (10e-6, 47e9), (10e-6, 25e9))
-        )
-        assert half == hard < study
-    alike = [name for name in robustness.data_vars if robustness[name].dtype.kind == "f"]
-    xr.testing.assert_equal(
-        preload[alike].drop_vars(["variant", "variant_label", "group"]),
-        hardness[alike].drop_vars(["variant", "variant_label", "group"]),
-    )
-
-
-def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished):
-    store = finished / "results/store-quick"
-
-    def heights(surface):
-        return dataset.read(store / f"scans/{surface}/scan-1-flat.nc").heights.values.ravel()
-
-    for name in OTHERWISE:
-        plain, other = heights(f"{name.partition('/')[0]}/study"), heights(name)
-        assert (plain != other).any()
-        assert np.corrcoef(plain, other)[0, 1] > 0.7, name  # spectrum and gain differ
-    assert abs(np.corrcoef(heights("uncd/study"), heights("mcd/study"))[0, 1]) < 0.5
-
-
-def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy, results):
-    pair = "R250um/H25GPa-F10uN/uncd/study/scan-2/sphere-scan-1.nc"
-    path = f"results/store-quick/robustness/{pair}"
-    run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])
-    assert run.returncode == 0, run.stdout[-3000:]
-    varied = dataset.read(finished_copy / path).pull_off_force.transpose("load", "rho")
-    study = dataset.read(results / "adhesion.nc").pull_off_force
-    study = study.sel(surface="uncd", scan=2, sphere_scan=1, contact_model="plastic")
-    study = study.mean(["contact_y", "contact_x"])
-    whole, half, hard = (
-        varied.sel(load=load) for load in ("H25GPa-F10uN", "H25GPa-F5uN", "H47GPa-F10uN")
-    )
-    np.testing.assert_allclose(whole, study, rtol=1e-9)
-    assert (half < whole).all()
-    np.testing.assert_array_equal(half, hard)
-
-
-# Claims, figures, pages
-
-
-def test_claims(results):
-    claims = pd.read_csv(results / "claims.csv")
-    assert tuple(claims.columns) == COLUMNS
-    assert set(claims.verdict) <= set(VERDICTS)
-    assert set(claims.basis) == {"substitute scans", "no scan"}
-    published = pd.read_csv(ROOT / "resources/paper/claims.csv")
-    assert list(claims.id) == list(published.id) and claims.id.is_unique
-    replicated = published.set_index("id").loc[claims.id, "replicated"] == "yes"
-    assert list(claims.frequency.notna()) == list(replicated)
-    assert claims.frequency.dropna().between(0, 1).all()
-
-
-SIGNATURES = {"pdf": b"%PDF-", "png": b"\x89PNG"}
-
-
-@pytest.mark.parametrize("name", FIGURES)
-def test_figure(results, name):
-    for suffix, signature in SIGNATURES.items():
-        assert (results / f"figures/{name}.{suffix}").read_bytes().startswith(signature)
-    table = pd.read_csv(results / f"figures/{name}.csv")
-    assert len(table) and not table.columns.str.contains("Unnamed").any()
-
-
-def test_pages_of_the_report(results):
-    pages = {path.stem: path.read_text() for path in (results / "report").iterdir()}
-    assert set(pages) == set(PAGES)
-    claims = pd.read_csv(results / "claims.csv")
-    assert [text for text in claims.statement if escape(text) not in pages["claims"]] == []
-    tables = 1 + claims.section.nunique()
-    assert pages["claims"].count("<tr>") == tables + len(VERDICTS) + len(claims)
-    assert "study: quick" in pages["parameters"] and "numpy" in pages["parameters"]
-    assert "Interaction radius" in pages["departures"]
-
-
-def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
-    numbers = json.loads((results / "answer.json").read_text())
-    claims = pd.read_csv(results / "claims.csv").fillna({"follows_from": "", "note": ""})
-    pd.testing.assert_frame_equal(pd.DataFrame(numbers["claims"]), claims, check_exact=True)
-    assert numbers["settings"]["rho"] == dataset.read(results / "scales.nc").attrs["rho"] == 5.6
-    assert numbers["settings"]["sets"] == dataset.read(results / "sets.nc").sizes["set"] == 10
-    assert numbers["settings"]["scan_pixels"] == 128
-    surfaces = {name: surface["basis"] for name, surface in numbers["surfaces"].items()}
-    assert surfaces == dict.fromkeys([*SUBSTRATES, "ruby"], "substitute")
-
-
-def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(results):
-    page = Page((results / "answer.html").read_text())
-    sources = page.values("src")
-    assert len(sources) == len(OF_PAPER)
-    assert all(source.startswith("data:image/png;base64,") for source in sources)
-    claims = pd.read_csv(results / "claims.csv")
-    told = "".join(page.texts["body"])
-    assert [text for text in claims.statement if text not in told] == []
-
-
-def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results):
-    page = Page((results / "insight.html").read_text())
-    sources = page.values("src")
-    assert len(sources) == len(page.texts["h2"]) == len(OF_INSIGHT)
-    assert all(source.startswith("data:image/png;base64,") for source in sources)
-    assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
-
-
-@needs_browser
-def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
-    page = (results / "answer.html").read_text()
-    for measured in shown(page.replace("<details>", "<details open>"), tmp_path):
-        assert measured["overflow"] == 0 and measured["requests"] == 0
-        assert measured["loaded"] == len(OF_PAPER)
-
-
-def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
-    run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
-    assert run.returncode == 0, run.stdout[-3000:]
-    text = (tmp_path / "report.html").read_text()
-    parts = ["answer.html", "insight.html", *(f"{name}.png" for name in FIGURES)]
-    parts += [f"{name}.html" for name in PAGES]
-    assert [name for name in parts if name not in text] == []
-
-
-def test_nothing_is_left_half_written(finished):
-    files = [path for path in (finished / "results").rglob("*") if path.is_file()]
-    locks = {finished / "results" / folder / ".lock" for folder in ("quick", "store-quick")}
-    odd = {path for path in files if path.name.startswith(".") or not path.suffix}
-    assert odd == locks
 
 
 # The same seed, the same values

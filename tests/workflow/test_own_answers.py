@@ -1,0 +1,245 @@
+"""Studies of own surfaces by the two commands: files of all kinds become an honest answer."""
+
+import re
+
+import numpy as np
+import pytest
+import xarray as xr
+import yaml
+from html_page import Page
+from own_studies import LEFT_OUT, RANGE, SHARED, WORK, made, numbers, quick, rough, spm
+from refusals import assert_says
+from scan_files import container, scan, write_coordinates
+from scipy import stats
+from SurfaceTopography import UniformLineScan
+
+from hardcontact.adhesion.closed_form import gaussian_share
+from hardcontact.random import generator
+
+pytestmark = pytest.mark.study
+
+needs_scans = pytest.mark.skipif(not SHARED.is_dir(), reason=f"no real scans in {SHARED}")
+
+
+def page_of(results):
+    """Return the text of the answer's page, with plain spaces."""
+    body = Page((results / "answer.html").read_text("utf-8")).texts["body"]
+    return body[0].replace("\u00a0", " ")
+
+
+def assert_honest(results, fitted=False):
+    """Expect what holds of the answer of every study of own surfaces."""
+    answer, text = numbers(results), page_of(results)
+    for surface in answer["surfaces"].values():
+        assert surface["answer"] in text and all(limit in text for limit in surface["limits"])
+        for side in ("small", "large"):
+            assert_bounded(surface["band"][side])
+        rho = surface["force"]["rho"]["values"]
+        assert answer["range_of_adhesion"]["value"] in rho
+        assert surface["force"]["value"] > 0
+    assert {one["part"] for one in answer["left_out"]} == LEFT_OUT | (set() if fitted else {"fit"})
+    assert not re.search(r"\bnan\b|\binf\b|None|published|reproduced", text)
+    made = {path.name for path in results.iterdir()}
+    assert not made & {"claims.csv", "figures", "inference.nc", "band.nc", "report"}
+
+
+def assert_bounded(band):
+    """Expect of an edge that it lies between cutoffs and its interval around it, or is open."""
+    cutoffs, edge = band["cutoff_wavelength"]["values"], band["edge"]
+    low, high = edge["interval"]
+    assert (edge["value"] is None) == (band["bound"]["value"] is not None)
+    for end in (edge["value"], low, high):
+        assert end is None or min(cutoffs) <= end <= max(cutoffs)
+    assert low is None or high is None or low < high
+    if edge["value"] is None:
+        assert band["bound"]["value"] in (min(cutoffs), max(cutoffs))
+        assert re.match("at (least|most) ", band["text"])
+    elif low is not None and high is not None:
+        assert low <= edge["value"] <= high
+
+
+# Real scans
+
+
+@needs_scans
+@pytest.mark.parametrize(
+    ("name", "files", "contacts"),
+    [
+        ("twin", ["uncd-demo-container.zip"], 100.0),
+        ("ten", ["afm-10um-512.di"], 10_000.0),
+        ("both", ["uncd-demo-container.zip", "afm-10um-512.di"], 10_000.0),
+    ],
+)
+def test_real_scans(folder, name, files, contacts):
+    results, said = made(folder, name, *(SHARED / file for file in files))
+    assert_honest(results)
+    (answer,) = numbers(results)["surfaces"].values()
+    assert answer["basis"] == "measured" and answer["scan_size"]["value"] == contacts
+    kinds = {one["kind"] for one in answer["spectrum"]["measurements"]}
+    assert kinds == ({"map"} if name == "ten" else {"map", "profile"})
+    if name == "twin":  # 100 nm are too small for a sphere of 250 µm: no interval, and a warning.
+        assert answer["force"]["interval"] == [None, None]
+        assert_says(said, "the window holds 36% of the force")
+        assert_says(" ".join(answer["limits"]), "too low", "Reliable at no wavelength")
+    else:
+        assert 14.2 < answer["scans"][0]["rms_height"]["value"] < 14.4
+        low, high = answer["force"]["interval"]
+        assert low < answer["force"]["value"] < high
+        assert 20 < answer["band"]["small"]["edge"]["value"] < 100
+        assert "conditional on this scan" in answer["band"]["small"]["interval_note"]
+        assert_says(answer["answer"], "that its scans show, but", "if it goes on below 200 nm")
+        continued = answer["force"]["with_continued_roughness"]["small"]
+        assert continued["differs"] and continued["value"] < 0.7 * answer["force"]["value"]
+
+
+# Files of all kinds, surfaces with scans of different sizes
+
+
+@pytest.fixture(scope="module")
+def several(folder):
+    """Two surfaces: a rectangle beside a line scan, and a container of a map with gaps."""
+    scans = folder / "scans"
+    spm(scans / "rectangle.001", rough(generator(1), 128)[:96], 2000.0)
+    profile = np.concatenate(rough(generator(2), 64, 20_000.0)[:8])
+    write_coordinates(UniformLineScan(profile, 160_000.0, unit="nm"), scans / "line.txt")
+    gaps = np.ma.masked_array(rough(generator(3), 128).T, False)
+    gaps[5:9, 40] = np.ma.masked
+    entry = {"name": "map", "datafile": {"original": "map.nc"}}
+    scan(scans / "map.nc", gaps, (2500.0, 2500.0))
+    container(scans / "twin.zip", [entry], {"map.nc": scans / "map.nc"})
+    return made(
+        folder, "several",
+        "--surface", "My film", scans / "rectangle.001", scans / "line.txt",
+        "--surface", "twin", scans / "twin.zip", "--tip", "5 nm",
+    )  # fmt: skip
+
+
+def test_files_of_all_kinds_are_told_and_used(folder, several):
+    results, said = several
+    assert_says(said, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
+    overlay = yaml.safe_load((folder / "config/several.yaml").read_text())
+    assert overlay["scan"]["undefined_pixels"] == "harmonic"
+    film, twin = numbers(results)["surfaces"].values()
+    kinds = [[one["kind"] for one in of["spectrum"]["measurements"]] for of in (film, twin)]
+    assert kinds == [["map", "profile"], ["map"]]
+    notes = twin["spectrum"]["measurements"][0]["notes"]
+    assert "4 undefined pixels" in notes
+    assert film["label"] == "My film"
+
+
+def test_surfaces_on_different_grids_have_each_their_answer(several):
+    results, _ = several
+    assert_honest(results)
+    film, twin = numbers(results)["surfaces"].values()
+    assert (film["scan_size"]["value"], twin["scan_size"]["value"]) == (1500.0, 2500.0)
+    assert film["pixel_size"]["value"] == pytest.approx(15.625)
+    assert twin["pixel_size"]["value"] == pytest.approx(19.53, abs=0.01)
+    text = page_of(results)
+    assert text.count("predicted pull-off force") == 2
+
+
+# Own forces
+
+
+def test_the_region_of_own_forces_holds_the_truth(measured):
+    assert_honest(measured, fitted=True)
+    fit = xr.load_dataset(measured / "fit.nc").sel(contact_model="plastic")
+    low, high = fit.region.sel(rho=RANGE, method="nearest").values
+    assert low < WORK < high
+    assert fit.tests.values.tolist() == [40, 40] and fit.attrs["basis"] == "measured"
+    # The region is worth having: it leaves out most of what was computed.
+    assert np.isfinite(fit.region).all("bound").mean() < 0.7
+
+
+def test_own_forces_stand_on_the_page_as_measured(measured):
+    text, fit = page_of(measured), numbers(measured)["fit"]
+    assert fit is not None
+    assert_says(text, "Fit to your own forces (measured)", "Measured:", "40 tests", "5 scans")
+    for surface in numbers(measured)["surfaces"].values():
+        assert not surface["band"]["small"]["conditional"]
+
+
+# A colloidal probe
+
+
+def test_a_colloidal_probe_has_its_own_force(probe):
+    assert_honest(probe)
+    answer = numbers(probe)
+    assert answer["contact"] == {
+        "hardness": "5 GPa", "preload": "100 nN", "radius of the sphere": "5 µm",
+        "sphere": "smooth",
+    }  # fmt: skip
+    assert answer["range_of_adhesion"]["value"] == 2.0
+    assert answer["work_of_adhesion"]["value"] == pytest.approx(0.03)
+    # Less than the smooth limit 2 pi R W, by the roughness.
+    (surface,) = answer["surfaces"].values()
+    assert surface["force"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
+
+
+def test_the_report_shows_the_answer_and_nothing_of_the_paper(folder, probe):
+    report = probe / "report.html"
+    run = quick(folder, "probe", "--report", str(report.relative_to(folder)))
+    assert run.returncode == 0, run.stdout[-3000:]
+    text = report.read_text("utf-8")
+    (categories,) = re.findall(r"var categories = (\{.*\});", text)
+    assert categories.startswith('{"0. Answer"') and "Verdicts" not in categories
+    assert "Nothing of the paper" in text and "Fig. 3" not in text
+
+
+# Scans of the sphere
+
+
+#: What forces are not averaged over.
+AXES = ("contact_model", "rho")
+
+
+def mean_force(adhesion):
+    """Mean force over contacts (model, range) in N, at 1 J/m²."""
+    force = adhesion.pull_off_force
+    return force.mean([name for name in force.dims if name not in AXES])
+
+
+def gaussian_relative(adhesion, rms_height):
+    """Mean over contacts of F/(2 pi R W) in closed form, at their approaches (model, range)."""
+    approach = -adhesion.closest_approach
+    summits = xr.apply_ufunc(stats.norm.sf, approach / rms_height)
+    relative = xr.apply_ufunc(gaussian_share, rms_height, approach, adhesion.rho) + summits
+    return relative.mean([name for name in relative.dims if name not in AXES])
+
+
+def test_a_rough_sphere_sticks_less(folder):
+    x = (np.arange(128) - 63.5) * 2500 / 128
+    shape = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
+    spm(folder / "scans/flat.001", rough(generator(5), rms=3.0), 2500.0)
+    for number in range(2):
+        ball = shape + rough(generator(6, number), rms=2.0)
+        spm(folder / f"scans/ball-{number}.001", ball, 2500.0)
+    balls = [f"scans/ball-{number}.001" for number in range(2)]
+    results, _ = made(folder, "ball", "scans/flat.001", "--sphere", *balls)
+    assert_honest(results)
+    assert numbers(results)["contact"]["sphere"] == "sphere"
+    adhesion = xr.load_dataset(results / "adhesion.nc")
+    assert adhesion.sizes["sphere_scan"] == 2 and list(adhesion.surface.values) == ["ball"]
+    # The sphere's shape is subtracted before its roughness is measured.
+    rms_height = xr.load_dataset(results / "topography.nc").rms_height
+    flat, ball = (rms_height.sel(surface=name, drop=True) for name in ("ball", "sphere"))
+    assert ball.values == pytest.approx(2.0, rel=0.1)
+    smooth = folder / "smooth.yaml"
+    smooth.write_text(yaml.safe_dump(
+        {"sphere": {"surface": "smooth"}, "surfaces": "smooth.tsv", "quick": {"study": "smooth"}}
+    ))  # fmt: skip
+    table = (folder / "config/ball.tsv").read_text().splitlines(keepends=True)
+    (folder / "smooth.tsv").write_text("".join(row for row in table if row[:6] != "sphere"))
+    assert quick(folder, "ball", "adhesion", overlays=[smooth]).returncode == 0
+    without = xr.load_dataset(folder / "results/smooth/adhesion.nc")
+    ratio = mean_force(adhesion) / mean_force(without)
+    # Of independent bodies the squares of the rms heights add up.
+    flat = flat.sel(scan=1, drop=True)
+    both = np.hypot(flat, ball.rename(scan="sphere_scan"))
+    expected = gaussian_relative(adhesion, both) / gaussian_relative(without, flat)
+    # The closed form is that of many points: single peaks decide at the shortest range alone.
+    many = adhesion.rho > (both**2 / -adhesion.closest_approach).max()
+    assert (~many).sum() <= 1
+    lost, lost_in_theory = (1 - of.where(many, drop=True) for of in (ratio, expected))
+    np.testing.assert_allclose(lost, lost_in_theory, rtol=0.1)
+    assert (0.01 < ratio).all() and (ratio.where(ratio.rho <= RANGE, drop=True) < 0.8).all()

@@ -1,0 +1,92 @@
+"""Studies of own surfaces that are refused or left out: each says why, and nothing is written."""
+
+import pytest
+import yaml
+from faults import errors
+from own_studies import LEFT_OUT, changed, new, numbers, quick, rough, spm
+from refusals import assert_says
+from scan_files import cut
+
+from hardcontact.random import generator
+
+pytestmark = pytest.mark.study
+
+
+def test_a_study_is_not_overwritten(folder, probe):
+    before = (folder / "config/probe.yaml").read_bytes()
+    done = new(folder, "probe", "scans/probe.001")
+    assert done.returncode == 1 and "--overwrite" in done.stderr
+    assert (folder / "config/probe.yaml").read_bytes() == before
+
+
+@pytest.mark.parametrize("target", sorted(LEFT_OUT | {"fit"}))
+def test_a_target_left_out_says_why(folder, probe, target):
+    run = quick(folder, "probe", target, "-n")
+    assert run.returncode == 0
+    (reason,) = {one["reason"] for one in numbers(probe)["left_out"] if one["part"] == target}
+    assert f"{target} is left out: {reason}" in run.stdout
+
+
+def files_of(folder):
+    """Return the files of a study, without what Snakemake keeps for itself."""
+    return {path for path in folder.rglob("*") if ".snakemake" not in path.parts}
+
+
+def test_several_faults_are_told_at_once_and_nothing_is_written(folder, probe):
+    (folder / "scans/broken.001").write_text("no scan")
+    cut(spm(folder / "scans/short.001", rough(generator(7)), 2500.0), 0.6)
+    (folder / "unitless.csv").write_text("surface,value,unit\nmine,1,\n")
+    before = files_of(folder)
+    done = new(
+        folder, "mine", "scans/broken.001", "scans/short.001", "none.001", "scans/probe.001",
+        "--preload", "10", "--radius", "3 N", "--forces", "unitless.csv",
+    )  # fmt: skip
+    assert done.returncode == 1 and not done.stdout
+    lines = done.stderr.splitlines()
+    expected = ["--preload", "--radius", "broken.001", "short.001", "none.001", "unitless.csv"]
+    assert all(line.startswith("error: ") and ": expected " in line for line in lines)
+    assert all(any(part in line for line in lines) for part in expected)
+    assert files_of(folder) == before
+
+
+@pytest.mark.parametrize(
+    ("change", "parts"),
+    [
+        ({"contact": {"preload": 10}}, ["config key contact.preload", "unit of N", "found 10"]),
+        ({"contact": {"preload": "10 kg"}}, ["config key contact.preload", "10 kg"]),
+        ({"contact": {"preload": "1 N"}}, ["contact.preload", "at most 1.37 mN", "found 1 N"]),
+        ({"forces": "none.csv"}, ["config key forces", "no file none.csv"]),
+        ({"forces": "unitless.csv"}, ["unitless.csv: line 2: unit", "expected"]),
+        ({"quick": {"scales": {"rang": "1 nm"}}}, ["rang"]),
+        ({"published": "paper"}, ["expected"]),
+    ],
+)
+def test_a_bad_overlay_is_refused_in_the_users_units(folder, probe, change, parts):
+    (folder / "unitless.csv").write_text("surface,value,unit\nprobe,1,\n")
+    (folder / "bad.yaml").write_text(yaml.safe_dump(change))
+    before = files_of(folder)
+    run = quick(folder, "probe", overlays=["bad.yaml"])
+    assert run.returncode != 0
+    assert_says(" ".join(errors(run.stdout)), *parts)
+    assert files_of(folder) == before
+
+
+@pytest.mark.parametrize("text", ["study: x\n  a: [b\n", "- a\n", None])
+def test_a_broken_or_missing_overlay_makes_nothing(folder, probe, text):
+    """Snakemake reads it before the study can, and says so in its own words."""
+    path = folder / "broken.yaml"
+    path.unlink(missing_ok=True)
+    if text is not None:
+        path.write_text(text)
+    before = files_of(folder)
+    assert quick(folder, "probe", overlays=[path]).returncode != 0
+    assert files_of(folder) == before
+
+
+def test_a_scan_that_is_gone_is_named(folder, probe):
+    table = folder / "config/probe.tsv"
+    with changed(table, table.read_text().replace("probe.001", "gone.001")):
+        run = quick(folder, "probe")
+    assert run.returncode != 0
+    (line,) = errors(run.stdout)
+    assert_says(line, "config/probe.tsv: line 2", "scans/gone.001", "no such file")

@@ -1,0 +1,105 @@
+"""The quick study's claims, figures, answers and report."""
+
+import json
+import re
+from html import escape
+
+import pandas as pd
+import pytest
+from browser import needs_browser, shown
+from html_page import Page
+from paper_numbers import SUBSTRATES
+from repository import ROOT, run_snakemake
+
+from hardcontact.claims.evaluation import COLUMNS
+from hardcontact.claims.verdicts import VERDICTS
+from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT, OF_PAPER
+from hardcontact.records import dataset
+from hardcontact.study.pages import PAGES
+
+
+def test_claims(results):
+    claims = pd.read_csv(results / "claims.csv")
+    assert tuple(claims.columns) == COLUMNS
+    assert set(claims.verdict) <= set(VERDICTS)
+    assert set(claims.basis) == {"substitute scans", "no scan"}
+    published = pd.read_csv(ROOT / "resources/paper/claims.csv")
+    assert list(claims.id) == list(published.id) and claims.id.is_unique
+    replicated = published.set_index("id").loc[claims.id, "replicated"] == "yes"
+    assert list(claims.frequency.notna()) == list(replicated)
+    assert claims.frequency.dropna().between(0, 1).all()
+
+
+SIGNATURES = {"pdf": b"%PDF-", "png": b"\x89PNG"}
+
+
+@pytest.mark.parametrize("name", FIGURES)
+def test_figure(results, name):
+    for suffix, signature in SIGNATURES.items():
+        assert (results / f"figures/{name}.{suffix}").read_bytes().startswith(signature)
+    table = pd.read_csv(results / f"figures/{name}.csv")
+    assert len(table) and not table.columns.str.contains("Unnamed").any()
+
+
+def test_pages_of_the_report(results):
+    pages = {path.stem: path.read_text() for path in (results / "report").iterdir()}
+    assert set(pages) == set(PAGES)
+    claims = pd.read_csv(results / "claims.csv")
+    assert [text for text in claims.statement if escape(text) not in pages["claims"]] == []
+    tables = 1 + claims.section.nunique()
+    assert pages["claims"].count("<tr>") == tables + len(VERDICTS) + len(claims)
+    assert "study: quick" in pages["parameters"] and "numpy" in pages["parameters"]
+    assert "Interaction radius" in pages["departures"]
+
+
+def test_the_answer_has_the_numbers_of_the_claims_and_of_the_datasets(results):
+    numbers = json.loads((results / "answer.json").read_text())
+    claims = pd.read_csv(results / "claims.csv").fillna({"follows_from": "", "note": ""})
+    pd.testing.assert_frame_equal(pd.DataFrame(numbers["claims"]), claims, check_exact=True)
+    assert numbers["settings"]["rho"] == dataset.read(results / "scales.nc").attrs["rho"] == 5.6
+    assert numbers["settings"]["sets"] == dataset.read(results / "sets.nc").sizes["set"] == 10
+    assert numbers["settings"]["scan_pixels"] == 128
+    surfaces = {name: surface["basis"] for name, surface in numbers["surfaces"].items()}
+    assert surfaces == dict.fromkeys([*SUBSTRATES, "ruby"], "substitute")
+
+
+def test_the_page_of_the_answer_holds_every_figure_and_needs_nothing_else(results):
+    page = Page((results / "answer.html").read_text())
+    sources = page.values("src")
+    assert len(sources) == len(OF_PAPER)
+    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    claims = pd.read_csv(results / "claims.csv")
+    told = "".join(page.texts["body"])
+    assert [text for text in claims.statement if text not in told] == []
+
+
+def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results):
+    page = Page((results / "insight.html").read_text())
+    sources = page.values("src")
+    assert len(sources) == len(page.texts["h2"]) == len(OF_INSIGHT)
+    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
+
+
+@needs_browser
+def test_a_browser_shows_the_answer_on_a_phone_and_on_a_desk(results, tmp_path):
+    page = (results / "answer.html").read_text()
+    for measured in shown(page.replace("<details>", "<details open>"), tmp_path):
+        assert measured["overflow"] == 0 and measured["requests"] == 0
+        assert measured["loaded"] == len(OF_PAPER)
+
+
+def test_the_report_holds_the_answer_every_figure_and_every_page(finished, tmp_path):
+    run = run_snakemake(finished, "--report", str(tmp_path / "report.html"))
+    assert run.returncode == 0, run.stdout[-3000:]
+    text = (tmp_path / "report.html").read_text()
+    parts = ["answer.html", "insight.html", *(f"{name}.png" for name in FIGURES)]
+    parts += [f"{name}.html" for name in PAGES]
+    assert [name for name in parts if name not in text] == []
+
+
+def test_nothing_is_left_half_written(finished):
+    files = [path for path in (finished / "results").rglob("*") if path.is_file()]
+    locks = {finished / "results" / folder / ".lock" for folder in ("quick", "store-quick")}
+    odd = {path for path in files if path.name.startswith(".") or not path.suffix}
+    assert odd == locks

@@ -1,0 +1,92 @@
+"""The quick study's robustness: variants, their intervals, and the study's own forces again."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from repository import OTHERWISE, run_snakemake
+
+from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.records import dataset
+from hardcontact.statistics import bounds
+
+
+@pytest.fixture(scope="module")
+def robustness(results):
+    return dataset.read(results / "robustness.nc")
+
+
+def test_variants_are_those_of_the_configuration(robustness):
+    names = "baseline laplacian skewness+0.5 tip-17nm rough_sphere preload-5uN hardness-47GPa"
+    groups = "baseline curvature heights tip sphere preload hardness".split()
+    assert robustness.variant.values.tolist() == names.split()
+    assert robustness.group.values.tolist() == groups
+
+
+def test_only_what_a_variant_concerns_is_another(robustness):
+    fitted = [name for name in robustness if robustness[name].dtype.kind == "f"]
+    fitted = robustness[[name for name in fitted if "side" not in robustness[name].dims]]
+    rough = fitted.sel(variant="rough_sphere")
+    assert len(fitted) == 9 and all(value.isnull().all() for value in rough.values())
+    others = fitted.drop_sel(variant="rough_sphere").sel(minimum=1)  # others need not exist
+    assert all(np.isfinite(value).all() for value in others.values())
+    cutoffs = robustness.critical_wavelength
+    assert np.isfinite(cutoffs).all()
+    for name in robustness.variant.values[1:]:
+        assert (cutoffs.sel(variant=name) != cutoffs.sel(variant="baseline")).any(), name
+
+
+@pytest.mark.parametrize("name", ["range_of_adhesion", "work_of_adhesion"])
+def test_variants_lie_in_their_intervals(robustness, name):
+    value, (low, high) = robustness[name], bounds(robustness, name)
+    known = np.isfinite(value)
+    assert ((low <= value) | ~known).all() and ((value <= high) | ~known).all()
+
+
+def test_a_single_realization_has_no_interval(robustness):
+    assert robustness.attrs["realizations"] == 1
+    assert robustness.critical_wavelength_interval.isnull().all()
+
+
+def test_loads_that_as_many_pixels_carry_are_one(robustness):
+    preload, hardness = (robustness.sel(variant=name) for name in ("preload-5uN", "hardness-47GPa"))
+    for pixel in (2500 / 128, 5000 / 1024, 20000 / 1024):  # scans, masters of either side
+        half, hard, study = (
+            contact_pixel_count({"preload": preload, "hardness": hardness}, pixel)
+            for preload, hardness in ((5e-6, 25e9), (10e-6, 47e9), (10e-6, 25e9))
+        )
+        assert half == hard < study
+    alike = [name for name in robustness.data_vars if robustness[name].dtype.kind == "f"]
+    xr.testing.assert_equal(
+        preload[alike].drop_vars(["variant", "variant_label", "group"]),
+        hardness[alike].drop_vars(["variant", "variant_label", "group"]),
+    )
+
+
+def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished):
+    store = finished / "results/store-quick"
+
+    def heights(surface):
+        return dataset.read(store / f"scans/{surface}/scan-1-flat.nc").heights.values.ravel()
+
+    for name in OTHERWISE:
+        plain, other = heights(f"{name.partition('/')[0]}/study"), heights(name)
+        assert (plain != other).any()
+        assert np.corrcoef(plain, other)[0, 1] > 0.7, name  # spectrum and gain differ
+    assert abs(np.corrcoef(heights("uncd/study"), heights("mcd/study"))[0, 1]) < 0.5
+
+
+def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy, results):
+    pair = "R250um/H25GPa-F10uN/uncd/study/scan-2/sphere-scan-1.nc"
+    path = f"results/store-quick/robustness/{pair}"
+    run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])
+    assert run.returncode == 0, run.stdout[-3000:]
+    varied = dataset.read(finished_copy / path).pull_off_force.transpose("load", "rho")
+    study = dataset.read(results / "adhesion.nc").pull_off_force
+    study = study.sel(surface="uncd", scan=2, sphere_scan=1, contact_model="plastic")
+    study = study.mean(["contact_y", "contact_x"])
+    whole, half, hard = (
+        varied.sel(load=load) for load in ("H25GPa-F10uN", "H25GPa-F5uN", "H47GPa-F10uN")
+    )
+    np.testing.assert_allclose(whole, study, rtol=1e-9)
+    assert (half < whole).all()
+    np.testing.assert_array_equal(half, hard)
