@@ -3,6 +3,7 @@
 from figure_inputs.scaling import scaling
 from refusals import assert_says
 
+from hardcontact.adhesion.closed_form import SMOOTH
 from hardcontact.answer.scaling_sentences import scaling_sentences
 
 
@@ -37,3 +38,38 @@ def test_every_exponent_has_its_interval():
 def test_edges_that_are_not_there_are_said():
     assert scaling_sentences(with_found(27))[-1] == "Every combination has both edges."
     assert_says(scaling_sentences(with_found(9))[-1], "the long edge (NCD 33 %)", "say nothing")
+
+
+def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
+    polished, uncd, _, mcd = (
+        one for one in scaling_sentences(scaling()) if "sphere, range and load" in one
+    )
+    assert_says(
+        uncd,
+        "the force on UNCD is a",
+        "Gaussian average over many points, since σ/ρ = 3.04 < m/σ = 3.53",
+        "short edge is set by ρ: the contact 2√(F/πH) = 23 nm is narrower than the 40 nm",
+        "stopped by the roll-off at 1 µm, shorter than the reach √(2Rρ) = 1.7 µm (computed",
+    )
+    assert_says(
+        mcd,
+        "frozen to single peaks, since σ/ρ = 18 > m/σ = 3.27",
+        "is set by the size of the contact: the contact 2√(F/πH) = 23 nm is wider than the 20 nm",
+        "stopped by the reach √(2Rρ) = 1.7 µm, shorter than the roll-off at 2.7 µm",
+    )
+    assert_says(polished, "The closed form has no short edge (computed ")
+
+
+def test_a_smooth_surface_has_no_peaks_to_compare():
+    data = scaling()
+    data["regime"] = data["regime"].where(data["surface"] != "ncd", SMOOTH)
+    assert "the force on NCD hardly depends on the roughness. Its" in " ".join(
+        scaling_sentences(data)
+    )
+
+
+def test_exponents_stand_by_what_should_set_the_edge():
+    (said,) = (one for one in scaling_sentences(scaling()) if "should set the edge" in one)
+    wider, narrower = said.split(": ")[1].split("; ")
+    assert "1 [0.8, 1.2] where it is wider (20 edges)" in wider
+    assert "0.9 [0.72, 1.1] and 0.3 [0.24, 0.36] where it is narrower (70 edges)" in narrower

@@ -280,6 +280,7 @@ FLIPS = [
     ("contact_height", "adhesion", "closest_approach", {"surface": "uncd"}, -17.4),
     ("touching_pixels_rise", "adhesion", "pull_off_force", {"rho": 0.05}, 1e-3),
     ("stiff_interfaces", "topography", "psd_isotropic", {"surface": "ncd"}, 1e-3),
+    ("similar_with_retarded", "laws", "fit_error", {"law": "retarded"}, 0.2),
 ]  # fmt: skip
 
 

@@ -6,6 +6,8 @@ import pytest
 from paper_claims import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
 from paper_datasets import make_datasets
 
+from hardcontact.adhesion.interaction_laws import EXPONENTIAL, LAWS
+from hardcontact.adhesion.law_comparison import CASES
 from hardcontact.claims.evaluation import DATASETS
 from hardcontact.claims.quantities import DERIVED
 from hardcontact.claims.verdicts import accepted_range
@@ -87,6 +89,13 @@ def test_every_claim_names_what_exists():
         assert claim.quantity in datasets[claim.dataset], claim.id
 
 
+def test_every_law_but_that_of_the_paper_is_judged_where_it_replaces_it():
+    selected = STATEMENTS[STATEMENTS["dataset"] == "laws"]["select"]
+    others = [law.name for law in LAWS if law != EXPONENTIAL]
+    assert list(selected) == [f"law={name};case=equivalent" for name in others]
+    assert CASES[0] == "equivalent"
+
+
 def test_claims_repeat_table1():
     table = pd.read_csv(TABLES / "table1.csv")
     for row in table.itertuples():
@@ -119,6 +128,9 @@ def test_claims_repeat_parameters():
     assert published["stitching_change"] == PARAMETERS["stitching_change_upper_bound"]
     assert published["ruby_rms_height"] == PARAMETERS["sphere_rms_height_upper_bound"]
     assert published["plastic_fits"] == PARAMETERS["error_threshold"]
+    assert (
+        published[published.index.str.startswith("similar_with_")] == published["plastic_fits"]
+    ).all()
     assert published["no_effect_small"] == PARAMETERS["scale_tolerance"]
     band = tuple(PARAMETERS[f"critical_wavelength_{side}"] for side in ("small", "large"))
     pooled = tuple(published[f"critical_wavelength_{side}_pooled"] for side in ("small", "large"))

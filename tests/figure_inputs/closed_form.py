@@ -8,6 +8,9 @@ from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS
 from hardcontact.statistics import with_interval
 
 RHO = [0.5, 5.6, 20.0]
+CUTOFFS = [20.0, 60.0, 1000.0, 2000.0]
+#: Ratio by surface, side, cutoff.
+FILTERED = np.array([[[1.0, 1.5, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.2]]] * len(SUBSTRATES))
 SHAPE = (len(SUBSTRATES), 2, len(RHO))
 
 
@@ -27,6 +30,7 @@ def closed_form() -> xr.Dataset:
             "first_term_force": ((*dims, "source"), predicted / 2, newton),
             "error": ((*dims, "source"), predicted / force[..., None], {"units": "1"}),
             "whole_freezing": (("surface", "rho"), freezing, {"units": "1"}),
+            "filtered_ratio": (("surface", "side", "cutoff_wavelength"), FILTERED),
             "regime": (("surface", "rho"), np.where(freezing > 1, SINGLE_PEAKS, MANY_POINTS)),
             "edge": (
                 ("surface", "side"),
@@ -42,6 +46,7 @@ def closed_form() -> xr.Dataset:
             "rho": RHO,
             "source": ["spectrum", "contacts"],
             "side": ["small", "large"],
+            "cutoff_wavelength": CUTOFFS,
         },
         {"range_of_adhesion": 5.6, "confidence": 0.95},
     )

@@ -14,7 +14,9 @@ from hardcontact.figures.drawing import READERS
 from hardcontact.study.patterns import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
-PARTS = {"fig3_histograms", "fig4_contact", "fig4_curves", "fig4_error", "fig_sets_facts"}
+PARTS = {
+    "fig3_histograms", "fig4_contact", "fig4_curves", "fig4_error", "fig6_rows", "fig_sets_facts",
+}  # fmt: skip
 SHARED = {"__init__", "catalogue", "drawing", "height_maps", "marks", "style", "tables"}
 
 

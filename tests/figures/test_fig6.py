@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from figure_inputs.closed_form import closed_form
 from figure_inputs.published_tables import published_constants
 from figure_inputs.scales import (
     CRITICAL,
@@ -22,6 +23,7 @@ def table(data=None, of_sets=None):
         band() if data is None else data,
         scales(),
         sets() if of_sets is None else of_sets,
+        closed_form(),
         published_constants(),
     )
 
@@ -39,6 +41,20 @@ def test_table_holds_ratios_and_realizations():
         "sets": len(SMALL_CUTOFFS) - 1,  # the first of all cutoffs is not one of the sets'
         **{f"realization {k}": len(SMALL_CUTOFFS) for k in range(1, REALIZATIONS + 1)},
     }
+
+
+def test_the_closed_form_has_a_curve_on_each_side():
+    rows = select(table(), quantity="closed_form_ratio", group="ncd")
+    by_side = rows.set_index(["side", "cutoff_wavelength"])["value"].to_dict()
+    assert by_side == {
+        ("small", 20.0): 1.0,
+        ("small", 60.0): 1.5,
+        ("large", 1000.0): 3.0,
+        ("large", 2000.0): 1.2,
+    }
+    figure = fig6.draw(band(), scales(), sets(), closed_form(), published_constants())
+    drawn = [line.get_xydata().tolist() for line in figure.axes[0].lines]
+    assert [[20.0, 1.0], [60.0, 1.5]] in drawn
 
 
 def test_pooled_change_is_the_mean_of_the_absolute_changes():
@@ -77,7 +93,7 @@ def test_sets_that_never_leave_the_tolerance_open_their_band():
 
 def test_arrows_mark_what_lies_beyond():
     def arrows(data):
-        figure = fig6.draw(data, scales(), sets(), published_constants())
+        figure = fig6.draw(data, scales(), sets(), closed_form(), published_constants())
         figure.draw_without_rendering()
         lines = [line for axes in figure.axes for line in axes.lines]
         return sum(line.get_marker() in ("<", ">") and line.get_alpha() == 1 for line in lines)
@@ -89,7 +105,7 @@ def test_arrows_mark_what_lies_beyond():
 
 
 def test_artificial_roughness_is_shaded_on_the_side_where_it_is():
-    figure = fig6.draw(band(), scales(), sets(), published_constants())
+    figure = fig6.draw(band(), scales(), sets(), closed_form(), published_constants())
     for axes, side in zip(figure.axes, ["small", "large"] * 3, strict=True):
         left, right = axes.get_xlim()
         ends = (left, 20.0) if side == "small" else (1000.0, right)

@@ -91,6 +91,7 @@ FOLLOWS = {
     "compute_scaled_pull_off": {"scale_edges"},
     "filter_windows": {"try_scan_sizes"},
     **{rule: {"answer_insight"} for rule in BEYOND},
+    "compare_laws": {"answer_insight", "evaluate_claims"},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
         for name in FIGURES

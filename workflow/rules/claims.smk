@@ -13,6 +13,7 @@ rule evaluate_claims:
         indent=rules.measure_indents.output[0],
         asperities=rules.aggregate_asperities.output[0],
         classical=rules.apply_classical_models.output[0],
+        laws=PATTERNS.dataset("laws"),
         sets=rules.judge_sets.output[0],
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED["published_constants"],

@@ -15,6 +15,7 @@ WINDOW_CONTACTS = {
         **{key: STUDY["contact"][key] for key in ("preload", "hardness")},
     },
 }
+SIDES = ("small", "large")
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 
 
@@ -40,6 +41,7 @@ rule compare_closed_form:
                 "trial": {
                     **{key: INSIGHT[key] for key in ("pixels", "realizations", "sizes")},
                     "ranges": INSIGHT_RANGES,
+                    "cutoffs": {side: STUDY["scales"][side]["cutoffs"] for side in SIDES},
                     "array": {
                         "window": STUDY["contact"]["window"],
                         "count": INSIGHT["count"],
@@ -91,7 +93,7 @@ rule compute_law_forces:
                 },
                 "scales": {
                     side: {"transition": STUDY["scales"][side]["transition"]} | INSIGHT[side]
-                    for side in ("small", "large")
+                    for side in SIDES
                 },
                 "seed": STUDY["seed"],
             }

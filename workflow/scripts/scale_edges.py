@@ -1,6 +1,9 @@
 """How the edges of the critical band scale with R, rho and the contact area: scaling.nc."""
 
+from hardcontact.adhesion.closed_form import Contact
+from hardcontact.adhesion.edge_regimes import cause_exponents, edge_regimes
 from hardcontact.adhesion.edge_scaling import edge_scaling, stacked_scaling
+from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records.dataset import read_all
 from hardcontact.study.job import job
@@ -8,10 +11,11 @@ from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
     given = this.parameters
-    spectra = zip(given["surfaces"], this.input.spectra, strict=True)
+    paths = zip(given["surfaces"], this.input.spectra, strict=True)
+    spectra = {surface: read_spectrum(path) for surface, path in paths}
     scaling = stacked_scaling(
         read_all(given["masters"], this.input.masters),
-        {surface: read_spectrum(path) for surface, path in spectra},
+        spectra,
         {"labels": given["labels"], "basis": given["basis"]},
     )
     edges = edge_scaling(
@@ -19,7 +23,12 @@ with job(snakemake) as this:
         given["tolerance"],
         Sampling(given["seed"], given["samples"], given["confidence"]),
     )
+    contact = Contact(given["sphere_radius"], given["rho"], WORK_OF_ADHESION, given["area"])
+    regimes = edge_regimes(spectra, contact, given["tolerance"])
+    causes = cause_exponents(edges, spectra, contact, given["tolerance"])
     this.write(
-        edges.assign_attrs({name: given[name] for name in ("sphere_radius", "rho", "area")}),
+        edges.merge(regimes)
+        .merge(causes)
+        .assign_attrs({name: given[name] for name in ("sphere_radius", "rho", "area")}),
         title="edges of the critical band over radii, ranges of adhesion and contact areas",
     )

@@ -1,6 +1,6 @@
 """The closed form beside forces computed on random surfaces of the same spectrum."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,7 @@ from hardcontact.adhesion.closed_form import (
     closed_form,
     contact_area,
     edges,
+    filtered_spectrum,
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.adhesion.summits import banded
@@ -39,6 +40,8 @@ class Trial:
         Of each periodic surface along an edge, and surfaces of each size.
     sizes, ranges : tuple of float
         Edges of the surfaces, and ranges of adhesion, in nm.
+    cutoffs : mapping of str to sequence of float
+        Wavelengths (nm) below which ("small") and above which ("large") roughness is removed.
     array : ContactArray
         Window and contacts on each.
     load : Load
@@ -55,6 +58,7 @@ class Trial:
     realizations: int
     sizes: tuple[float, ...]
     ranges: tuple[float, ...]
+    cutoffs: Mapping[str, Sequence[float]]
     array: ContactArray
     load: Load
     radius: float
@@ -96,8 +100,9 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
         approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
         ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
         ``computed_approach`` and ``predicted_approach`` in nm. Of the whole spectra
-        ``whole_force`` (N), ``whole_freezing`` and ``regime`` over (surface, rho), and ``edge``
-        (surface, side) in nm.
+        ``whole_force`` (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge``
+        (surface, side) in nm, and ``filtered_ratio`` (surface, side, cutoff_wavelength), the force
+        without the waves of a side over that with all; NaN at cutoffs of the other side.
     """
     compared = [[_compared(name, one, size, trial) for size in trial.sizes]
                 for name, one in spectra.items()]  # fmt: skip
@@ -175,12 +180,29 @@ def _whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
     formulas = [
         closed_form(spectrum, Contact(trial.radius, rho, trial.work, area)) for rho in trial.ranges
     ]
-    found = edges(spectrum, Contact(trial.radius, trial.rho, trial.work, area), trial.tolerance)
+    contact = Contact(trial.radius, trial.rho, trial.work, area)
+    found = edges(spectrum, contact, trial.tolerance)
     return xr.Dataset(
         {
             "whole_force": ("rho", [one.force for one in formulas], {"units": "N"}),
             "whole_freezing": ("rho", [one.freezing for one in formulas], {"units": "1"}),
             "regime": ("rho", [one.regime for one in formulas]),
             "edge": ("side", np.array(found), {"units": "nm"}),
+            "filtered_ratio": _filtered_ratios(spectrum, contact, trial.cutoffs),
         }
     )
+
+
+def _filtered_ratios(
+    spectrum: Spectrum, contact: Contact, cutoffs: Mapping[str, Sequence[float]]
+) -> xr.DataArray:
+    """Return forces without the waves beyond cutoffs over that with all."""
+    whole = closed_form(spectrum, contact).force
+    sides = []
+    for side, of_side in cutoffs.items():
+        parts = [filtered_spectrum(spectrum, side, cutoff) for cutoff in of_side]
+        ratios = [closed_form(part, contact).force / whole for part in parts]
+        sides.append(xr.DataArray(ratios, {"cutoff_wavelength": list(of_side)}))
+    ratio: xr.DataArray = xr.concat(sides, "side", join="outer")
+    ratio["cutoff_wavelength"].attrs["units"] = "nm"
+    return ratio.assign_coords(side=list(cutoffs)).assign_attrs(units="1")

@@ -2,8 +2,16 @@
 
 import xarray as xr
 
+from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
+from hardcontact.adhesion.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
 from hardcontact.adhesion.edge_scaling import DEPENDENCE, LENGTHS, PARTS
-from hardcontact.answer.part_text import listed, print_bounded_as_paper, print_percent
+from hardcontact.answer.part_text import (
+    DIGITS,
+    NEAR_ONE,
+    listed,
+    print_bounded_as_paper,
+    print_percent,
+)
 from hardcontact.claims.quantity_text import print_as_paper
 
 __all__ = ["scaling_sentences"]
@@ -11,16 +19,23 @@ __all__ = ["scaling_sentences"]
 EDGES = {"small": "short", "large": "long"}
 #: Lengths as they are printed.
 NAMES = dict(zip(LENGTHS, ("√R", "√ρ", "√(F/H)"), strict=True))
+#: What a regime means for the force.
+FORCE = {
+    SMOOTH: "hardly depends on the roughness",
+    MANY_POINTS: "is a Gaussian average over many points",
+    SINGLE_PEAKS: "is frozen to single peaks",
+}
 
 
 def scaling_sentences(scaling: xr.Dataset) -> list[str]:
-    """Return what both edges follow, their exponents, and how many edges there are.
+    """Return what both edges follow, their exponents, the regimes, and how many edges there are.
 
     Parameters
     ----------
     scaling : xarray.Dataset
-        As from `edge_scaling.edge_scaling`, with the attributes ``sphere_radius``, ``rho`` (nm) and
-        ``area`` (nm²) of the paper.
+        As from `edge_scaling.edge_scaling`, with the variables of `edge_regimes.edge_regimes` and
+        `edge_regimes.cause_exponents` at the sphere, range and load of the paper, and the
+        attributes ``sphere_radius``, ``rho`` (nm) and ``area`` (nm²) of these.
 
     Returns
     -------
@@ -33,7 +48,8 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
         f"{' '.join(of_sides)} Varied were {_varied(scaling)}.",
         *exponents,
         *(_of_reach(scaling, part) for part in PARTS[1:]),
-        _at_paper(scaling),
+        *_regimes(scaling),
+        _causes(scaling),
         _found(scaling),
     ]
 
@@ -85,19 +101,79 @@ def _of_reach(scaling: xr.Dataset, part: str) -> str:
     )
 
 
-def _at_paper(scaling: xr.Dataset) -> str:
+def _regimes(scaling: xr.Dataset) -> list[str]:
+    """Return what sets force and edges of each surface at sphere, range and load of the paper."""
     nearest = {"radius": scaling.attrs["sphere_radius"]} | {
         name: scaling.attrs[name] for name in ("rho", "area")
     }
     at_paper = scaling.sel(nearest, method="nearest")
+    each = (at_paper.sel(surface=surface) for surface in scaling["surface"].values)
+    return [
+        f"At the paper's sphere, range and load the force on {one['label'].item()} {_force(one)}. "
+        f"{_short_edge(one)}. {_long_edge(one)}."
+        for one in each
+    ]
+
+
+def _causes(scaling: xr.Dataset) -> str:
+    """Return whether the short edge scales as what should set it."""
     said = []
-    for surface in at_paper["surface"].values:
-        of_surface = at_paper.sel(surface=surface)
-        short, long = (
-            print_bounded_as_paper(of_surface.sel(side=side), "edge", "nm") for side in EDGES
+    for cause, where in ((CONTACT, "wider"), (RANGE, "narrower")):
+        of_cause = scaling.sel(cause=cause)
+        numbers = listed(
+            print_bounded_as_paper(of_cause.sel(length=length), "cause_exponent", "1")
+            for length in LENGTHS
         )
-        said.append(f"{of_surface['label'].item()} {short} and {long}")
-    return f"Short and long edge at the paper's sphere, range and load: {'; '.join(said)}."
+        said.append(f"{numbers} where it is {where} ({of_cause['cause_edges'].item()} edges)")
+    return (
+        "A contact that is wider than the short edge of the closed form should set the edge, which "
+        "then follows √(F/H) alone; where it is narrower the edge should follow √ρ alone. "
+        f"Exponents against {listed(NAMES.values())} over all surfaces: {'; '.join(said)}."
+    )
+
+
+def _nm(of_surface: xr.Dataset, name: str) -> str:
+    return print_as_paper(of_surface[name].item(), "nm", digits=DIGITS)
+
+
+def _computed(of_surface: xr.Dataset, side: str) -> str:
+    return print_bounded_as_paper(of_surface.sel(side=side), "edge", "nm")
+
+
+def _force(of_surface: xr.Dataset) -> str:
+    regime = of_surface["regime"].item()
+    if regime == SMOOTH:
+        return FORCE[regime]
+    sigma, m = (of_surface[name].item() for name in ("rough_height", "approach"))
+    over_range, level = sigma / of_surface.attrs["rho"], m / sigma
+    sign = ">" if over_range > level else "<"
+    return (
+        f"{FORCE[regime]}, since σ/ρ = {over_range:.{NEAR_ONE}g} {sign} m/σ = {level:.{NEAR_ONE}g}"
+    )
+
+
+def _short_edge(of_surface: xr.Dataset) -> str:
+    computed = _computed(of_surface, "small")
+    cause = of_surface["short_edge_from"].item()
+    predicted = _nm(of_surface.sel(side="small"), "predicted_edge")
+    diameter = f"the contact 2√(F/πH) = {_nm(of_surface, 'contact_diameter')}"
+    reasons = {
+        CONTACT: f"is set by the size of the contact: {diameter} is wider than the {predicted} ",
+        RANGE: f"is set by ρ: {diameter} is narrower than the {predicted} ",
+    }
+    if cause not in reasons:
+        return f"The closed form has no short edge (computed {computed})"
+    return f"Its short edge {reasons[cause]}of the closed form (computed {computed})"
+
+
+def _long_edge(of_surface: xr.Dataset) -> str:
+    reach = f"the reach √(2Rρ) = {_nm(of_surface, 'attraction_reach')}"
+    reasons = {
+        ROLL_OFF: f"by the roll-off at {_nm(of_surface, 'roll_off')}, shorter than {reach}",
+        REACH: f"by {reach}, shorter than the roll-off at {_nm(of_surface, 'roll_off')}",
+    }
+    reason = reasons[of_surface["long_edge_from"].item()]
+    return f"Its long edge is stopped {reason} (computed {_computed(of_surface, 'large')})"
 
 
 def _found(scaling: xr.Dataset) -> str:

@@ -26,7 +26,7 @@ __all__ = ["COLUMNS", "DATASETS", "evaluate", "read_statements", "values"]
 #: Datasets of a study that claims are about. A claim may also name `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "band", "inference", "elastic", "indent", "asperities",
-    "classical",
+    "classical", "laws",
 )  # fmt: skip
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",

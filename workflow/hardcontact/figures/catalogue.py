@@ -104,7 +104,7 @@ OF_PAPER = {
         "6. Scales",
         "Fig. 6: scales of roughness",
         "pull-off force without some scales of roughness",
-        ("band", "scales", "sets"),
+        ("band", "scales", "sets", "closed_form"),
         ("published_constants",),
     ),
     "fig_robustness": Figure(

@@ -11,6 +11,17 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
+from hardcontact.figures.fig6_rows import (
+    POOLED,
+    closed_form_rows,
+    computed_cutoffs,
+    critical_rows,
+    curve_rows,
+    last_cutoff,
+    published_row,
+    realization_rows,
+    without_open_ends,
+)
 from hardcontact.figures.marks import BAND_OF_SETS, reach
 from hardcontact.figures.tables import (
     SHARE_OF_SETS,
@@ -23,12 +34,12 @@ from hardcontact.figures.tables import (
 
 __all__ = ["draw", "table"]
 
-POOLED = "pooled"
 SIDES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
 PUBLISHED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": "--"}
+CLOSED_FORM: dict[str, Any] = {"lw": 1.0, "ls": (0, (1, 1.2)), "zorder": 3}
 COLUMNS = [
     "side", "group", "label", "basis", "origin", "over", "quantity", "cutoff_wavelength",
     *VALUE_COLUMNS, "beyond",
@@ -36,31 +47,37 @@ COLUMNS = [
 
 
 def table(
-    band: xr.Dataset, scales: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+    band: xr.Dataset,
+    scales: xr.Dataset,
+    sets: xr.Dataset,
+    closed_form: xr.Dataset,
+    published_constants: pd.DataFrame,
 ) -> pd.DataFrame:
     """Return force ratios and critical wavelengths of Fig. 6, one row a point.
 
     Parameters
     ----------
-    band, scales, sets, published_constants : xarray.Dataset, pandas.DataFrame
+    band, scales, sets, closed_form, published_constants : xarray.Dataset, pandas.DataFrame
         As `draw` takes them.
 
     Returns
     -------
     pandas.DataFrame
-        `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1), and
-        `critical_wavelength` (nm). `over` says what `value`, `low` and `high` are: mean and
-        interval over the "realizations" of the study, or median and SHARE_OF_SETS over the "sets".
-        `beyond` names those of the three that lie beyond the last cutoff computed and are empty.
+        `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1),
+        `critical_wavelength` (nm), and `closed_form_ratio` (1) of the spectrum alone. `over` says
+        what `value`, `low` and `high` are: mean and interval over the "realizations" of the study,
+        or median and SHARE_OF_SETS over the "sets". `beyond` names those of the three that lie
+        beyond the last cutoff computed and are empty.
     """
     rows = pd.concat(
         frame
         for side in SIDES
         for frame in (
-            *_curve_rows(band.sel(side=side), sets.sel(side=side)),
-            *_realization_rows(scales.sel(side=side)),
-            _without_open_ends(_critical(band.sel(side=side), sets.sel(side=side)), band, side),
-            _published_row(side, published_edge(published_constants, side)),
+            *curve_rows(band.sel(side=side), sets.sel(side=side)),
+            *realization_rows(scales.sel(side=side)),
+            closed_form_rows(closed_form.sel(side=side)),
+            without_open_ends(critical_rows(band.sel(side=side), sets.sel(side=side)), band, side),
+            published_row(side, published_edge(published_constants, side)),
         )
     )
     return label_surfaces(rows, band, "group")[COLUMNS].reset_index(drop=True)
@@ -68,7 +85,11 @@ def table(
 
 @style.print_style()
 def draw(
-    band: xr.Dataset, scales: xr.Dataset, sets: xr.Dataset, published_constants: pd.DataFrame
+    band: xr.Dataset,
+    scales: xr.Dataset,
+    sets: xr.Dataset,
+    closed_form: xr.Dataset,
+    published_constants: pd.DataFrame,
 ) -> Figure:
     """Draw Fig. 6: pull-off force of filtered surfaces over that of the unfiltered ones.
 
@@ -86,6 +107,8 @@ def draw(
         With `ratio(surface, realization, side, cutoff_wavelength)` and `transition(side)` in nm.
     sets : xarray.Dataset
         With the variables of `band` without intervals, by `set`.
+    closed_form : xarray.Dataset
+        With `filtered_ratio(surface, side, cutoff_wavelength)`, from the spectra alone.
     published_constants : pandas.DataFrame
         With the critical wavelengths of both sides (nm).
 
@@ -99,6 +122,7 @@ def draw(
     for letter, side, column in zip("ab", SIDES, grid.T, strict=True):
         of_side, of_sets = band.sel(side=side), sets.sel(side=side)
         _draw_ratios(column[0], of_side, of_sets, scales.sel(side=side))
+        _draw_closed_form(column[0], closed_form.sel(side=side))
         _draw_changes(column[1], of_side, of_sets)
         _draw_critical(column[2], of_side, of_sets)
         for axes in column:
@@ -124,79 +148,6 @@ def _artificial(of_side: xr.Dataset) -> tuple[float, float]:
     return (0.0, transition) if of_side["side"].item() == "small" else (transition, np.inf)
 
 
-def _published_row(side: str, cutoff: float) -> pd.DataFrame:
-    return pd.DataFrame(
-        {
-            "side": [side],
-            "group": POOLED,
-            "origin": "published",
-            "unit": "nm",
-            "quantity": "critical_wavelength",
-            "value": cutoff,
-        }
-    )
-
-
-def _curve_rows(of_side: xr.Dataset, of_sets: xr.Dataset) -> list[pd.DataFrame]:
-    """Return ratio and change against the cutoff, of the study and over the sets."""
-    return [
-        values.to_dataframe()[["value", "low", "high"]]
-        .dropna(subset="value")
-        .reset_index()
-        .rename(columns={"surface": "group"})
-        .assign(origin="computed", over=over, quantity=quantity, unit="1")
-        .assign(side=str(of_side["side"].item()))
-        for quantity in ("ratio", "change")
-        for over, values in (
-            ("realizations", bounded(of_side, f"scale_{quantity}")),
-            ("sets", over_sets(of_sets[f"scale_{quantity}"])),
-        )
-    ]
-
-
-def _realization_rows(of_side: xr.Dataset) -> list[pd.DataFrame]:
-    frame = of_side["ratio"].to_dataframe("value").dropna(subset="value").reset_index()
-    named = frame.rename(columns={"surface": "group"})
-    over = "realization " + named["realization"].astype(str)
-    return [named.assign(origin="computed", quantity="ratio", unit="1", over=over)]
-
-
-def _cutoffs(of_side: xr.Dataset) -> np.ndarray:
-    """Return the cutoffs (nm) of one side, of the study or of the sets."""
-    ratio = of_side["scale_ratio"]
-    known = ratio.notnull().any([dim for dim in ratio.dims if dim != "cutoff_wavelength"])
-    cutoffs: np.ndarray = of_side["cutoff_wavelength"].values[known.values]
-    return cutoffs
-
-
-def _last_cutoff(of_side: xr.Dataset) -> float:
-    """Return the cutoff (nm) that removes most, which stands for all beyond it."""
-    cutoffs = _cutoffs(of_side)
-    return float(cutoffs[-1] if of_side["side"].item() == "small" else cutoffs[0])
-
-
-def _critical(of_side: xr.Dataset, of_sets: xr.Dataset) -> pd.DataFrame:
-    """Return the critical wavelength (nm) of each group, of the study and over the sets."""
-    last = _last_cutoff(of_side)
-    of_study = bounded(of_side, "critical_wavelength")
-    of_study["value"] = of_study["value"].fillna(last)
-    spread = over_sets(of_sets["critical_wavelength"].fillna(last))
-    frames = [
-        values.to_dataframe()[["value", "low", "high"]].reset_index().assign(over=over)
-        for over, values in (("realizations", of_study), ("sets", spread))
-    ]
-    return pd.concat(frames, ignore_index=True)
-
-
-def _without_open_ends(critical: pd.DataFrame, band: xr.Dataset, side: str) -> pd.DataFrame:
-    """Return the rows of `_critical` without numbers that stand for all beyond the last cutoff."""
-    ends = critical[["value", "low", "high"]]
-    beyond = np.isclose(ends, _last_cutoff(band.sel(side=side)))
-    names = [", ".join(ends.columns[row]) for row in beyond]
-    known = critical.assign(**ends.mask(beyond), beyond=names, side=side)
-    return known.assign(origin="computed", quantity="critical_wavelength", unit="nm")
-
-
 def _looks(band: xr.Dataset) -> dict[str, dict[str, Any]]:
     """Return colour and marker of each group: those of its surface, black for all pooled."""
     return {**style.looks(band["surface"].values), POOLED: {"color": "black", "marker": "h"}}
@@ -207,7 +158,7 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: x
     tolerance = of_side.attrs["scale_tolerance"]
     axes.axhspan(1 - tolerance, 1 + tolerance, color="0.88", zorder=0, lw=0)
     curves, spread = bounded(of_side, "scale_ratio"), over_sets(of_sets["scale_ratio"])
-    cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
+    cutoff, of_band = computed_cutoffs(of_side), computed_cutoffs(of_sets)
     for surface, look in style.looks(of_side["surface"].values).items():
         at = {"surface": surface, "cutoff_wavelength": cutoff}
         mean, band = curves.sel(at), spread.sel(surface=surface, cutoff_wavelength=of_band)
@@ -231,9 +182,17 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: x
     style.label_logarithmic(axes.xaxis, at=(1, 2, 5))
 
 
+def _draw_closed_form(axes: Axes, of_side: xr.Dataset) -> None:
+    """Draw the ratio of the closed form against cutoff (nm)."""
+    ratio = of_side["filtered_ratio"].dropna("cutoff_wavelength", how="all")
+    for surface, look in style.looks(of_side["surface"].values).items():
+        of_surface = ratio.sel(surface=surface)
+        axes.plot(ratio["cutoff_wavelength"], of_surface, color=look["color"], **CLOSED_FORM)
+
+
 def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
     """Draw |ratio - 1| in percent against cutoff (nm), and its mean over the substrates."""
-    cutoff, of_band = _cutoffs(of_side), _cutoffs(of_sets)
+    cutoff, of_band = computed_cutoffs(of_side), computed_cutoffs(of_sets)
     change = 100 * bounded(of_side, "scale_change").sel(cutoff_wavelength=cutoff)
     spread = 100 * over_sets(of_sets["scale_change"]).sel(cutoff_wavelength=of_band)
     for surface, look in style.looks(of_side["surface"].values).items():
@@ -249,8 +208,8 @@ def _draw_changes(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
 def _draw_critical(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset) -> None:
     """Mark the critical wavelength (nm) of each group: of the study, over that of the sets."""
     looks, labels = _looks(of_side), _labels(of_side)
-    last, arrow = _last_cutoff(of_side), ">" if of_side["side"].item() == "small" else "<"
-    critical = _critical(of_side, of_sets).set_index(["group", "over"])
+    last, arrow = last_cutoff(of_side), ">" if of_side["side"].item() == "small" else "<"
+    critical = critical_rows(of_side, of_sets).set_index(["group", "over"])
     ends = critical[["value", "low", "high"]].to_dict("index")
     for place, (group, look) in enumerate(looks.items()):
         for over, width, opacity in (("sets", 7, BAND_OF_SETS), ("realizations", 1.4, 1)):
@@ -278,6 +237,7 @@ def _legend_handles(band: xr.Dataset, cutoffs: list[float]) -> list[Line2D | Pat
         *style.surface_handles(band),
         Line2D([], [], lw=1.8, label="mean |ratio − 1| of all", **_looks(band)[POOLED]),
         Line2D([], [], lw=0.35, color="0.3", label="single realization"),
+        Line2D([], [], color="0.3", label="closed form of the spectrum", **CLOSED_FORM),
         Line2D([], [], lw=1.4, color="0.3", label=f"{confidence} interval (bars)"),
         Patch(
             color="0.3",
