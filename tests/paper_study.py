@@ -10,11 +10,11 @@ from figure_inputs.surfaces import topography
 from paper_claims import CONSTANTS, STATEMENTS
 from PIL import Image
 
+from hardcontact.answer.captions import Caption
 from hardcontact.answer.paper_answer import paper_answer
 from hardcontact.answer.paper_page import paper_page
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import OF_PAPER
-from hardcontact.study.captions import Caption
 
 DEPARTURES = "# Where it departs\n\n1. **First.** 1 < 2.\n\n## Substitutes\n\nRandom surfaces.\n"
 

@@ -3,7 +3,7 @@
 import numpy as np
 from paper_numbers import TABLE1
 
-from hardcontact.adhesion.classical_models import Contact, Roughness
+from hardcontact.classical.classical_models import Contact, Roughness
 from hardcontact.contact import hertz
 
 RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463

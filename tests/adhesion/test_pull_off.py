@@ -10,13 +10,13 @@ import pytest
 from direct_sum import direct_total
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 
-from hardcontact.adhesion.filtered_pull_off import filtered_pull_off, mean_filtered_pull_off
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair, pull_off_of_pair, window_change
 from hardcontact.adhesion.traced_contact import traced_contact
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.gap_map import gap_map
 from hardcontact.contact.geometry import bodies
 from hardcontact.records import dataset, netcdf
+from hardcontact.scales.filtered_pull_off import filtered_pull_off, mean_filtered_pull_off
 from hardcontact.surfaces.filters import filtered
 
 LOAD = {"preload": 10e-6, "hardness": 25e9}

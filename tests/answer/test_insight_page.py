@@ -6,10 +6,10 @@ from figure_inputs.registry import INPUTS
 from html_page import Page
 from paper_study import png
 
+from hardcontact.answer.captions import Caption
 from hardcontact.answer.insight_page import AnsweredPart, insight_page
 from hardcontact.answer.insight_parts import PARTS
 from hardcontact.figures.catalogue import OF_INSIGHT
-from hardcontact.study.captions import Caption
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 

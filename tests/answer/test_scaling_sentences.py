@@ -3,8 +3,8 @@
 from figure_inputs.scaling import scaling
 from refusals import assert_says
 
-from hardcontact.adhesion.closed_form import SMOOTH
 from hardcontact.answer.scaling_sentences import scaling_sentences
+from hardcontact.insight.closed_form import SMOOTH
 
 
 def with_found(count):

@@ -6,7 +6,6 @@ import xarray as xr
 from paper_claims import NUMBERS, near
 from paper_datasets import make_band, make_scales
 
-from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.claims.scale_quantities import (
     band_edge,
@@ -18,6 +17,7 @@ from hardcontact.claims.scale_quantities import (
     smoothest_ratio,
     stylus_change,
 )
+from hardcontact.scales.critical_band import critical_band
 from hardcontact.statistics import bounds
 
 

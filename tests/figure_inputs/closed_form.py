@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 from paper_numbers import LABELS, SUBSTRATES
 
-from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
 from hardcontact.statistics import with_interval
 
 RHO = [0.5, 5.6, 20.0]

@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 
 from figure_inputs.building import bounded, generator, named
-from hardcontact.adhesion.elastic_limit import VARIANTS
+from hardcontact.insight.elastic_limit import VARIANTS
 
 
 def elastic_limit() -> xr.Dataset:

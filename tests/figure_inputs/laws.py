@@ -6,8 +6,8 @@ from paper_numbers import SUBSTRATES
 
 from figure_inputs.building import bounded, named
 from figure_inputs.scales import CRITICAL, SIDES, TOLERANCE
-from hardcontact.adhesion.interaction_laws import LAWS
-from hardcontact.adhesion.law_comparison import CASES
+from hardcontact.insight.interaction_laws import LAWS
+from hardcontact.insight.law_comparison import CASES
 
 BY_LAW = ("law", "case")
 WORK = 0.05

@@ -7,8 +7,8 @@ from paper_numbers import LABELS, SUBSTRATES
 from periodic_maps import height_map, periodic_noise
 
 from figure_inputs.building import RADIUS, SCANS
-from hardcontact.adhesion.scan_maps import MapSettings, force_maps
-from hardcontact.adhesion.surface_maps import maps_of_scans
+from hardcontact.insight.scan_maps import MapSettings, force_maps
+from hardcontact.insight.surface_maps import maps_of_scans
 from hardcontact.surfaces.topography import mirror_stitch
 
 SETTINGS: MapSettings = {

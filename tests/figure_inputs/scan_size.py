@@ -4,7 +4,7 @@ import numpy as np
 import xarray as xr
 
 from figure_inputs.building import bounded, named
-from hardcontact.adhesion.scan_size_trials import RATIOS
+from hardcontact.insight.scan_size_trials import RATIOS
 
 SIZES, RHO, TRIALS = [1250.0, 2500.0, 5000.0], [1.4, 5.6], 5
 #: The last two are whole surfaces.

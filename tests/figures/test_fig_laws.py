@@ -9,9 +9,9 @@ from figure_inputs.scales import CRITICAL
 from figure_rows import select
 from paper_numbers import SUBSTRATES
 
-from hardcontact.adhesion.interaction_laws import LAWS, pressure
-from hardcontact.adhesion.law_comparison import CASES
 from hardcontact.figures import fig_laws
+from hardcontact.insight.interaction_laws import LAWS, pressure
+from hardcontact.insight.law_comparison import CASES
 
 
 @cache

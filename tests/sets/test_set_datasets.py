@@ -6,8 +6,8 @@ import xarray as xr
 from paper_numbers import SUBSTRATES
 from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 
-from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.sampling import Sampling
+from hardcontact.scales.critical_band import critical_band
 from hardcontact.sets.set_datasets import (
     Draw,
     drawn_scans,

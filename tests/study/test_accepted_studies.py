@@ -9,12 +9,12 @@ from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
 from repository import PAPER, SCHEMAS, merged
 
-from hardcontact.adhesion.filtered_pull_off import mean_filtered_pull_off
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.indents import indents
+from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
 from hardcontact.study import checks, configuration, surface_table
 from hardcontact.surfaces import spectral_models, synthesis
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

@@ -7,7 +7,7 @@ import pytest
 from known_spectra import rough
 from refusals import assert_says, refusal
 
-from hardcontact.adhesion.closed_form import Contact, closed_form
+from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.study import new
 from hardcontact.study.own_spectrum import own_spectrum
 from hardcontact.study.predict import TRIED, predict, predict_arguments

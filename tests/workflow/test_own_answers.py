@@ -13,7 +13,7 @@ from scan_files import container, scan, write_coordinates
 from scipy import stats
 from SurfaceTopography import UniformLineScan
 
-from hardcontact.adhesion.closed_form import gaussian_share
+from hardcontact.insight.closed_form import gaussian_share
 from hardcontact.random import generator
 
 pytestmark = pytest.mark.study

@@ -1,6 +1,6 @@
 """For which share of contacts the bearing area holds, and the force of those for which not."""
 
-from hardcontact.adhesion.elastic_limit import elastic_limit
+from hardcontact.insight.elastic_limit import elastic_limit
 from hardcontact.records.dataset import read, read_all
 from hardcontact.study.job import job
 

@@ -1,7 +1,7 @@
 """Repeated contact on all surfaces: force and indents against the number of contacts."""
 
 from hardcontact import published
-from hardcontact.adhesion.repeated_contact import repeated_contact
+from hardcontact.insight.repeated_contact import repeated_contact
 from hardcontact.records.dataset import read_all
 from hardcontact.study.job import job
 

@@ -1,9 +1,9 @@
 """Range and work of adhesion and the critical band under every variant of the study's choices."""
 
 from hardcontact import published
-from hardcontact.adhesion.inference import Pair
-from hardcontact.adhesion.robustness import Choices, robustness
 from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference.inference import Pair
+from hardcontact.inference.robustness import Choices, robustness
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 

@@ -1,8 +1,8 @@
 """Effective work of adhesion and classical models of rough adhesion, beside the pull-off forces."""
 
 from hardcontact import published
-from hardcontact.adhesion.classical_comparison import apply_classical_models
 from hardcontact.adhesion.sampling import Sampling
+from hardcontact.classical.classical_comparison import apply_classical_models
 from hardcontact.records.dataset import read
 from hardcontact.study.job import job
 

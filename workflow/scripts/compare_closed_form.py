@@ -1,8 +1,8 @@
 """The closed form of the pull-off force beside forces computed on random surfaces."""
 
 from hardcontact import published
-from hardcontact.adhesion.closed_form_errors import Trial, closed_form_errors
 from hardcontact.adhesion.named_surfaces import with_names
+from hardcontact.insight.closed_form_errors import Trial, closed_form_errors
 from hardcontact.study.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 

@@ -1,6 +1,6 @@
 """The pull-off force on a master of finer pixels than the study's, beside coarser ones."""
 
-from hardcontact.adhesion.finer_master import FinerMaster, on_several_pixels
+from hardcontact.insight.finer_master import FinerMaster, on_several_pixels
 from hardcontact.random import generator
 from hardcontact.study.job import job
 from hardcontact.study.master_limits import refuse_beyond_memory

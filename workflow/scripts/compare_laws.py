@@ -1,10 +1,10 @@
 """Fits, ratios and critical band of every law of attraction: laws.nc."""
 
 from hardcontact import published
-from hardcontact.adhesion.inference import Pair
-from hardcontact.adhesion.law_bands import stacked_law_forces
-from hardcontact.adhesion.law_comparison import LawChoices, compare_laws
 from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference.inference import Pair
+from hardcontact.insight.law_bands import stacked_law_forces
+from hardcontact.insight.law_comparison import LawChoices, compare_laws
 from hardcontact.records.dataset import read_all
 from hardcontact.study.job import job
 

@@ -1,6 +1,6 @@
 """Plastic pull-off at every contact of a master without the scales beyond one cutoff."""
 
-from hardcontact.adhesion.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_pull_off import filtered_pull_off
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map
 

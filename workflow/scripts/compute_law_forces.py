@@ -1,6 +1,6 @@
 """Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
 
-from hardcontact.adhesion.law_forces import filtered_range_forces, range_grid, scan_range_forces
+from hardcontact.insight.law_forces import filtered_range_forces, range_grid, scan_range_forces
 from hardcontact.random import generator
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map

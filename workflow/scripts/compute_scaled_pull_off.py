@@ -1,6 +1,6 @@
 """Mean pull-off of one filtered master over radii, ranges of adhesion and contact areas."""
 
-from hardcontact.adhesion.contact_scaling import scaled_pull_off
+from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.random import generator
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map

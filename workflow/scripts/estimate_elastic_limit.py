@@ -1,9 +1,9 @@
 """Plasticity index, elastic area and force of every contact of one pair of scans."""
 
 from hardcontact import published
-from hardcontact.adhesion.elastic_limit import elastic_limit_of_pair
 from hardcontact.contact import hertz
 from hardcontact.contact.geometry import read_bodies
+from hardcontact.insight.elastic_limit import elastic_limit_of_pair
 from hardcontact.study.job import job
 
 with job(snakemake) as this:

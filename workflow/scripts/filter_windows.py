@@ -1,6 +1,6 @@
 """Pull-off on windows and whole random surfaces of one spectrum, with and without long waves."""
 
-from hardcontact.adhesion.filtered_windows import WindowFilters, filtered_window_forces
+from hardcontact.insight.filtered_windows import WindowFilters, filtered_window_forces
 from hardcontact.study.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 

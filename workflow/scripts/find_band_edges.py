@@ -1,7 +1,7 @@
 """The edges of the band of own surfaces, found or open, with their intervals."""
 
-from hardcontact.adhesion.master_forces import Masters
-from hardcontact.adhesion.open_edges import band_edges
+from hardcontact.own_surfaces.master_forces import Masters
+from hardcontact.own_surfaces.open_edges import band_edges
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 

@@ -1,8 +1,8 @@
 """The wavelengths whose removal changes the pull-off force, with their intervals."""
 
-from hardcontact.adhesion.critical_band import find_critical_band
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.records import dataset
+from hardcontact.scales.critical_band import find_critical_band
 from hardcontact.study.job import job
 
 with job(snakemake) as this:

@@ -1,8 +1,8 @@
 """Range and work of adhesion that the user's own forces allow."""
 
-from hardcontact.adhesion.continued_work import with_continued_work
-from hardcontact.adhesion.own_fit import fit_measured
 from hardcontact.adhesion.sampling import Sampling
+from hardcontact.own_surfaces.continued_work import with_continued_work
+from hardcontact.own_surfaces.own_fit import fit_measured
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 from hardcontact.study.measured_forces import measured_forces

@@ -1,8 +1,8 @@
 """Range and work of adhesion and force statistics of every contact model."""
 
 from hardcontact import published
-from hardcontact.adhesion.inference import Pair, Published, infer
 from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference.inference import Pair, Published, infer
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 

@@ -2,8 +2,8 @@
 
 from hardcontact import published
 from hardcontact.adhesion.all_surfaces import stacked_ratios
-from hardcontact.adhesion.inference import Pair, Published
 from hardcontact.claims.evaluation import read_statements
+from hardcontact.inference.inference import Pair, Published
 from hardcontact.records.dataset import read, read_all
 from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
 from hardcontact.study.job import job

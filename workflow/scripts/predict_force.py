@@ -1,13 +1,13 @@
 """The pull-off forces that a work and a range of adhesion predict."""
 
-from hardcontact.adhesion.continued_force import continued_force, with_continued_force
 from hardcontact.adhesion.finite_scan import (
     with_contact_area,
     with_finite_scan_notes,
     with_window_share,
 )
-from hardcontact.adhesion.master_forces import Masters
-from hardcontact.adhesion.predicted_force import Prediction, predicted_force
+from hardcontact.own_surfaces.continued_force import continued_force, with_continued_force
+from hardcontact.own_surfaces.master_forces import Masters
+from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 

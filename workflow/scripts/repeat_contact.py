@@ -1,8 +1,8 @@
 """Repeated contact of one pair of scans: a place of the sphere meets all places of the array."""
 
 from hardcontact import published
-from hardcontact.adhesion.repeated_contact import Adhesion, repeated_contact_of_pair
 from hardcontact.contact.geometry import read_bodies
+from hardcontact.insight.repeated_contact import Adhesion, repeated_contact_of_pair
 from hardcontact.random import generator
 from hardcontact.study.job import job
 

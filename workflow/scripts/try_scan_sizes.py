@@ -1,8 +1,8 @@
 """How large a scan must be: a rule from random surfaces, tested on those of the study."""
 
 from hardcontact.adhesion.named_surfaces import with_names
-from hardcontact.adhesion.scan_size_trials import scan_size_trials
-from hardcontact.adhesion.window_edges import window_edges
+from hardcontact.insight.scan_size_trials import scan_size_trials
+from hardcontact.insight.window_edges import window_edges
 from hardcontact.records import dataset
 from hardcontact.study.job import job
 from hardcontact.surfaces.spectrum import read_spectrum

@@ -1,7 +1,7 @@
 """Mean plastic pull-off of one master, filtered at every cutoff, at several loads."""
 
-from hardcontact.adhesion.filtered_pull_off import mean_filtered_pull_off
 from hardcontact.random import generator
+from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.masters import synthesized_master

@@ -1,1 +1,1 @@
-"""Adhesion: force sum, pull-off, range and work of adhesion, critical band, classical models."""
+"""Adhesion: the force sum, the pull-off force of pairs of scans, its means and distributions."""

@@ -3,9 +3,9 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
 from hardcontact.answer.part_text import DIGITS, labels, listed, print_within
 from hardcontact.claims.quantity_text import print_as_paper
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
 from hardcontact.statistics import bounds
 
 __all__ = ["closed_form_sentences"]

@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 import pandas as pd
 
+from hardcontact.answer.captions import Caption
 from hardcontact.answer.html import figure_html, page, text_html
 from hardcontact.answer.part_text import listed, print_percent
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.figures.catalogue import OF_INSIGHT
-from hardcontact.study.captions import Caption
 
 __all__ = ["AnsweredPart", "insight_page"]
 

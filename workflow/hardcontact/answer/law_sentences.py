@@ -3,8 +3,6 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.critical_band import POOLED
-from hardcontact.adhesion.interaction_laws import EXPONENTIAL
 from hardcontact.answer.part_text import (
     DIGITS,
     listed,
@@ -13,6 +11,8 @@ from hardcontact.answer.part_text import (
 )
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import verdict
+from hardcontact.insight.interaction_laws import EXPONENTIAL
+from hardcontact.scales.critical_band import POOLED
 from hardcontact.statistics import bounds
 
 __all__ = ["law_sentences"]

@@ -8,8 +8,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.critical_band import POOLED
 from hardcontact.claims.verdicts import summary
+from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["ANSWERS", "PaperAnswer", "as_plain", "paper_answer"]
 

@@ -6,13 +6,13 @@ from itertools import groupby
 
 import pandas as pd
 
+from hardcontact.answer.captions import Caption
 from hardcontact.answer.html import figure_html, page
 from hardcontact.answer.paper_answer import PaperAnswer
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
 from hardcontact.claims.report_pages import chapter, counts_table, section_tables
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import OF_PAPER
-from hardcontact.study.captions import Caption
 
 __all__ = ["STORY", "paper_page"]
 

@@ -2,9 +2,6 @@
 
 import xarray as xr
 
-from hardcontact.adhesion.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
-from hardcontact.adhesion.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
-from hardcontact.adhesion.edge_scaling import DEPENDENCE, LENGTHS, PARTS
 from hardcontact.answer.part_text import (
     DIGITS,
     NEAR_ONE,
@@ -13,6 +10,9 @@ from hardcontact.answer.part_text import (
     print_percent,
 )
 from hardcontact.claims.quantity_text import print_as_paper
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
+from hardcontact.insight.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
+from hardcontact.insight.edge_scaling import DEPENDENCE, LENGTHS, PARTS
 
 __all__ = ["scaling_sentences"]
 

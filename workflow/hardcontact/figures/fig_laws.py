@@ -8,7 +8,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.adhesion.interaction_laws import LAWS, pressure
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
 from hardcontact.figures.tables import (
@@ -18,6 +17,7 @@ from hardcontact.figures.tables import (
     computed_rows,
     label_surfaces,
 )
+from hardcontact.insight.interaction_laws import LAWS, pressure
 
 __all__ = ["draw", "table"]
 

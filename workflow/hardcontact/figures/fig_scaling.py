@@ -6,7 +6,6 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.adhesion.edge_scaling import LENGTHS, PARTS
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
 from hardcontact.figures.tables import (
@@ -17,6 +16,7 @@ from hardcontact.figures.tables import (
     label_surfaces,
     published_edge,
 )
+from hardcontact.insight.edge_scaling import LENGTHS, PARTS
 
 __all__ = ["draw", "table"]
 

@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.critical_band import critical_band
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.random import generator
+from hardcontact.scales.critical_band import critical_band
 from hardcontact.sets.drawing import draw_scans, with_sampled_mean
 from hardcontact.surfaces.roughness_table import averages
 from hardcontact.surfaces.topography import METRICS

@@ -7,7 +7,8 @@ from functools import partial
 
 import numpy as np
 
-from hardcontact.adhesion.closed_form import (
+from hardcontact.contact.bearing_area import Load
+from hardcontact.insight.closed_form import (
     MANY_POINTS,
     SINGLE_PEAKS,
     SMOOTH,
@@ -17,7 +18,6 @@ from hardcontact.adhesion.closed_form import (
     contact_area,
     edges,
 )
-from hardcontact.contact.bearing_area import Load
 from hardcontact.study.faults import refuse_all
 from hardcontact.study.own_spectrum import own_spectrum
 from hardcontact.study.request import QUANTITIES, Option, options, read_yaml

@@ -1,0 +1,84 @@
+"""Fits of classical models and of power laws to forces that are known."""
+
+import numpy as np
+import pytest
+from paper_numbers import MEAN_FORCE
+from published_contact import AFM, CONTACT, UNCERTAINTY, WORK
+
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.classical.classical_fits import (
+    RoughnessSamples,
+    compare_models,
+    fit_power_law,
+    fit_work,
+    power_laws,
+    sample_roughness,
+)
+from hardcontact.classical.classical_models import MODELS, Roughness
+from hardcontact.statistics import bounds
+
+
+@pytest.mark.parametrize("name", MODELS)
+def test_fit_finds_the_work_that_made_the_forces(name):
+    gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
+    target = MODELS[name].force(0.08, gentle, CONTACT)
+    both = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
+    work, error = fit_work(MODELS[name], both, CONTACT, target)
+    assert work[0] == pytest.approx(0.08, rel=1e-4) and error[0] < 1e-3
+    assert error[1] > error[0]
+
+
+def test_fit_of_forces_that_vanish_has_no_work():
+    rough = Roughness(AFM.height, AFM.slope, 1e3 * AFM.curvature)
+    work, error = fit_work(MODELS["maugis"], rough, CONTACT, MEAN_FORCE)
+    assert np.isnan(work) and error == pytest.approx(1)
+
+
+def test_no_model_fits_the_published_forces():
+    for model in MODELS.values():
+        assert fit_work(model, AFM, CONTACT, MEAN_FORCE)[1] > 0.4
+
+
+def test_drawn_roughness_is_positive_and_spreads_as_printed():
+    samples = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 4000)
+    assert all((values > 0).all() and values.shape == (4000, 4) for values in samples)
+    np.testing.assert_allclose(samples.height[:, 2].std(), 11.2, rtol=0.05)
+    assert abs(np.corrcoef(samples.height[:, 2], samples.slope[:, 2])[0, 1]) < 0.05
+
+
+def test_comparison_holds_all_models_with_intervals():
+    drawn = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 40)
+    samples = RoughnessSamples(AFM, drawn, Sampling(0, 40, 0.9))
+    targets = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
+    models = compare_models(samples, CONTACT, WORK, targets)
+    assert list(models.model.values) == list(MODELS)
+    assert models.pull_off_force.dims == ("model", "surface")
+    low, high = bounds(models, "pull_off_force")
+    assert (low <= high).all() and models.pull_off_force_interval.attrs["confidence"] == 0.9
+    one, half = (models.sel(model="rabinovich", against=name) for name in targets)
+    assert half.fitted_work_of_adhesion == pytest.approx(one.fitted_work_of_adhesion / 2)
+    assert half.mean_relative_error == pytest.approx(one.mean_relative_error)
+    expected = np.abs(one.pull_off_force / MEAN_FORCE - 1).mean()
+    assert one.error_at_published_work == pytest.approx(expected)
+
+
+def test_power_laws_find_a_power_and_see_through_a_fit_of_one_point():
+    works = 3 * AFM.height**-1.2
+    height = fit_power_law(AFM.height, works)
+    assert height.power_law_exponent == pytest.approx(-1.2)
+    assert height.rank_correlation == pytest.approx(-1)
+    assert height.power_law_error == pytest.approx(0, abs=1e-12)
+    assert height.prediction_error == pytest.approx(0, abs=1e-12)
+    slope = fit_power_law(AFM.slope, works)  # three alike, one far off
+    assert slope.prediction_error > 3 * slope.power_law_error
+
+
+def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
+    drawn = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
+    works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
+    laws = power_laws(RoughnessSamples(AFM, drawn, Sampling(0, 2, 0.95)), works)
+    assert list(laws.rms_parameter.values) == list(Roughness._fields)
+    assert list(laws.against.values) == list(works)
+    low, high = bounds(laws, "power_law_exponent")  # a factor common to all changes no exponent
+    np.testing.assert_allclose(low, high)
+    np.testing.assert_allclose(low, laws.power_law_exponent)

@@ -1,0 +1,249 @@
+"""Inference on forces whose answer is known."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from known_forces import RHOS, TABLE, power_forces
+from paper_numbers import MEAN_FORCE, SUBSTRATES
+
+from hardcontact.adhesion.force_curves import on_fine_grid
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference import error_map, inference
+from hardcontact.inference.undecided import undecided
+from hardcontact.statistics import bounds, with_interval
+
+SAMPLING = Sampling(1, 50, 0.95)
+
+
+def infer_model(forces, published=MEAN_FORCE, sampling=SAMPLING):
+    return inference.infer_model(forces, published, 1, 0.1, sampling)
+
+
+def width(dataset, name):
+    low, high = bounds(dataset, name)
+    return float(high - low)
+
+
+def test_inference_finds_the_range_and_work_that_made_the_forces():
+    inferred = infer_model(power_forces())
+    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    assert float(inferred.range_from_ratios) == pytest.approx(4.0, rel=0.01)
+    assert float(inferred.work_of_adhesion) == pytest.approx(0.05, rel=0.02)
+    assert float(inferred.best_error) < 0.01
+    for name, known in (("region_range", 4.0), ("region_work", 0.05)):
+        low, high = inferred[name].sel(bound=["low", "high"]).values
+        assert low < known < high
+
+
+def test_interval_holds_the_answer_and_is_wide_where_scans_differ():
+    narrow, wide = (infer_model(power_forces(spread=spread)) for spread in (0.02, 0.6))
+    assert width(wide, "range_of_adhesion") > 3 * width(narrow, "range_of_adhesion")
+    low, high = bounds(narrow, "range_of_adhesion")
+    assert low <= narrow.range_of_adhesion <= high
+
+
+def test_interval_is_of_the_confidence_that_is_asked_for():
+    half, most = (
+        infer_model(power_forces(spread=0.3), sampling=Sampling(1, 200, confidence))
+        for confidence in (0.5, 0.95)
+    )
+    assert half.mean_force_interval.attrs == {"units": "N", "confidence": 0.5}
+    narrow, wide = (one.mean_force_interval.diff("bound") for one in (half, most))
+    assert (narrow.values < wide.values).all()
+    np.testing.assert_array_equal(half.mean_force, most.mean_force)
+    low, high = np.quantile(half.sampled_range, [0.25, 0.75])
+    np.testing.assert_allclose(half.range_of_adhesion_interval, [low, high])
+
+
+def test_missing_scans_do_not_count():
+    forces = power_forces(spread=0.3)
+    short = forces.copy()
+    short[0, 3] = np.nan
+    np.testing.assert_allclose(
+        infer_model(short).mean_force.isel(surface=0),
+        forces[0, :3].mean(["scan", "sphere_scan", "contact_y", "contact_x"]),
+    )
+
+
+def test_a_surface_without_a_published_force_does_not_enter_the_fit():
+    forces = power_forces()
+    forces[0] *= 100
+    published = np.where(np.arange(4) == 0, np.nan, MEAN_FORCE)
+    inferred = infer_model(forces, published)
+    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    assert float(inferred.range_from_ratios) == pytest.approx(4.0, rel=0.01)
+    assert inferred.mean_force.sizes["surface"] == 4
+
+
+def test_fit_is_the_least_of_a_fine_search():
+    forces = power_forces(spread=0.5, seed=3)
+    forces = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
+    fine = np.geomspace(RHOS[0], RHOS[-1], 60)
+    curve = on_fine_grid(forces, RHOS, fine)
+    best, _, error = error_map.fit(curve, MEAN_FORCE)
+    search = error_map.mean_relative_error(curve, MEAN_FORCE, np.geomspace(1e-3, 2, 20001))
+    assert error <= search.min() + 1e-12
+    assert error == pytest.approx(search.min(), rel=1e-3)
+    assert np.unravel_index(search.argmin(), search.shape)[0] == best
+
+
+def test_region_holds_the_places_of_small_error_and_no_more():
+    errors = np.ones((4, 5))
+    errors[1, 2] = errors[2, 3] = 0.05
+    ranges, works = error_map.error_region(errors, RHOS[:4], np.arange(5.0), 0.1)
+    assert ranges.tolist() == [1.0, 2.0] and works.tolist() == [2.0, 3.0]
+    assert np.isnan(error_map.error_region(np.ones((4, 5)), RHOS[:4], np.ones(5), 0.1)).all()
+
+
+def two_ranges():
+    """Forces of two surfaces whose ratio is the published one at 1 and at 8 nm, W 0.05 at both."""
+    rhos = np.geomspace(0.5, 16, 11)
+    ratio = np.exp(0.5 * np.log(rhos) * np.log(rhos / 8))
+    forces = np.stack([20 * ratio, np.ones_like(ratio)])[:, None, None, :, None, None]
+    dims = ("surface", "scan", "sphere_scan", "rho", "contact_y", "contact_x")
+    return xr.DataArray(forces, {"surface": ["a", "b"], "rho": rhos}, dims)
+
+
+def test_ratios_that_are_met_twice_give_two_minima():
+    inferred = inference.infer_model(two_ranges(), np.array([1.0, 0.05]), 1, 0.1, SAMPLING)
+    assert sorted(inferred.minimum_range.values[:2]) == pytest.approx([1.0, 8.0], rel=0.01)
+    np.testing.assert_allclose(inferred.minimum_work[:2], 0.05, rtol=0.02)
+    assert inferred.minimum_error[0] <= inferred.minimum_error[1] < 0.02
+    assert inferred.minimum_error[0] == inferred.best_error == inferred.error_of_range.min()
+    assert inferred.minimum_range[0] == inferred.range_of_adhesion
+    assert inferred.minimum_range.isnull().values.tolist() == [False, False, True]
+    assert "several minima" in str(inferred.undecided.values)
+
+
+def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
+    errors = np.array([0.3, 0.5, 0.2, 0.2, 0.4, 0.6, 0.1])
+    assert error_map.least_errors(errors, 3).tolist() == [6, 2, 0]
+    assert error_map.least_errors(errors, 2).tolist() == [6, 2]
+    assert error_map.least_errors(np.arange(4.0), 3).tolist() == [0]
+
+
+def test_work_of_every_range_is_the_best_one():
+    curve = power_forces(spread=0.5).mean(["scan", "sphere_scan", "contact_y", "contact_x"]).values
+    work, error = error_map.fit_work(curve, MEAN_FORCE)
+    search = error_map.mean_relative_error(curve, MEAN_FORCE, np.geomspace(1e-4, 10, 40001))
+    np.testing.assert_allclose(error, search.min(axis=-1), rtol=1e-3)
+    at_work = [
+        error_map.mean_relative_error(curve[:, [k]], MEAN_FORCE, work[[k]]).item()
+        for k in range(len(RHOS))
+    ]
+    np.testing.assert_allclose(at_work, error)
+
+
+def test_one_scan_is_fitted_without_interval():
+    inferred = infer_model(power_forces(scans=1))
+    assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
+    for name in ("range_of_adhesion", "work_of_adhesion", "best_error", "mean_force"):
+        assert inferred[f"{name}_interval"].isnull().all(), name
+    assert str(inferred.undecided.values) == ""
+
+
+def inferred_with(error, low, high):
+    return xr.Dataset(
+        {
+            "best_error": error,
+            "minimum_range": ("minimum", [4.0, 0.7, np.nan]),
+            "minimum_error": ("minimum", [error, 0.5, np.nan]),
+        }
+        | with_interval("range_of_adhesion", (), 4.0, [low, high], {}, 0.95),
+        {"rho": RHOS},
+    )
+
+
+def test_what_cannot_be_decided():
+    said = undecided(inferred_with(0.4, 0.5, 10.0), 0.1)
+    assert "no range and work" in said and "no upper bound" in said and "no lower bound" in said
+    assert "minima: 4 nm (0.40), 0.7 nm (0.50)" in said
+    clear = undecided(inferred_with(0.05, 3.0, 5.0), 0.1)
+    assert "bound" not in clear and "between 3 and 5 nm" in clear
+    assert "told apart" not in undecided(inferred_with(0.05, np.nan, np.nan), 0.1)
+
+
+def make_adhesion(plastic):
+    names = ("label", "basis")
+    return xr.Dataset(
+        {"pull_off_force": xr.concat([plastic, plastic / 2], "contact_model")}
+        | {name: ("surface", [f"{name} of {surface}" for surface in SUBSTRATES]) for name in names},
+        {"contact_model": ["plastic", "rigid"]},
+        {"sphere_radius": 0.25e6, "parameters": "those of adhesion"},
+    )
+
+
+PUBLISHED = inference.Published(TABLE.iloc[::-1], inference.Pair(5.0, 0.04))  # in any order
+
+
+def infer(plastic, sampling=SAMPLING):
+    return inference.infer(make_adhesion(plastic), PUBLISHED, "uncd", 0.1, 30e-9, sampling)
+
+
+def test_forces_stand_at_the_published_and_at_the_fitted_pair():
+    forces = power_forces(spread=0.1)
+    inferred = infer(forces).sel(contact_model="plastic")
+    at_published = inferred.sel(pair="published")
+    assert (at_published.pair_range.item(), at_published.pair_work.item()) == (5.0, 0.04)
+    contacts = 0.04 * forces.sel(rho=5.0)
+    mean = contacts.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(at_published.force_mean, mean)
+    np.testing.assert_allclose(at_published.force_mean, 0.04 * inferred.mean_force.sel(rho=5.0))
+    np.testing.assert_allclose(
+        at_published.force_mean_interval, 0.04 * inferred.mean_force_interval.sel(rho=5.0)
+    )
+    np.testing.assert_allclose(at_published.ratio_at_pair, mean / mean[1])
+    np.testing.assert_allclose(
+        at_published.ratio_at_pair_interval, inferred.ratio_interval.sel(rho=5.0)
+    )
+    at_fit = inferred.sel(pair="fitted")
+    assert at_fit.pair_range == inferred.range_of_adhesion
+    assert at_fit.pair_work == inferred.work_of_adhesion
+    np.testing.assert_allclose(at_fit.force_mean, MEAN_FORCE, rtol=0.1)
+
+
+def test_published_range_beyond_the_sweep_has_no_forces():
+    beyond = PUBLISHED._replace(pair=inference.Pair(11.0, 0.04))
+    adhesion = make_adhesion(power_forces())
+    inferred = inference.infer(adhesion, beyond, "uncd", 0.1, 30e-9, SAMPLING)
+    assert inferred.force_mean.sel(pair="published").isnull().all()
+    assert inferred.ratio_at_pair_interval.sel(pair="published").isnull().all()
+    assert inferred.force_mean.sel(pair="fitted").notnull().all()
+
+
+def test_models_are_compared_with_the_same_samples():
+    """Half the force everywhere is fitted as well, by twice the work: the ratio is certain."""
+    inferred = infer(power_forces(spread=0.5))
+    assert inferred.model_error_ratio.dims == ()
+    assert float(inferred.model_error_ratio) == pytest.approx(1.0)
+    np.testing.assert_allclose(inferred.model_error_ratio_interval, 1.0)
+    rigid, plastic = (inferred.sel(contact_model=model) for model in ("rigid", "plastic"))
+    np.testing.assert_allclose(rigid.sampled_error, plastic.sampled_error)
+    np.testing.assert_allclose(rigid.sampled_work, 2 * plastic.sampled_work)
+
+
+def test_without_samples_the_values_are_the_same():
+    forces = power_forces(spread=0.3)
+    sampled, alone = infer(forces), infer(forces, Sampling(1, 0, 0.95))
+    for name in alone.data_vars:
+        if not name.startswith(("sampled", "undecided")) and not name.endswith("interval"):
+            xr.testing.assert_equal(alone[name], sampled[name])
+    assert alone.ratio_at_pair_interval.isnull().all()
+    assert alone.force_median_interval.isnull().all()
+
+
+def test_inference_of_a_study_covers_contact_models_and_surfaces():
+    inferred = infer(power_forces(spread=0.02, scans=2))
+    assert inferred.contact_model.values.tolist() == ["plastic", "rigid"]
+    np.testing.assert_allclose(inferred.range_of_adhesion, 4.0, rtol=0.1)
+    np.testing.assert_allclose(inferred.work_of_adhesion, [0.05, 0.1], rtol=0.1)
+    fitted = inferred.force_mean.sel(contact_model="rigid", pair="fitted")
+    np.testing.assert_allclose(fitted, MEAN_FORCE, rtol=0.1)
+    assert inferred.force_mean_interval.dims == ("contact_model", "pair", "surface", "bound")
+    assert inferred.label.values.tolist() == [f"label of {surface}" for surface in SUBSTRATES]
+    assert inferred.attrs == {
+        "error_threshold": 0.1,
+        "force_floor": 30e-9,
+        "confidence": 0.95,
+        "sphere_radius": 0.25e6,
+    }

@@ -1,0 +1,145 @@
+"""Variants whose range, work and critical wavelength are known."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from known_forces import RHOS, TABLE, power_curves
+from paper_numbers import SUBSTRATES
+
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference.inference import Pair
+from hardcontact.inference.robustness import Choices, robustness
+from hardcontact.statistics import bounds
+
+LOADS = ["H25GPa-F10uN", "H25GPa-F5uN"]
+STUDY = dict.fromkeys(SUBSTRATES, "study")
+CUTOFFS = {"small": [10.0, 100.0], "large": [1000.0, 10000.0]}
+CHOICES = Choices(
+    substrates=SUBSTRATES,
+    basis=dict.fromkeys([*SUBSTRATES, "ruby"], "substitute"),
+    reference_surface="uncd",
+    probe="smooth",
+    error_threshold=0.1,
+    tolerance=0.1,
+    published_pair=Pair(4.0, 0.05),
+    sampling=Sampling(0, 20, 0.9, ("sampling", "robustness")),
+)
+VARIANTS = [
+    {"name": "baseline", "variant": STUDY, "load": LOADS[0], "probe": "smooth"},
+    {"name": "rough_sphere", "variant": STUDY, "load": LOADS[0], "probe": "rough"},
+    {"name": "lighter", "variant": STUDY, "load": LOADS[1], "probe": "smooth"},
+    {"name": "curved", "variant": STUDY | {"mcd": "other"}, "load": LOADS[0], "probe": "smooth"},
+]
+VARIANTS = [one | {"label": one["name"].title(), "group": "any"} for one in VARIANTS]
+
+
+def pair_forces(surface, factor=1.0):
+    """Range 4 nm and 0.05 J/m² at the first load, 2 nm and 0.1 J/m² at the second."""
+    index = SUBSTRATES.index(surface)
+    forces = [power_curves(4.0, 0.05)[index], power_curves(2.0, 0.1)[index]]
+    return xr.Dataset(
+        {"pull_off_force": (("load", "rho"), factor * np.array(forces))},
+        {"load": LOADS, "rho": RHOS},
+    )
+
+
+def master_forces(side, change):
+    """The force changes by `change` at the cutoff of the largest effect, not at the other."""
+    ratio = np.array([1.0, 1 + change] if side == "small" else [1 + change, 1.0])
+    force = np.outer(ratio, [2e-6, 1e-6])
+    return xr.Dataset(
+        {
+            "pull_off_force": (("cutoff_wavelength", "load"), force),
+            "unfiltered_pull_off_force": ("load", [2e-6, 1e-6]),
+            "unfiltered_wavelength": ((), 1.0 if side == "small" else 20000.0),
+        },
+        {"cutoff_wavelength": CUTOFFS[side], "load": LOADS},
+    )
+
+
+@pytest.fixture(scope="module")
+def varied():
+    pairs = {
+        (surface, variant, scan, sphere): pair_forces(surface, 1.0 if variant == "study" else 2.0)
+        for surface in SUBSTRATES
+        for variant in ("study", "other")
+        for scan in (1, 2)
+        for sphere in (1, 2)
+        if variant == "study" or surface == "mcd"
+    }
+    masters = {
+        (surface, variant, 1, side, probe): master_forces(side, 0.2 if probe == "smooth" else 1.0)
+        for surface in SUBSTRATES
+        for variant in ("study", "other")
+        for side in CUTOFFS
+        for probe in ("smooth", "rough")
+    }
+    return robustness(pairs, masters, VARIANTS, TABLE.iloc[::-1], CHOICES)
+
+
+def test_loads_are_chosen_by_name(varied):
+    known = varied.sel(variant=["baseline", "lighter"])
+    np.testing.assert_allclose(known.range_of_adhesion, [4.0, 2.0], rtol=0.01)
+    np.testing.assert_allclose(known.work_of_adhesion, [0.05, 0.1], rtol=0.02)
+    np.testing.assert_allclose(known.best_error, 0, atol=0.01)
+
+
+def test_scans_of_a_variant_are_those_of_the_surfaces_it_names(varied):
+    """Forces of one surface twice as large: no range and work meets all four."""
+    assert varied.best_error.sel(variant="curved") > 0.05
+
+
+def test_forces_stand_at_the_published_pair(varied):
+    """The curves are made to meet the published forces at 4 nm and 0.05 J/m²."""
+    published = TABLE.mean_force.reindex(SUBSTRATES).to_numpy()
+    np.testing.assert_allclose(varied.mean_force.sel(variant="baseline"), published, rtol=1e-6)
+    twice = np.where(np.array(SUBSTRATES) == "mcd", 2, 1)
+    np.testing.assert_allclose(
+        varied.mean_force.sel(variant="curved"), twice * published, rtol=1e-6
+    )
+    assert varied.mean_force.attrs["units"] == "N"
+
+
+def test_the_least_minimum_is_the_fit(varied):
+    known = varied.drop_sel(variant="rough_sphere").isel(minimum=0)
+    np.testing.assert_allclose(known.minimum_range, known.range_of_adhesion, rtol=0.02)
+    np.testing.assert_allclose(known.minimum_work, known.work_of_adhesion, rtol=0.03)
+
+
+def test_another_probe_changes_the_critical_band_alone(varied):
+    rough = varied.sel(variant="rough_sphere")
+    for name in ("range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
+                 "work_of_adhesion_interval", "best_error"):  # fmt: skip
+        assert rough[name].isnull().all(), name
+        assert varied[name].drop_sel(variant="rough_sphere").notnull().all(), name
+    for name, change in (("baseline", 0.2), ("rough_sphere", 1.0)):
+        decades = 0.1 / change
+        expected = [10 ** (1 + decades), 10 ** (4 - decades)]
+        computed = varied.critical_wavelength.sel(variant=name, side=["small", "large"])
+        np.testing.assert_allclose(computed, expected)
+
+
+def test_scans_that_are_alike_have_intervals_of_no_width(varied):
+    for name in ("range_of_adhesion", "work_of_adhesion", "critical_wavelength"):
+        low, high = bounds(varied.sel(variant="baseline"), name)
+        np.testing.assert_allclose(low, high)
+        assert varied[f"{name}_interval"].attrs["confidence"] == 0.9
+
+
+def test_variants_are_described(varied):
+    assert varied.variant.values.tolist() == [one["name"] for one in VARIANTS]
+    assert varied.variant_label.sel(variant="curved") == "Curved"
+    assert varied.group.values.tolist() == ["any"] * 4
+    assert varied.attrs == {
+        "tolerance": 0.1,
+        "confidence": 0.9,
+        "realizations": 1,
+        "basis": ", ".join(f"{surface}: substitute" for surface in SUBSTRATES),
+    }
+
+
+def test_a_load_that_was_not_computed_is_refused():
+    unknown = VARIANTS[0] | {"load": "H1GPa-F1uN"}
+    pairs = {(surface, "study", 1, 1): pair_forces(surface) for surface in SUBSTRATES}
+    with pytest.raises(ValueError, match="expected .* H1GPa-F1uN, found .* H25GPa-F10uN, H25GPa"):
+        robustness(pairs, {}, [unknown], TABLE, CHOICES)

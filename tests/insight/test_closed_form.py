@@ -1,0 +1,125 @@
+"""The closed form: against integrals, limits, and forces computed on random surfaces."""
+
+import numpy as np
+import pytest
+from known_spectra import rough, rounded
+from scipy import stats
+
+from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.geometry import bodies
+from hardcontact.insight.closed_form import (
+    MANY_POINTS,
+    SINGLE_PEAKS,
+    SMOOTH,
+    Contact,
+    closed_form,
+    contact_area,
+    edges,
+    filtered_spectrum,
+    gaussian_share,
+)
+from hardcontact.insight.summits import moment
+from hardcontact.random import generator
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.synthesis import random_surface
+
+RADIUS = 250e3
+
+
+def contact(rho=5.6, area=400.0, radius=RADIUS):
+    return Contact(radius, rho, 1.0, area)
+
+
+@pytest.mark.parametrize(("sigma", "m", "rho"), [(4, 10, 5.6), (4, 10, 1), (17, 55, 3)])
+def test_both_terms_are_the_integral_over_gaps_and_heights(sigma, m, rho):
+    gap = np.linspace(m, m + 20 * rho + 8 * sigma, 1501)
+    below = np.linspace(0, 1, 1001)[:, None]
+    height = -10 * sigma + below * (gap + 10 * sigma)  # up to the sphere
+    attraction = stats.norm.pdf(height, 0, sigma) * np.exp(-(gap - height) / rho)
+    of_gap = np.trapezoid(attraction, below, axis=0) * (gap + 10 * sigma)
+    force = np.trapezoid(of_gap, gap) / rho
+    both = gaussian_share(sigma, m, rho) + stats.norm.sf(m / sigma)
+    assert both == pytest.approx(force, rel=3e-4)
+
+
+def test_the_first_term_freezes():
+    sigma, m, rho = 100.0, 300.0, 0.5
+    frozen = stats.norm.pdf(m / sigma) / (sigma / rho - m / sigma)
+    assert gaussian_share(sigma, m, rho) == pytest.approx(frozen, rel=1e-3)
+
+
+def test_without_roughness_the_force_is_that_of_a_smooth_sphere():
+    flat = Spectrum(rough().wavevector, 0 * rough().density)
+    found = closed_form(flat, contact())
+    assert found.force == pytest.approx(2 * np.pi * RADIUS * 1e-9)
+    assert (found.regime, found.relative, found.freezing) == (SMOOTH, 1.0, 0.0)
+    little = closed_form(rough(0.02), contact())
+    assert little.regime == SMOOTH and little.relative == pytest.approx(1, abs=0.03)
+    assert np.isnan(edges(flat, contact(), 0.1)).all()
+
+
+def test_a_single_smooth_summit_is_a_sphere_of_its_radius():
+    sigma, length, rho = 40.0, 300.0, 1e-3  # so short a range that only one summit counts
+    flat = 1e9  # so that the summit is a high one
+    found = closed_form(rounded(sigma, length), contact(rho, 0.0, flat))
+    level = found.closest_approach / sigma
+    summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
+    assert found.regime == SINGLE_PEAKS
+    assert found.relative == pytest.approx(summit / flat, rel=0.1)
+
+
+def test_regimes_lie_on_both_sides_of_freezing():
+    for rms, regime in ((4, MANY_POINTS), (100, SINGLE_PEAKS)):
+        found = closed_form(rough(rms), contact())
+        assert found.regime == regime
+        assert found.freezing == pytest.approx(
+            (found.rms_height / 5.6) / (found.closest_approach / found.rms_height)
+        )
+        assert (found.freezing > 1) == (regime == SINGLE_PEAKS)
+
+
+def test_force_is_linear_in_work_and_area_of_contact_attracts():
+    double = closed_form(rough(), Contact(RADIUS, 5.6, 2.0, 400.0))
+    assert double.force == pytest.approx(2 * closed_form(rough(), contact()).force)
+    assert contact_area({"preload": 1e-5, "hardness": 25e9}) == pytest.approx(400)
+    rigid, plastic = (closed_form(rough(), contact(area=area)) for area in (0.0, 400.0))
+    assert plastic.closest_approach < rigid.closest_approach
+    assert plastic.force > rigid.force
+
+
+@pytest.mark.parametrize(
+    ("rms", "rho", "of_spectrum", "of_contacts"),
+    [(4, 5.6, 0.2, 0.05), (4, 20, 0.05, 0.02), (40, 5.6, 0.4, 0.4)],
+)
+def test_forces_on_random_surfaces(rms, rho, of_spectrum, of_contacts):
+    pixels, size, radius = 512, 10e3, 50e3
+    spectrum = rough(rms, 800.0, 0.8, 80.0)
+    load = {"preload": 1e-5, "hardness": 25e9}
+    forces, approaches = [], []
+    for k in range(3):
+        surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)
+        pair = bodies(surface, None, radius, {"window": size, "count": 8})
+        found = pull_off_of_pair(pair, load, [rho]).variables
+        forces.append(found["pull_off_force"][1][1].mean())
+        approaches.append(-found["closest_approach"][1][1])
+    at = contact(rho, 400.0, radius)
+    for given, error in ((None, of_spectrum), (np.array(approaches), of_contacts)):
+        assert closed_form(spectrum, at, given).force == pytest.approx(np.mean(forces), rel=error)
+
+
+def test_edges_are_where_the_force_has_changed():
+    spectrum = rough(17, 1000, 0.8, 10.0)
+    short, long = edges(spectrum, contact(), 0.1)
+    assert 10 < short < 300 < long < 5000
+    whole = closed_form(spectrum, contact()).relative
+    for side, edge in (("small", short), ("large", long)):
+        left = closed_form(filtered_spectrum(spectrum, side, edge), contact()).relative / whole
+        assert min(abs(np.log(left / end)) for end in (0.9, 1.1)) < 0.02
+
+
+def test_filters_add_up_to_the_spectrum():
+    spectrum = rough()
+    parts = [filtered_spectrum(spectrum, side, 300.0) for side in ("small", "large")]
+    total = sum(moment(part, 0) for part in parts)
+    assert total == pytest.approx(moment(filtered_spectrum(spectrum, "small", 1e-3), 0), rel=0.02)
+    assert not filtered_spectrum(spectrum, "small", 1e9).density.any()

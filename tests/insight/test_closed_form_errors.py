@@ -1,0 +1,71 @@
+"""The closed form beside computed forces: what is compared, on small surfaces."""
+
+import numpy as np
+import pytest
+from known_spectra import rough
+
+from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.insight.closed_form_errors import Trial, closed_form_errors, spectrum_of_grid
+from hardcontact.insight.summits import moment
+from hardcontact.random import generator
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.synthesis import random_surface
+
+TRIAL = Trial(
+    pixels=256, realizations=2, sizes=(2560.0, 5120.0), ranges=(5.6, 20.0),
+    cutoffs={"small": (20.0, 60.0), "large": (300.0, 1e6)},
+    array={"window": 5120.0, "count": 4}, load={"preload": 1e-5, "hardness": 25e9},
+    radius=20e3, work=0.05, rho=5.6, tolerance=0.1, confidence=0.95, seed=1,
+)  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def found():
+    return closed_form_errors({"a": rough(4, 500, 0.8, 40)}, TRIAL)
+
+
+def test_a_grid_holds_the_height_of_its_surfaces():
+    spectrum = rough(4, 500, 0.8, 10)
+    heights = [random_surface(generator(2, k), 256, 10.0, spectrum).heights for k in range(8)]
+    expected = np.sqrt(moment(spectrum_of_grid(spectrum, 2560.0, 256), 0))
+    assert expected == pytest.approx(np.sqrt(np.mean(np.square(heights))), rel=0.03)
+    with pytest.raises(ValueError, match="expected waves between"):
+        spectrum_of_grid(spectrum, 1e-3, 4)
+
+
+def test_errors_are_predicted_over_computed(found):
+    assert set(found.error.dims) == {"surface", "map_size", "source", "rho"}
+    ratio = found.predicted_force / found.computed_force
+    assert found.error.values == pytest.approx(ratio.transpose(*found.error.dims).values)
+    assert found.error.sel(source="contacts").values == pytest.approx(1, abs=0.1)
+    inside = found.computed_force_interval
+    assert (inside.sel(bound="low") <= found.computed_force).all()
+    assert (found.computed_force <= inside.sel(bound="high")).all()
+
+
+def test_whole_spectra_are_those_of_the_closed_form(found):
+    expected = closed_form(rough(4, 500, 0.8, 40), Contact(20e3, 20.0, 0.05, 400.0))
+    at = found.sel(surface="a", rho=20.0)
+    assert at.whole_force.item() == expected.force
+    assert at.whole_freezing.item() == expected.freezing
+    assert at.regime.item() == expected.regime
+    assert found.edge.dims == ("surface", "side")
+
+
+def test_filtered_ratios_are_those_of_spectra_cut_at_the_edge(found):
+    whole, contact = rough(4, 500, 0.8, 40), Contact(20e3, 5.6, 0.05, 400.0)
+    wavelength = 2 * np.pi / whole.wavevector
+    of_surface = found.filtered_ratio.sel(surface="a")
+    force = closed_form(whole, contact).force
+    for side, cutoff, kept in (
+        ("small", 60.0, wavelength >= 60),
+        ("large", 300.0, wavelength <= 300),
+        ("small", 20.0, wavelength > 0),
+        ("large", 1e6, wavelength > 0),
+    ):
+        part = Spectrum(whole.wavevector, np.where(kept, whole.density, 0.0))
+        expected = closed_form(part, contact).force / force
+        assert of_surface.sel(side=side, cutoff_wavelength=cutoff) == pytest.approx(
+            expected, rel=0.02
+        )
+    assert of_surface.sel(side="small", cutoff_wavelength=300.0).isnull()

@@ -1,0 +1,174 @@
+"""Scaled contacts against closed forms and single contacts; edges against power laws."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from scipy.special import erf
+
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.insight import edge_scaling as scaling
+from hardcontact.insight.contact_scaling import scaled_pull_off
+from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+
+COMBINATIONS = {
+    "side": "small",
+    "pixels": 64,
+    "cutoffs": [40.0, 80.0],
+    "window": 640.0,
+    "count": 3,
+    "radii": [500.0, 2000.0],
+    "ranges": [2.0, 5.0],
+    "hardness": 25e9,
+    "preloads": [2.5e-6, 20e-6],
+}
+
+
+def master(rms):
+    heights = rms * np.random.default_rng(3).standard_normal((64, 64))
+    return HeightMap(heights, 10.0, periodic=True, basis="substitute")
+
+
+def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
+    computed = scaled_pull_off(master(0.0), COMBINATIONS)
+    force = computed.variables["unfiltered_pull_off_force"][1]
+    radius, rho = (np.array(COMBINATIONS[name]) for name in ("radii", "ranges"))
+    radius = radius[:, None]
+    # 2 pi R W, but for what lies outside the window of 640 nm.
+    rigid = 2 * np.pi * radius * 1e-9 * erf(640 / np.sqrt(8 * radius * rho)) ** 2
+    np.testing.assert_allclose(force[:, 0], rigid, rtol=2e-3)
+    # Eight pixels touch: the apex, its neighbours, and three of the four at the distance sqrt(2).
+    gaps = np.array([0, *[100] * 4, *[200] * 3]) / (2 * radius[..., None])
+    deeper = np.exp(gaps.max(-1) / rho)
+    flattened = (np.exp((gaps.max(-1, keepdims=True) - gaps) / rho[:, None]) - 1).sum(-1)
+    plastic = deeper * rigid - flattened * 100 / rho * 1e-9
+    np.testing.assert_allclose(force[:, 1], plastic, rtol=2e-3)
+
+
+def test_every_combination_is_that_of_single_contacts():
+    computed = scaled_pull_off(master(3.0), COMBINATIONS)
+    radius, rho, preload = 2000.0, 5.0, 20e-6
+    loads = [{"name": "one", "preload": preload, "hardness": 25e9}]
+    single = mean_filtered_pull_off(
+        master(3.0),
+        None,
+        {
+            "side": "small",
+            "scales": {"pixels": 64, "cutoffs": COMBINATIONS["cutoffs"]},
+            "radius": radius,
+            "rho": rho,
+            "window": 640.0,
+            "count": 3,
+            "loads": loads,
+        },
+    )
+    for name in ("pull_off_force", "unfiltered_pull_off_force"):
+        np.testing.assert_allclose(
+            computed.variables[name][1][..., 1, 1, 1], single.variables[name][1][..., 0]
+        )
+    assert computed.coordinates["area"][1] == pytest.approx([100.0, 800.0])
+    assert computed.variables["contact_area"][1] == pytest.approx([100.0, 800.0])
+
+
+RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 11.2]
+CUTOFFS = np.geomspace(10, 2e4, 60)
+
+
+def curves(radius_exponent, rho_exponent, contact_exponent, scatter=0.0):
+    """Return ratios of three realizations whose long edge is a known power law, and that edge."""
+    radius, area, rho = (
+        xr.DataArray(values, {name: values}, name)
+        for name, values in {"radius": RADII, "area": AREAS, "rho": RANGES}.items()
+    )
+    contact = np.sqrt(area / 400) ** contact_exponent
+    edge = (
+        600 * np.sqrt(radius / 1e5) ** radius_exponent * np.sqrt(rho / 4) ** rho_exponent * contact
+    )
+    cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
+    noise = np.random.default_rng(5).standard_normal(3)
+    noise = xr.DataArray(np.exp(scatter * (noise - noise.mean())), dims="realization")
+    # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge.
+    steep = np.log(1.1) * (1 + 2 * np.log(edge * noise / cutoff))
+    ratio = np.exp(np.maximum(steep, 0)).expand_dims(surface=["a"])
+    ratio = xr.concat([1 / ratio, ratio], "side").assign_coords(side=["small", "large"])
+    return xr.Dataset(
+        {
+            "ratio": ratio.where(ratio["side"] == "large", 1.0),
+            "unfiltered_wavelength": (("surface", "side"), [[5.0, 3e4]]),
+            "contact_area": (("side", "area"), [AREAS, AREAS]),
+            "rms_height": ("surface", [17.0], {"units": "nm"}),
+            "roll_off": ("surface", [1000.0], {"units": "nm"}),
+            "label": ("surface", ["A"]),
+            "basis": ("surface", ["substitute"]),
+        }
+    ), edge
+
+
+@pytest.mark.parametrize(
+    ("exponents", "follows"),
+    [
+        ((1.0, 1.0, 0.0), ["yes", "yes", "no"]),
+        ((0.0, 0.2, 0.9), ["no", "no", "yes"]),
+        ((0.0, 0.0, -0.8), ["no", "no", "undecided"]),
+    ],
+)
+def test_exponents_are_those_of_a_known_power_law(exponents, follows):
+    data, edge = curves(*exponents, scatter=0.02)
+    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 50, 0.95)).sel(side="large", surface="a")
+    np.testing.assert_allclose(computed["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
+    of_all = computed.sel(part="all")
+    np.testing.assert_allclose(of_all["exponent"], exponents, atol=0.02)
+    ends = of_all["exponent_interval"]
+    assert (ends[:, 0] <= of_all["exponent"]).all() and (of_all["exponent"] <= ends[:, 1]).all()
+    assert of_all["dependence"].values.tolist() == follows
+    assert of_all["explained"].item() > 0.95
+    assert of_all["edges_found"].item() == 36
+
+
+def test_exponent_of_the_reach_is_that_of_radius_and_range_where_they_are_alike():
+    data, _ = curves(0.7, 0.7, 0.1)
+    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="large", surface="a")
+    np.testing.assert_allclose(computed["reach_exponent"], 0.7, atol=0.02)
+
+
+def test_roll_off_divides_the_combinations():
+    data, _ = curves(1.0, 1.0, 0.0)
+    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="large", surface="a")
+    # sqrt(2 R rho) is below 1000 nm at 10 um and all ranges, and at 100 um and 1.4 to 2.8 nm.
+    found = computed["edges_found"].sel(part=scaling.PARTS[1:])
+    assert found.values.tolist() == [3 * 6, 3 * 6]
+
+
+def test_open_edges_are_left_out_and_few_give_no_exponent():
+    data, _ = curves(1.0, 1.0, 0.0)
+    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="small", surface="a")
+    assert computed["edge"].isnull().all()
+    assert computed["exponent"].isnull().all() and computed["reach_exponent"].isnull().all()
+    assert set(computed["dependence"].values.ravel().tolist()) == {"undecided"}
+
+
+def test_dependence_is_what_intervals_say():
+    low, high = [0.6, -0.2, 0.3, -0.7, np.nan], [1.2, 0.4, 0.7, 0.1, np.nan]
+    expected = ["yes", "no", "undecided", "undecided", "undecided"]
+    assert scaling.dependence(low, high).tolist() == expected
+
+
+def test_roll_off_is_where_an_octave_holds_most_of_the_heights():
+    density = np.maximum(WAVEVECTORS * 900 / (2 * np.pi), 1.0) ** -3.6
+    spectrum = Spectrum(WAVEVECTORS, density)
+    master_of = xr.Dataset(
+        {
+            "pull_off_force": ("cutoff_wavelength", [2.0]),
+            "unfiltered_pull_off_force": 1.0,
+            "unfiltered_wavelength": 10.0,
+            "contact_area": ("area", [400.0]),
+        },
+        {"cutoff_wavelength": [50.0], "area": [400.0]},
+    )
+    named = {"labels": {"a": "A"}, "basis": {"a": "measured"}}
+    stacked = scaling.stacked_scaling({("a", 1, "small"): master_of}, {"a": spectrum}, named)
+    # The table has forty points a decade.
+    assert stacked["roll_off"].item() == pytest.approx(900, rel=0.06)
+    assert stacked["ratio"].item() == 2.0
+    assert stacked["label"].item() == "A" and stacked["basis"].item() == "measured"

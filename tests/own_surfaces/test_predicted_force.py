@@ -1,0 +1,86 @@
+"""Forces that follow from a work and a range of adhesion."""
+
+import numpy as np
+import xarray as xr
+from refusals import assert_says, refusal
+
+from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
+from hardcontact.statistics import student_interval
+
+RHOS = [1.0, 5.0, 20.0]
+PREDICTION = Prediction(0.05, 5.0, {"a": 2500.0, "b": 2500.0}, 0.9)
+
+
+def adhesion(scans, radius=5e3, spread=0.3):
+    """Log-normal forces: 2 rho N at 1 J/m² in the median, ten times that in plastic contact."""
+    rng = np.random.default_rng(1)
+    shape = (2, max(scans), 2, 2, 1, 4, 4)
+    forces = np.exp(spread * rng.standard_normal(shape)) * 2 * np.array(RHOS)[:, None, None]
+    forces[:, :, :, 1] *= 10
+    for surface, count in enumerate(scans):
+        forces[surface, count:] = np.nan
+    return xr.Dataset(
+        {
+            "pull_off_force": (
+                (
+                    "surface",
+                    "scan",
+                    "sphere_scan",
+                    "contact_model",
+                    "rho",
+                    "contact_y",
+                    "contact_x",
+                ),
+                forces,
+            ),
+            "label": ("surface", ["A", "B"]),
+            "basis": ("surface", ["measured", "measured"]),
+        },
+        {"surface": ["a", "b"], "contact_model": ["rigid", "plastic"], "rho": RHOS},
+        {"sphere_radius": radius},
+    )
+
+
+def test_force_is_the_mean_at_the_work_asked_for():
+    given = adhesion([3, 1])
+    found = predicted_force(given, PREDICTION)
+    assert found.force.dims == ("surface", "contact_model", "rho")
+    of_b = given.pull_off_force.sel(surface="b").isel(scan=0)
+    expected = 0.05 * of_b.mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(found.force.sel(surface="b"), expected)
+    single = given.pull_off_force.sel(surface="a", contact_model="plastic", rho=5.0).values
+    np.testing.assert_allclose(
+        found.force_quantile.sel(surface="a", contact_model="plastic", rho=5.0),
+        np.quantile(0.05 * single, [0.05, 0.25, 0.5, 0.75, 0.95]),
+    )
+    assert found.attrs["work_of_adhesion"] == 0.05 and found.attrs["range_of_adhesion"] == 5.0
+
+
+def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
+    given = adhesion([3, 1], spread=0.02)
+    found = predicted_force(given, PREDICTION)
+    place = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
+    means = given.pull_off_force.sel(place).mean(["sphere_scan", "contact_y", "contact_x"])
+    np.testing.assert_allclose(
+        found.force_interval.sel(place), 0.05 * student_interval(means, 0.9, "scan"), rtol=1e-4
+    )
+    assert found.conditional.values.tolist() == [0, 1]
+    assert found.interval_note.values[0] == "from 3 scans"
+    assert "conditional on this scan" in str(found.interval_note.values[1])
+    low, high = (found.force_interval.isel(bound=bound) for bound in (0, 1))
+    assert (low < found.force).all() and (found.force < high).all()
+    width = np.log(high / low).sel(surface="b", contact_model="rigid")
+    assert (width.diff("rho") > 0).all()  # The longer the range, the more quarters share.
+
+
+def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
+    found = predicted_force(adhesion([3, 1], radius=1e9), PREDICTION)
+    assert found.force_interval.sel(surface="b").isnull().all()
+    assert found.force_interval.sel(surface="a").notnull().all()
+    assert str(found.interval_note.values[1]).startswith("no interval")
+
+
+def test_a_range_that_was_not_computed_is_refused():
+    prediction = Prediction(0.05, 5.6, PREDICTION.sizes, 0.9)
+    message = refusal(predicted_force, adhesion([1, 1]), prediction)
+    assert_says(message, "1, 5, 20 nm", "found 5.6 nm")

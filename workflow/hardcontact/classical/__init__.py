@@ -1,0 +1,1 @@
+"""Classical models of smooth and rough spheres, fitted to the same forces."""

@@ -1,0 +1,1 @@
+"""Range and work of adhesion, inferred from published forces; how robust they are."""

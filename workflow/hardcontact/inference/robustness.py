@@ -1,0 +1,178 @@
+"""Range and work of adhesion and the critical band under every variant of the study's choices.
+
+A variant is a dict of its `name`, `label` and `group`, of `variant` (the variant of each
+substrate's scans, by the substrate), of `load` (the name of hardness and preload) and of `probe`
+(the sphere of the filtered masters). The intervals of all variants come from the same random
+numbers, so that only what they vary makes them differ.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.adhesion.all_surfaces import at_load, stacked_ratios
+from hardcontact.adhesion.force_curves import at_range
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference.inference import Pair, infer_model
+from hardcontact.records import log
+from hardcontact.records.dataset import stack
+from hardcontact.scales.critical_band import critical_band
+
+__all__ = ["Choices", "robustness"]
+
+#: What is inferred of every variant of the forces.
+INFERRED = [
+    "range_of_adhesion",
+    "range_of_adhesion_interval",
+    "work_of_adhesion",
+    "work_of_adhesion_interval",
+    "best_error",
+    "minimum_range",
+    "minimum_work",
+    "minimum_error",
+]
+
+#: What is computed for every variant of the filtered masters.
+CRITICAL = ["critical_wavelength", "critical_wavelength_interval"]
+
+
+@dataclass(frozen=True)
+class Choices:
+    """What all variants share.
+
+    Attributes
+    ----------
+    substrates : list of str
+        The surfaces, in their order.
+    basis : dict of str
+        Whether the scans of each surface are measured or substitutes.
+    reference_surface : str
+        The one that forces are divided by.
+    probe : str
+        The study's sphere of the filtered masters; another one leaves range and work as they are.
+    error_threshold : float
+        Of the mean relative error.
+    tolerance : float
+        Relative change of the force that ends the critical band.
+    published_pair : Pair
+        Range and work of adhesion that mean forces are given at.
+    sampling : Sampling
+        Of all intervals.
+    """
+
+    substrates: list[str]
+    basis: dict[str, str]
+    reference_surface: str
+    probe: str
+    error_threshold: float
+    tolerance: float
+    published_pair: Pair
+    sampling: Sampling
+
+
+def robustness(
+    pairs: Mapping[tuple[Any, ...], xr.Dataset],
+    masters: Mapping[tuple[Any, ...], xr.Dataset],
+    variants: Sequence[dict[str, Any]],
+    published: pd.DataFrame,
+    choices: Choices,
+) -> xr.Dataset:
+    """Return range and work of adhesion and the critical band under every variant.
+
+    Parameters
+    ----------
+    pairs : mapping of tuple to xarray.Dataset
+        pull_off_force (load, rho) in N by surface, variant, scan and sphere_scan.
+    masters : mapping of tuple to xarray.Dataset
+        pull_off_force (cutoff_wavelength, load), unfiltered_pull_off_force (load) in N and
+        unfiltered_wavelength in nm by surface, variant, realization, side and probe.
+    variants : sequence of dict
+        As this module describes them.
+    published : pandas.DataFrame
+        Measured forces, as from `published.pull_off`.
+    choices : Choices
+        What all variants share.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over variant, surface, minimum and side: what is inferred, with all local minima of the
+        error; `mean_force` (variant, surface) in N at the published pair; critical wavelengths
+        of all substrates pooled.
+    """
+    target = published.mean_force.reindex(choices.substrates).to_numpy()
+    forces = _stacked_forces(pairs)
+    parts = [
+        xr.merge([_range_and_work(forces, target, one, choices), _band(masters, one, choices)])
+        for one in log.progress(variants, len(variants), "variants")
+    ]
+    names = pd.Index([one["name"] for one in variants], name="variant")
+    varied = xr.concat(parts, names, coords="minimal", join="outer")
+    return varied.assign_coords(
+        variant_label=("variant", [one["label"] for one in variants]),
+        group=("variant", [one["group"] for one in variants]),
+    ).assign_attrs(
+        tolerance=choices.tolerance,
+        confidence=choices.sampling.confidence,
+        basis=", ".join(f"{name}: {choices.basis[name]}" for name in choices.substrates),
+        realizations=len({realization for _, _, realization, _, _ in masters}),
+    )
+
+
+def _stacked_forces(
+    pairs: Mapping[tuple[Any, ...], xr.Dataset],
+) -> dict[tuple[str, str], xr.DataArray]:
+    """Return forces (scan, sphere_scan, load, rho) by surface and variant."""
+    parts: dict[tuple[str, str], dict[tuple[Any, ...], xr.Dataset]] = {}
+    for (surface, variant, *scans), pair in pairs.items():
+        parts.setdefault((surface, variant), {})[tuple(scans)] = pair
+    return {
+        key: stack(group, ["scan", "sphere_scan"]).pull_off_force for key, group in parts.items()
+    }
+
+
+def _range_and_work(
+    forces: Mapping[tuple[str, str], xr.DataArray],
+    target: np.ndarray,
+    variant: dict[str, Any],
+    choices: Choices,
+) -> xr.Dataset:
+    """Return what forces on scans say of one variant; nothing of another probe."""
+    if variant["probe"] != choices.probe:
+        return xr.Dataset()
+    stacked = xr.concat(
+        [
+            at_load(forces[name, variant["variant"][name]], variant["load"])
+            for name in choices.substrates
+        ],
+        pd.Index(choices.substrates, name="surface"),
+        join="outer",
+    )
+    inferred = infer_model(
+        stacked.expand_dims(["contact_y", "contact_x"], [-2, -1]),
+        target,
+        choices.substrates.index(choices.reference_surface),
+        choices.error_threshold,
+        choices.sampling,
+    )
+    rho, work = choices.published_pair
+    force = work * at_range(inferred.mean_force, rho)
+    return inferred[INFERRED].assign(mean_force=force.assign_attrs(units="N"))
+
+
+def _band(
+    masters: Mapping[tuple[Any, ...], xr.Dataset], variant: dict[str, Any], choices: Choices
+) -> xr.Dataset:
+    """Return CRITICAL (side) of all substrates of one variant pooled."""
+    chosen = {
+        (name, realization, side): master
+        for (name, made, realization, side, probe), master in masters.items()
+        if (made, probe) == (variant["variant"].get(name), variant["probe"])
+    }
+    curves = stacked_ratios(chosen, variant["load"]).sel(surface=choices.substrates)
+    band = critical_band(curves, choices.tolerance, choices.sampling)
+    return band[CRITICAL].sel(group="pooled", drop=True)

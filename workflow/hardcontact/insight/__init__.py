@@ -1,0 +1,1 @@
+"""What decides the band: closed form, laws, maps, scan sizes, repeated contact."""

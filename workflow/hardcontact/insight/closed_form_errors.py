@@ -1,0 +1,208 @@
+"""The closed form beside forces computed on random surfaces of the same spectrum."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.contact.geometry import ContactArray, bodies
+from hardcontact.insight.closed_form import (
+    ClosedForm,
+    Contact,
+    closed_form,
+    contact_area,
+    edges,
+    filtered_spectrum,
+)
+from hardcontact.insight.summits import banded
+from hardcontact.random import generator
+from hardcontact.statistics import student_log_interval
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.synthesis import random_surface
+
+__all__ = ["Trial", "closed_form_errors", "spectrum_of_grid"]
+
+#: Where closest approach comes from.
+SOURCES = ["spectrum", "contacts"]
+DIMENSIONS = ("surface", "map_size", "rho")
+
+
+@dataclass(frozen=True)
+class Trial:
+    """Surfaces that the closed form is tried on, and what touches them.
+
+    Attributes
+    ----------
+    pixels, realizations : int
+        Of each periodic surface along an edge, and surfaces of each size.
+    sizes, ranges : tuple of float
+        Edges of the surfaces, and ranges of adhesion, in nm.
+    cutoffs : mapping of str to sequence of float
+        Wavelengths (nm) below which ("small") and above which ("large") roughness is removed.
+    array : ContactArray
+        Window and contacts on each.
+    load : Load
+        Preload and hardness.
+    radius, work, rho : float
+        Sphere in nm, W in J/m², and the range (nm) of the edges.
+    tolerance, confidence : float
+        Change of the force that counts for an edge; of intervals.
+    seed : int
+        Of the surfaces.
+    """
+
+    pixels: int
+    realizations: int
+    sizes: tuple[float, ...]
+    ranges: tuple[float, ...]
+    cutoffs: Mapping[str, Sequence[float]]
+    array: ContactArray
+    load: Load
+    radius: float
+    work: float
+    rho: float
+    tolerance: float
+    confidence: float
+    seed: int
+
+
+def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
+    """Return the waves that a periodic surface of a size (nm) holds.
+
+    Both ends are circles of the area of the square of wavevectors that they stand for: the cell at
+    zero, which is left out, and all up to Nyquist.
+    """
+    cell = 2 * np.pi / size
+    waves = banded(spectrum, cell / np.sqrt(np.pi), pixels * cell / np.sqrt(np.pi))
+    if waves is None:
+        raise ValueError(f"expected waves between {size / pixels:g} and {size:g} nm, found none")
+    return waves
+
+
+def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Dataset:
+    """Return computed and predicted forces, and what the closed form says of all scales.
+
+    Parameters
+    ----------
+    spectra : mapping of str to Spectrum
+        By surface.
+    trial : Trial
+        What is computed.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
+        realizations with its interval over realizations; also over source ("spectrum": closest
+        approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
+        ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
+        ``computed_approach`` and ``predicted_approach`` in nm. Of the whole spectra
+        ``whole_force`` (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge``
+        (surface, side) in nm, and ``filtered_ratio`` (surface, side, cutoff_wavelength), the force
+        without the waves of a side over that with all; NaN at cutoffs of the other side.
+    """
+    compared = [[_compared(name, one, size, trial) for size in trial.sizes]
+                for name, one in spectra.items()]  # fmt: skip
+    grids = xr.combine_nested(compared, ["surface", "map_size"], combine_attrs="drop")
+    interval = student_log_interval(grids.force, trial.confidence, "realization")
+    newton = {"units": "N"}
+    result = grids.drop_vars("force").assign(
+        computed_force=grids.force.mean("realization").assign_attrs(newton),
+        computed_force_interval=interval.assign_attrs(newton),
+    )
+    result["error"] = (result.predicted_force / result.computed_force).assign_attrs(units="1")
+    whole = [_whole(one, trial) for one in spectra.values()]
+    return (
+        result.merge(xr.concat(whole, "surface", combine_attrs="drop"))
+        .assign_coords(
+            surface=list(spectra),
+            map_size=("map_size", list(trial.sizes), {"units": "nm"}),
+            rho=("rho", list(trial.ranges), {"units": "nm", "long_name": "range of adhesion"}),
+            source=SOURCES,
+            side=["small", "large"],
+        )
+        .assign_attrs(
+            sphere_radius=trial.radius,
+            work_of_adhesion=trial.work,
+            range_of_adhesion=trial.rho,
+            scale_tolerance=trial.tolerance,
+            confidence=trial.confidence,
+        )
+    )
+
+
+def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dataset:
+    """Return computed and predicted forces of one surface and size of map."""
+    pixel_size = size / trial.pixels
+    forces, approaches = [], []
+    for realization in range(trial.realizations):
+        rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
+        surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
+        pair = bodies(surface, None, trial.radius, trial.array)
+        found = pull_off_of_pair(pair, trial.load, trial.ranges).variables
+        forces.append(found["pull_off_force"][1][1].mean(axis=(1, 2)) * trial.work)
+        approaches.append(-found["closest_approach"][1][1])
+    waves = spectrum_of_grid(spectrum, size, trial.pixels)
+    area = contact_pixel_count(trial.load, pixel_size) * pixel_size**2
+    contacts = [Contact(trial.radius, rho, trial.work, area) for rho in trial.ranges]
+    given = {"spectrum": None, "contacts": np.array(approaches)}
+    formulas = [[closed_form(waves, one, given[source]) for one in contacts] for source in SOURCES]
+    return xr.Dataset(
+        {"force": (("realization", "rho"), np.array(forces), {"units": "N"})}
+        | _predicted(formulas, trial)
+        | {
+            "computed_approach": ((), np.mean(approaches), {"units": "nm"}),
+            "predicted_approach": ((), formulas[0][0].closest_approach, {"units": "nm"}),
+        }
+    )
+
+
+def _predicted(formulas: list[list[ClosedForm]], trial: Trial) -> dict[str, xr.Variable]:
+    """Return the variables over source and rho of formulas [source][rho]."""
+    smooth = formulas[0][0].force / formulas[0][0].relative
+    values = {
+        "predicted_force": ([[one.force for one in row] for row in formulas], "N"),
+        "first_term_force": ([[one.first_term * smooth for one in row] for row in formulas], "N"),
+        "freezing": ([[one.freezing for one in row] for row in formulas], "1"),
+    }
+    return {
+        name: xr.Variable(("source", "rho"), numbers, {"units": unit})
+        for name, (numbers, unit) in values.items()
+    }
+
+
+def _whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
+    """Return what the closed form says of a spectrum of all scales."""
+    area = contact_area(trial.load)
+    formulas = [
+        closed_form(spectrum, Contact(trial.radius, rho, trial.work, area)) for rho in trial.ranges
+    ]
+    contact = Contact(trial.radius, trial.rho, trial.work, area)
+    found = edges(spectrum, contact, trial.tolerance)
+    return xr.Dataset(
+        {
+            "whole_force": ("rho", [one.force for one in formulas], {"units": "N"}),
+            "whole_freezing": ("rho", [one.freezing for one in formulas], {"units": "1"}),
+            "regime": ("rho", [one.regime for one in formulas]),
+            "edge": ("side", np.array(found), {"units": "nm"}),
+            "filtered_ratio": _filtered_ratios(spectrum, contact, trial.cutoffs),
+        }
+    )
+
+
+def _filtered_ratios(
+    spectrum: Spectrum, contact: Contact, cutoffs: Mapping[str, Sequence[float]]
+) -> xr.DataArray:
+    """Return forces without the waves beyond cutoffs over that with all."""
+    whole = closed_form(spectrum, contact).force
+    sides = []
+    for side, of_side in cutoffs.items():
+        parts = [filtered_spectrum(spectrum, side, cutoff) for cutoff in of_side]
+        ratios = [closed_form(part, contact).force / whole for part in parts]
+        sides.append(xr.DataArray(ratios, {"cutoff_wavelength": list(of_side)}))
+    ratio: xr.DataArray = xr.concat(sides, "side", join="outer")
+    ratio["cutoff_wavelength"].attrs["units"] = "nm"
+    return ratio.assign_coords(side=list(cutoffs)).assign_attrs(units="1")

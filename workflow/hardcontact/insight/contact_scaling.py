@@ -1,0 +1,108 @@
+"""Pull-off of filtered masters over radii of the sphere, ranges of adhesion and contact areas."""
+
+from typing import TypedDict
+
+import numpy as np
+
+from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
+from hardcontact.contact.geometry import ContactArray, bodies
+from hardcontact.records.netcdf import Arrays, Variable
+from hardcontact.scales.filtered_masters import forces_at_cutoffs
+from hardcontact.surfaces.height_map import HeightMap
+
+__all__ = ["ScaledContacts", "scaled_pull_off"]
+
+
+class ScaledContacts(TypedDict):
+    """A master, filtered at several cutoffs, in all combinations of sphere, range and area.
+
+    Attributes
+    ----------
+    side : str
+        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
+    pixels : int
+        Along an edge of a filtered surface.
+    cutoffs : list of float
+        In nm.
+    window : float
+        Edge of the analysis window in nm.
+    count : int
+        Contacts along an edge of the array.
+    radii, ranges : list of float
+        Radii of the sphere and ranges of adhesion in nm.
+    hardness : float
+        Of the softer body, in Pa.
+    preloads : list of float
+        In N; the contact area is the preload over the hardness.
+    """
+
+    side: str
+    pixels: int
+    cutoffs: list[float]
+    window: float
+    count: int
+    radii: list[float]
+    ranges: list[float]
+    hardness: float
+    preloads: list[float]
+
+
+def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> Arrays:
+    """Return the plastic pull-off from filtered masters in all combinations, meaned over contacts.
+
+    The sphere is smooth. Where a pixel is not small against the contact area, the area is that of
+    the pixels that touch: the smallest whole number of them that carries the preload.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic.
+    parameters : ScaledContacts
+        Filters and combinations.
+
+    Returns
+    -------
+    Arrays
+        ``pull_off_force`` (cutoff_wavelength, radius, area, rho) and ``unfiltered_pull_off_force``
+        (radius, area, rho) in N at 1 J/m²; ``contact_area`` (area) in nm², of the pixels that
+        touch; ``unfiltered_wavelength``, the end of the unfiltered spectrum. The coordinate area
+        is the preload over the hardness in nm².
+    """
+    nm = {"units": "nm"}
+    areas = np.asarray(parameters["preloads"]) / parameters["hardness"] * 1e18
+    axes: dict[str, Variable] = {
+        "radius": (("radius",), np.array(parameters["radii"]), nm),
+        "area": (("area",), areas, {"units": "nm2", "long_name": "preload over hardness"}),
+        "rho": (("rho",), np.array(parameters["ranges"]), nm),
+    }
+    curves = forces_at_cutoffs(
+        master, parameters["side"], parameters, lambda surface: _forces(surface, parameters), axes
+    )
+    pixel_size = master.size / parameters["pixels"]
+    touching = [
+        contact_pixel_count(load, pixel_size) * pixel_size**2 for load in _loads(parameters)
+    ]
+    contact_area = (("area",), touching, {"units": "nm2", "long_name": "touching pixels"})
+    return curves._replace(variables=curves.variables | {"contact_area": contact_area})
+
+
+def _loads(parameters: ScaledContacts) -> list[NamedLoad]:
+    """Return the loads, named by the preload."""
+    return [
+        {"name": f"{preload:g}", "preload": preload, "hardness": parameters["hardness"]}
+        for preload in parameters["preloads"]
+    ]
+
+
+def _forces(surface: HeightMap, parameters: ScaledContacts) -> np.ndarray:
+    """Return the mean forces (radius, area, rho) in N on one filtered surface."""
+    array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
+    return np.array(
+        [
+            mean_pull_off_of_pair(
+                bodies(surface, None, radius, array), _loads(parameters), parameters["ranges"]
+            ).variables["pull_off_force"][1]
+            for radius in parameters["radii"]
+        ]
+    )

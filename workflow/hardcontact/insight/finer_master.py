@@ -1,0 +1,162 @@
+"""One master on finer and finer pixels: what the roughness below the pixels of a study does.
+
+The coarser masters hold the waves of the finest up to their own pixels, and no other realization.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.contact.bearing_area import ContactSettings
+from hardcontact.records.log import progress
+from hardcontact.scales.critical_band import logarithmic_limits
+from hardcontact.scales.edge_of_curve import Curve, described_edge
+from hardcontact.scales.filtered_pull_off import FilteredContact, filtered_pull_off
+from hardcontact.statistics import jackknife_interval, with_interval
+from hardcontact.surfaces.filters import filtered, lowpass
+from hardcontact.surfaces.height_map import HeightMap
+
+__all__ = ["FinerMaster", "on_coarser_pixels", "on_several_pixels"]
+
+#: Blocks of contacts along an edge of the array, which intervals are taken over.
+BLOCKS = 4
+NANOMETRES = {"units": "nm"}
+
+
+class FinerMaster(NamedTuple):
+    """What a master is compared at.
+
+    Attributes
+    ----------
+    pixels : sequence of int
+        Along an edge, ascending; the last are those of the master.
+    cutoffs : sequence of float
+        Wavelengths in nm below which roughness is removed, ascending; each of more than two of
+        the coarsest pixels.
+    radius, rho : float
+        Of the sphere, and range of adhesion, in nm.
+    contact : ContactSettings
+        Array of contacts and load.
+    tolerance : float
+        Change of the force that counts as none.
+    confidence : float
+        Of intervals.
+    """
+
+    pixels: Sequence[int]
+    cutoffs: Sequence[float]
+    radius: float
+    rho: float
+    contact: ContactSettings
+    tolerance: float
+    confidence: float
+
+
+def on_coarser_pixels(master: HeightMap, pixels: int) -> HeightMap:
+    """Return the waves of a master that so many pixels (even) hold: orders below half of them."""
+    if pixels == master.pixels:
+        return master
+    shortest = master.size / (pixels // 2 - 1)
+    return filtered(master, "small", shortest, pixels)
+
+
+def on_several_pixels(master: HeightMap, given: FinerMaster) -> xr.Dataset:
+    """Compare the force without the shortest waves on a master and on coarser pixels.
+
+    Intervals are those of a jackknife over blocks of contacts. They tell how the added roughness
+    differs from place to place; all contacts share the waves of one scan.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic.
+    given : FinerMaster
+        Pixels, cutoffs, sphere and load.
+
+    Returns
+    -------
+    xarray.Dataset
+        By `pixels`: `pull_off_force` (cutoff_wavelength, contact_y, contact_x) and
+        `unfiltered_pull_off_force` in N, `pixel_size` in nm, `ratio` (cutoff_wavelength) of their
+        means, `force_over_finest` and `filtered_over_finest` (cutoff_wavelength), the means over
+        those of the finest pixels, all with intervals, and the short edge of the band, `edge` with
+        `edge_interval` and `edge_text`.
+    """
+    forces = np.array(
+        [
+            _forces(on_coarser_pixels(master, pixels), given)
+            for pixels in progress(given.pixels, len(given.pixels), "pixels")
+        ]
+    )
+    joule, axes = {"units": "N"}, ("contact_y", "contact_x")
+    without = _without_blocks(forces)
+    return xr.Dataset(
+        {
+            "unfiltered_pull_off_force": (("pixels", *axes), forces[:, 0], joule),
+            "pull_off_force": (("pixels", "cutoff_wavelength", *axes), forces[:, 1:], joule),
+            "pixel_size": ("pixels", master.size / np.array(given.pixels), NANOMETRES),
+        }
+        | _ratios(forces.mean(axis=(-2, -1)), without, given),
+        {
+            "pixels": ("pixels", list(given.pixels), {"units": "1"}),
+            "cutoff_wavelength": ("cutoff_wavelength", list(given.cutoffs), NANOMETRES),
+        },
+        {"rho": given.rho, "scale_tolerance": given.tolerance, "confidence": given.confidence},
+    )
+
+
+def _forces(master: HeightMap, given: FinerMaster) -> np.ndarray:
+    """Return the forces (1 + cutoff, contact, contact) in N, of all roughness first."""
+    unfiltered: FilteredContact = {
+        "side": "small", "cutoff": None, "pixels": master.pixels, "radius": given.radius,
+        "rho": given.rho, "contact": given.contact,
+    }  # fmt: skip
+    forces, band = [filtered_pull_off(master, None, unfiltered)], master
+    for cutoff in progress(given.cutoffs, len(given.cutoffs), "cutoffs"):
+        # What a shorter cutoff left holds all longer waves, on far fewer pixels.
+        band = lowpass(band, cutoff)
+        forces.append(filtered_pull_off(band, None, unfiltered))
+    return np.array([one.variables["pull_off_force"][1] for one in forces])
+
+
+def _without_blocks(forces: np.ndarray) -> np.ndarray:
+    """Return means (block, pixels, 1 + cutoff) of all contacts but those of one block."""
+    count = forces.shape[-1]
+    block = np.arange(count) * BLOCKS // count
+    of_contact = block[:, None] * BLOCKS + block
+    return np.array([forces[..., of_contact != k].mean(axis=-1) for k in np.unique(of_contact)])
+
+
+def _ratios(mean: np.ndarray, without: np.ndarray, given: FinerMaster) -> dict[str, Any]:
+    """Return ratios of mean forces (pixels, 1 + cutoff), and edges, with their intervals."""
+    quotients: dict[str, tuple[Sequence[str], Callable[[np.ndarray], np.ndarray]]] = {
+        "ratio": (("pixels", "cutoff_wavelength"), lambda x: x[..., 1:] / x[..., :1]),
+        "force_over_finest": (("pixels",), lambda x: x[..., 0] / x[..., -1:, 0]),
+        "filtered_over_finest": (
+            ("pixels", "cutoff_wavelength"),
+            lambda x: x[..., 1:] / x[..., -1:, 1:],
+        ),
+    }
+    variables: dict[str, Any] = {}
+    for name, (dims, quotient) in quotients.items():
+        value = quotient(mean)
+        interval = jackknife_interval(value, quotient(without), given.confidence)
+        variables |= with_interval(name, dims, value, interval, {"units": "1"}, given.confidence)
+        if name == "ratio":
+            variables |= _edges(value, interval, given)
+    return variables
+
+
+def _edges(ratio: np.ndarray, interval: np.ndarray, given: FinerMaster) -> dict[str, Any]:
+    """Return the short edges of curves (pixels, cutoff)."""
+    limits, cutoffs = logarithmic_limits(given.tolerance), np.array(given.cutoffs)
+    edges = [
+        described_edge(Curve("small", np.inf, cutoffs, np.log([value, *ends.T]), limits))
+        for value, ends in zip(ratio, interval, strict=True)
+    ]
+    values, ends = ([edge[name] for edge in edges] for name in ("edge", "edge_interval"))
+    return with_interval("edge", "pixels", values, ends, NANOMETRES, given.confidence) | {
+        "edge_text": ("pixels", [edge["edge_text"] for edge in edges])
+    }

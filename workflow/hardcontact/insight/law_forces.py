@@ -1,0 +1,228 @@
+"""Plastic pull-off at the ranges that every law of attraction is a mixture of.
+
+The sums at one common grid of ranges are computed once. The force of any law at any range of its
+own adds them up with the shares that the exponential laws have in it. For the exponential law the
+penetration of plastic contact multiplies all that lies outside by exp(penetration/rho); in a
+mixture every term has such a factor of its own, and those of small range exceed any float. The
+contact pixels are therefore flattened to the gap 0 before each sum, which then runs over gaps >= 0.
+"""
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from hardcontact.adhesion.contact_pixels import Contacts
+from hardcontact.adhesion.force_curves import on_fine_grid
+from hardcontact.adhesion.force_sum import pull_off_force
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, range_axis
+from hardcontact.adhesion.sphere_sums import outside_sums
+from hardcontact.contact.bearing_area import (
+    ContactSettings,
+    all_lowest_gaps,
+    contact_pixel_count,
+    lowest_gaps,
+)
+from hardcontact.contact.geometry import Bodies, bodies, window_pixels
+from hardcontact.contact.tiles import as_tiles
+from hardcontact.insight.interaction_laws import Law, work_shares
+from hardcontact.records.netcdf import Arrays
+from hardcontact.scales.filtered_masters import Cutoffs, forces_at_cutoffs
+from hardcontact.surfaces.height_map import HeightMap
+
+__all__ = [
+    "RangeContacts",
+    "filtered_range_forces",
+    "law_forces",
+    "mean_range_forces",
+    "range_forces",
+    "range_grid",
+    "scan_range_forces",
+]
+
+Floats = NDArray[np.float64]
+
+#: Exponents beyond which a sum relative to the highest point of the surface leaves the floats.
+LARGEST_EXPONENT = 600.0
+
+#: A pixel this many ranges beyond contact adds less than the rounding of the sum.
+NEGLIGIBLE = 40.0
+
+
+class RangeContacts(ContactSettings):
+    """An array of contacts, and the ranges at which their forces are computed.
+
+    Attributes
+    ----------
+    radius : float
+        Of the sphere, in nm.
+    reach : float
+        Edge in nm of the window that attracts, at least that of contact: power laws reach far.
+    ranges : list of float
+        In nm, evenly spaced in their logarithm.
+    """
+
+    radius: float
+    reach: float
+    ranges: list[float]
+
+
+def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
+    """Return the grid of ranges, all in nm, that holds `anchor` and covers `low` to `high`.
+
+    `step` is that of the logarithm. That of 0.6, from 0.02 nm to 0.1 mm,
+    gives the pressure of the laws to 3e-4.
+    """
+    first, last = np.floor(np.log(low / anchor) / step), np.ceil(np.log(high / anchor) / step)
+    return np.asarray(anchor * np.exp(step * np.arange(first, last + 1)))
+
+
+def range_forces(pair: Bodies, parameters: RangeContacts) -> Floats:
+    """Return the plastic pull-off force (rho, contact, contact) in N at 1 J/m²."""
+    pixel_size, ranges = pair.geometry.pixel_size, np.asarray(parameters["ranges"], float)
+    contact_pixels = contact_pixel_count(parameters, pixel_size)
+    contacts = all_lowest_gaps(pair, contact_pixels)
+    window = max(window_pixels(parameters["reach"], pixel_size), pair.geometry.window)
+    totals = contact_pixels + _outside(pair, window, contacts, ranges)
+    return pull_off_force(totals, ranges[:, None, None], pixel_size, WORK_OF_ADHESION)
+
+
+def _outside(narrow: Bodies, window: int, contacts: Contacts, ranges: Floats) -> Floats:
+    """Return the sums (rho, contact, contact) of exp(-gap/rho) outside contact, at any ranges.
+
+    The fast sum is relative to the highest point of the surface. Where a contact lies more than
+    LARGEST_EXPONENT ranges below it, the pixels near each contact are summed one by one.
+    """
+    pair = replace(narrow, geometry=replace(narrow.geometry, window=window))
+    highest = float(pair.substrate.heights.max())
+    if pair.roughness is not None:
+        highest += float(pair.roughness.heights.max())
+    deepest = max(gaps[-1] for gaps, _ in contacts.values()) + highest
+    outside = np.empty((len(ranges), *[len(pair.geometry.positions)] * 2))
+    fast = ranges * LARGEST_EXPONENT >= deepest
+    if fast.any():
+        outside[fast] = outside_sums(pair, contacts, ranges[fast])
+    if not fast.all():
+        near = _near_sums(narrow, contacts, ranges[~fast])
+        outside[~fast] = np.moveaxis(near.reshape(*outside.shape[1:], -1), -1, 0)
+    return outside
+
+
+def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
+    """Return the sums (contacts, rho) outside contact, over pixels that count at small ranges."""
+    substrate = as_tiles(pair.substrate)
+    roughness = None if pair.roughness is None else as_tiles(pair.roughness)
+    pixels = pair.geometry.window**2
+    sums = []
+    for place, (touching, _) in contacts.items():
+        position, count = pair.geometry.positions[list(place)], 2 * len(touching)
+        enough = False
+        while not enough:
+            count = min(4 * count, pixels)
+            gaps, _ = lowest_gaps(substrate, roughness, pair.geometry, position, count)
+            above = gaps[len(touching) :] - gaps[len(touching) - 1]
+            enough = above[-1] > NEGLIGIBLE * ranges.max() or count == pixels
+        sums.append(np.exp(-above / ranges[:, None]).sum(axis=1))
+    return np.array(sums)
+
+
+def filtered_range_forces(
+    master: HeightMap,
+    sphere: HeightMap | None,
+    side: str,
+    scales: Cutoffs,
+    parameters: RangeContacts,
+) -> Arrays:
+    """Return the mean plastic pull-off of a master, whole and filtered, at all ranges.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic.
+    sphere : HeightMap or None
+        Roughness of the sphere; None of a smooth one.
+    side : str
+        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
+    scales : Cutoffs
+        The filters.
+    parameters : RangeContacts
+        Contacts, sphere and ranges.
+
+    Returns
+    -------
+    Arrays
+        ``pull_off_force`` (cutoff_wavelength, rho), ``unfiltered_pull_off_force`` (rho) and
+        ``unfiltered_wavelength``.
+    """
+    return forces_at_cutoffs(
+        master,
+        side,
+        scales,
+        lambda surface: mean_range_forces(surface, sphere, parameters),
+        range_axis(parameters["ranges"]),
+    )
+
+
+def mean_range_forces(
+    substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
+) -> Floats:
+    """Return the plastic pull-off force (rho,) in N at 1 J/m², averaged over all contacts."""
+    pair = bodies(substrate, sphere, parameters["radius"], parameters)
+    return np.asarray(range_forces(pair, parameters).mean(axis=(1, 2)))
+
+
+def scan_range_forces(
+    substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
+) -> Arrays:
+    """Return `mean_range_forces` of a scan as they are stored, in the window and in half of it.
+
+    Parameters
+    ----------
+    substrate : HeightMap
+        The scan, stitched.
+    sphere : HeightMap or None
+        Roughness of the sphere; None of a smooth one.
+    parameters : RangeContacts
+        Contacts, sphere and ranges.
+
+    Returns
+    -------
+    Arrays
+        ``pull_off_force`` and ``half_window_pull_off_force`` (rho): how much the former exceeds the
+        latter tells what may lie beyond the window.
+    """
+    half: RangeContacts = {**parameters, "reach": parameters["reach"] / 2}
+    whole, narrow = (mean_range_forces(substrate, sphere, one) for one in (parameters, half))
+    return Arrays(
+        {
+            "pull_off_force": (("rho",), whole, FORCE),
+            "half_window_pull_off_force": (("rho",), narrow, FORCE),
+        },
+        range_axis(parameters["ranges"]),
+        {"work_of_adhesion": WORK_OF_ADHESION},
+    )
+
+
+def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> Floats:
+    """Return the forces of a law from those of exponential laws, all at the same W.
+
+    Parameters
+    ----------
+    law : Law
+        Any of the laws.
+    rho : array_like (n,)
+        Ranges of the law in nm.
+    ranges : numpy.ndarray (k,)
+        Of the exponential laws in nm, rising, evenly spaced in their logarithm.
+    forces : array_like (..., k)
+        In N.
+
+    Returns
+    -------
+    numpy.ndarray
+        (..., n) in N. Those of the exponential law are interpolated between its ranges.
+    """
+    values = np.asarray(forces, float)
+    if law.exponential:
+        return on_fine_grid(values, ranges, np.asarray(rho, float))
+    return np.asarray(values @ work_shares(law, rho, ranges).T)

@@ -1,0 +1,198 @@
+"""Range and work of adhesion that the user's own measured forces allow.
+
+Forces F are measured, forces f are computed at 1 J/m²: at every range the work W = F/f(rho) makes
+them agree. One surface gives a curve W(rho). Of several surfaces, the region holds the pairs of
+range and work that lie within the intervals of all of them at once.
+"""
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.adhesion.force_curves import on_fine_grid
+from hardcontact.adhesion.sampling import Sampling
+from hardcontact.inference.error_map import fit
+from hardcontact.own_surfaces.fit_texts import fit_note, fit_text
+from hardcontact.own_surfaces.measured_tests import MeasuredTests, measured_tests, sampled_means
+from hardcontact.own_surfaces.scan_forces import forces_of_scans
+from hardcontact.own_surfaces.scan_parts import sampled_deviations
+from hardcontact.records.dataset import stack
+from hardcontact.statistics import percentile_interval, with_interval
+
+__all__ = ["fit_measured"]
+
+#: Ranges of adhesion of the curves, from the least to the greatest one computed.
+FINE_RANGES = 401
+
+NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
+
+
+class _Curve(NamedTuple):
+    """Mean forces of one surface at 1 J/m², and the works of adhesion that measured ones mean.
+
+    Attributes
+    ----------
+    force : numpy.ndarray
+        (fine rho,) in N.
+    works : numpy.ndarray
+        (sample, computed rho) in J/m², tests and scans resampled.
+    tests : MeasuredTests
+        On the surface.
+    note : str
+        What the interval comes from.
+    """
+
+    force: np.ndarray
+    works: np.ndarray
+    tests: MeasuredTests
+    note: str
+
+
+def fit_measured(
+    adhesion: xr.Dataset, forces: pd.DataFrame, sizes: Mapping[str, float], sampling: Sampling
+) -> xr.Dataset:
+    """Fit range and work of adhesion to measured forces, with the roughness of the scans.
+
+    Parameters
+    ----------
+    adhesion : xarray.Dataset
+        All pull-off forces at 1 J/m², as in adhesion.nc.
+    forces : pandas.DataFrame
+        Of `study.measured_forces.measured_forces`.
+    sizes : mapping of str to float
+        Edge of the scans of each surface in nm.
+    sampling : Sampling
+        Of the means of tests and of scans.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface (those with forces) ``measured_force`` in N with its interval, ``tests``,
+        label and ``interval_note``. Over contact_model, surface and rho (a fine grid)
+        ``work_of_adhesion`` in J/m² with its interval. Over contact_model and rho ``region``,
+        the least and greatest work in J/m² that all surfaces allow, NaN where they allow none; its
+        extent ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those
+        computed is allowed, and ``region_status``, found, open or none. Of several surfaces the
+        best fit ``best_range``, ``best_work`` and ``best_error``, NaN of one. ``fit_text`` says
+        it in words.
+    """
+    surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
+    measured = {name: measured_tests(forces[forces.surface == name]) for name in surfaces}
+    models = {}
+    for model in adhesion.contact_model.values.tolist():
+        of_model = adhesion.sel(contact_model=model)
+        curves = [
+            _curve(of_model.sel(surface=name), measured[name], sizes[name], sampling)
+            for name in surfaces
+        ]
+        models[(model,)] = _fit(curves, adhesion.rho.values, sampling.confidence)
+    tests = _tests(measured, sampling) | {
+        "interval_note": ("surface", [curve.note for curve in curves]),
+        "label": adhesion.label.sel(surface=surfaces),
+    }
+    return (
+        stack(models, ["contact_model"])
+        .assign_coords(surface=surfaces)
+        .assign(tests)
+        .assign_attrs(
+            basis="measured",
+            confidence=sampling.confidence,
+            sphere_radius=adhesion.attrs["sphere_radius"],
+        )
+    )
+
+
+def _fine(rhos: np.ndarray) -> np.ndarray:
+    """Return the ranges of the curves in nm, with those computed; a single one stays single."""
+    return np.union1d(np.geomspace(rhos[0], rhos[-1], FINE_RANGES if len(rhos) > 1 else 1), rhos)
+
+
+def _tests(measured: Mapping[str, MeasuredTests], sampling: Sampling) -> dict[str, Any]:
+    """Return mean forces measured, with intervals, and counts of tests, over surface."""
+    mean = [tests.mean for tests in measured.values()]
+    sampled = [_sampled_means(name, tests, sampling) for name, tests in measured.items()]
+    force = sampling.with_interval(
+        "measured_force", "surface", mean, np.stack(sampled, axis=1), NEWTON
+    )
+    return force | {"tests": ("surface", [tests.number for tests in measured.values()], ONE)}
+
+
+def _sampled_means(surface: str, tests: MeasuredTests, sampling: Sampling) -> np.ndarray:
+    """Return samples of the mean force of the tests on a surface: the same for all models."""
+    return sampled_means(sampling.generator("tests", surface), tests, sampling.samples)
+
+
+def _curve(adhesion: xr.Dataset, tests: MeasuredTests, size: float, sampling: Sampling) -> _Curve:
+    """Return force and work of adhesion of one surface and contact model over range."""
+    surface, rhos = str(adhesion.surface.values), adhesion.rho.values
+    scans = forces_of_scans(adhesion.pull_off_force, size, float(adhesion.attrs["sphere_radius"]))
+    deviations = [
+        sampled_deviations(sampling.generator("scans", surface), left_out, parts, sampling.samples)
+        for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
+    ]
+    sampled = scans.mean * np.exp(np.stack(deviations, axis=1))
+    works = _sampled_means(surface, tests, sampling)[:, None] / sampled
+    note = fit_note(scans.parts[0], tests.number)
+    return _Curve(on_fine_grid(scans.mean, rhos, _fine(rhos)), works, tests, note)
+
+
+def _intervals(works: np.ndarray, rhos: np.ndarray, confidence: float) -> np.ndarray:
+    """Return intervals (surface, fine rho, 2) of works (sample, surface, computed rho)."""
+    ends = np.moveaxis(percentile_interval(works, confidence), -1, 0)
+    return np.moveaxis(on_fine_grid(ends, rhos, _fine(rhos)), 0, -1)
+
+
+def _fit(curves: list[_Curve], rhos: np.ndarray, confidence: float) -> xr.Dataset:
+    """Return what `fit_measured` returns of one contact model.
+
+    The region takes the intervals of n surfaces, independent of each other, at the confidence
+    c^(1/n), so that all of them together hold the true pair with the confidence c.
+    """
+    target = np.array([curve.tests.mean for curve in curves])
+    force = np.array([curve.force for curve in curves])
+    works = np.stack([curve.works for curve in curves], axis=1)
+    fine, joint = _fine(rhos), _intervals(works, rhos, confidence ** (1 / len(curves)))
+    region = np.stack([joint[..., 0].max(axis=0), joint[..., 1].min(axis=0)], axis=-1)
+    region[~(region[:, 0] < region[:, 1])] = np.nan
+    variables: dict[str, Any] = with_interval(
+        "work_of_adhesion",
+        ("surface", "rho"),
+        target[:, None] / force,
+        _intervals(works, rhos, confidence),
+        ENERGY,
+        confidence,
+    )
+    variables["region"] = (("rho", "bound"), region, ENERGY)
+    best = dict.fromkeys(("best_range", "best_work", "best_error"), np.nan)
+    if len(curves) > 1:
+        place, work, error = fit(force, target)
+        best = {"best_range": fine[place], "best_work": float(work), "best_error": float(error)}
+    attributes = {"best_range": NM, "best_work": ENERGY, "best_error": ONE}
+    variables |= {name: ((), value, attributes[name]) for name, value in best.items()}
+    fitted = xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
+    return fitted.assign(fit_text=fit_text(fitted))
+
+
+def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:
+    """Return the extent of a region (rho, bound), and which of its ends are open.
+
+    Where the region reaches a range at the end of those computed, it may go on beyond: the range
+    has no limit there, nor has the work.
+    """
+    allowed = np.flatnonzero(np.isfinite(region).all(axis=-1))
+    ranges, works, status = np.full(2, np.nan), np.full(2, np.nan), np.full(2, "none", "<U5")
+    if len(allowed):
+        ends = allowed[[0, -1]]
+        open_ends = ends == [0, len(fine) - 1]
+        ranges = np.where(open_ends, np.nan, fine[ends])
+        status = np.where(open_ends, "open", "found")
+        if not open_ends.any():
+            works = np.array([np.nanmin(region[:, 0]), np.nanmax(region[:, 1])])
+    return {
+        "region_range": ("bound", ranges, NM),
+        "region_work": ("bound", works, ENERGY),
+        "region_status": ("bound", status),
+    }

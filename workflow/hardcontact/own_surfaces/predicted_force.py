@@ -1,0 +1,122 @@
+"""The pull-off force that a work and a range of adhesion predict: no fit is needed."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.own_surfaces.scan_forces import forces_of_scans
+from hardcontact.own_surfaces.scan_parts import half_width_of_logarithm, logarithmic_interval
+from hardcontact.records.dataset import stack
+from hardcontact.statistics import with_interval
+
+__all__ = ["Prediction", "predicted_force"]
+
+#: Of the forces of single contacts.
+QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+
+#: Dimensions of single contacts.
+CONTACTS = ["scan", "sphere_scan", "contact_y", "contact_x"]
+
+
+@dataclass(frozen=True)
+class Prediction:
+    """What a force is predicted with.
+
+    Attributes
+    ----------
+    work : float
+        Of adhesion, in J/m².
+    rho : float
+        Range of adhesion in nm, one of those computed.
+    sizes : mapping of str to float
+        Edge of the scans of each surface in nm.
+    confidence : float
+        Of the intervals.
+    """
+
+    work: float
+    rho: float
+    sizes: Mapping[str, float]
+    confidence: float
+
+
+def predicted_force(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
+    """Return the pull-off force of every surface at one work of adhesion and all ranges.
+
+    Parameters
+    ----------
+    adhesion : xarray.Dataset
+        All pull-off forces at 1 J/m², as in adhesion.nc.
+    prediction : Prediction
+        Work, range, sizes of scans, confidence.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface, contact_model and rho in N: ``force``, the mean over contacts and scans, with
+        its interval by Student's t on logarithms, over scans or quarters of one or two, from zero
+        to infinity where it is not bounded; and ``force_quantile`` of single contacts over
+        `quantile`. Over surface ``conditional`` (1 of quarters), ``interval_note``,
+        ``correlation_of_parts`` at the range asked for, label and basis. The range asked for is the
+        attribute ``range_of_adhesion``.
+
+    Raises
+    ------
+    ValueError
+        If the range was not computed.
+    """
+    ranges = adhesion.rho.values
+    if not np.isclose(ranges, prediction.rho, rtol=1e-9).any():
+        raise ValueError(
+            f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
+            f" nm), found {prediction.rho:g} nm"
+        )
+    surfaces = stack(
+        {
+            (str(surface),): _of_surface(adhesion.sel(surface=surface), prediction)
+            for surface in adhesion.surface.values
+        },
+        ["surface"],
+    )
+    return surfaces.assign(label=adhesion.label, basis=adhesion.basis).assign_attrs(
+        work_of_adhesion=prediction.work,
+        range_of_adhesion=prediction.rho,
+        confidence=prediction.confidence,
+        sphere_radius=adhesion.attrs["sphere_radius"],
+    )
+
+
+def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
+    """Return the variables of one surface."""
+    surface, radius = str(adhesion.surface.values), float(adhesion.attrs["sphere_radius"])
+    forces = adhesion.pull_off_force * prediction.work
+    models = [
+        forces_of_scans(forces.sel(contact_model=model), prediction.sizes[surface], radius)
+        for model in forces.contact_model.values
+    ]
+    mean = np.array([scans.mean for scans in models])
+    half = np.array(
+        [
+            [
+                half_width_of_logarithm(left_out, parts, prediction.confidence)
+                for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
+            ]
+            for scans in models
+        ]
+    )
+    interval = logarithmic_interval(mean, half)
+    quantiles = forces.quantile(QUANTILES, CONTACTS).transpose("contact_model", "rho", "quantile")
+    parts = models[0].parts[int(np.abs(adhesion.rho.values - prediction.rho).argmin())]
+    newton, dimensions = {"units": "N"}, ("contact_model", "rho")
+    return xr.Dataset(
+        with_interval("force", dimensions, mean, interval, newton, prediction.confidence)
+        | {
+            "force_quantile": ((*dimensions, "quantile"), quantiles.values, newton),
+            "conditional": int(parts.conditional),
+            "interval_note": parts.note(),
+            "correlation_of_parts": ((), parts.shared, {"units": "1"}),
+        },
+        {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
+    )

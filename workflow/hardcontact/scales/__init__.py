@@ -1,0 +1,1 @@
+"""Scales of roughness: filtered masters, the critical band and its edges."""

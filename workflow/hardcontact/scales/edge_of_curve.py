@@ -1,0 +1,167 @@
+"""Where a curve of the force against cutoffs leaves its tolerance: found, or open with a bound.
+
+An edge is found between two cutoffs that were computed. Where the curve has left before the first
+one, or does not leave up to the last, the edge is open, and a bound is all that is known.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from hardcontact.scales.critical_band import critical_wavelength
+
+__all__ = ["Curve", "Edge", "described_edge"]
+
+
+class Curve(NamedTuple):
+    """A measure of the change of the force on one side, zero without a filter.
+
+    Attributes
+    ----------
+    side : str
+        small: wavelengths below the cutoff are removed; large: those above.
+    cell : float
+        Longest wavelength of the filtered surfaces in nm.
+    cutoffs : numpy.ndarray
+        (k,) nm, in the order of growing effect: growing on the small side, falling on the large.
+    values : numpy.ndarray
+        (3, k): as computed, the least and the greatest within the interval; the latter NaN where
+        there is no interval. Of one surface ln(ratio), of several the mean of |ratio - 1|.
+    limits : tuple of float
+        Lower and upper; within them a change counts as none.
+    """
+
+    side: str
+    cell: float
+    cutoffs: np.ndarray
+    values: np.ndarray
+    limits: tuple[float, float]
+
+
+class Edge(NamedTuple):
+    """Where a curve leaves its tolerance.
+
+    Attributes
+    ----------
+    wavelength : float
+        In nm, between two cutoffs; NaN of an open edge.
+    bound : float
+        In nm, what is known of an open edge; NaN of one that is found.
+    at_least : bool
+        Whether the bound is one from below.
+    """
+
+    wavelength: float
+    bound: float
+    at_least: bool
+
+
+def described_edge(curve: Curve) -> dict[str, Any]:
+    """Return the edge of a curve with its interval, status and text.
+
+    The edge is that of `critical_wavelength`. The ends of its interval are cutoffs that were
+    computed: the last one before any value within the intervals leaves the limits, and the first
+    one at which all values have left. At the true edge the curve is at a limit, which its interval
+    holds with the confidence asked for. Between two cutoffs nothing was computed, so that nothing
+    but a curve that has no further crossing there is taken for granted, not a straight one.
+
+    Parameters
+    ----------
+    curve : Curve
+        With its interval.
+
+    Returns
+    -------
+    dict
+        ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
+        ``edge_status``, ``interval_status`` (2,) and ``edge_text``.
+    """
+    _, least, greatest = curve.values
+    edge = _edge(curve)
+    begins, ends = _first_outside(curve, greatest, least), _first_outside(curve, least, greatest)
+    interval = np.array([_cutoff(curve, begins - 1), _cutoff(curve, ends) if ends else np.nan])
+    if curve.side == "large":
+        interval = interval[::-1]
+    status, reason = _status(edge, curve.cell)
+    known = not np.isnan(curve.values).any()
+    if reason and not np.isfinite(interval).any():  # which says no more than that it is open
+        known = False
+    if not known:
+        interval = np.full(2, np.nan)
+    return {
+        "edge": edge.wavelength,
+        "edge_bound": edge.bound,
+        "edge_status": status,
+        "edge_interval": interval,
+        "interval_status": np.where(np.isfinite(interval), "found", "open"),
+        "edge_text": _text(edge, interval, reason, known),
+    }
+
+
+def _first_outside(curve: Curve, above: np.ndarray, below: np.ndarray) -> int:
+    """Return the place of the first cutoff beyond the limits, the number of cutoffs if none is.
+
+    Beyond the upper limit count values of one row, beyond the lower one those of another.
+    """
+    lower, upper = curve.limits
+    outside = np.flatnonzero((above > upper) | (below < lower))
+    return int(outside[0]) if len(outside) else len(curve.cutoffs)
+
+
+def _cutoff(curve: Curve, place: int) -> float:
+    """Return a cutoff in nm, NaN beyond those computed."""
+    return float(curve.cutoffs[place]) if 0 <= place < len(curve.cutoffs) else np.nan
+
+
+def _edge(curve: Curve) -> Edge:
+    """Return where the curve as computed leaves its limits, or that it is open."""
+    small, value = curve.side == "small", curve.values[0]
+    first = _first_outside(curve, value, value)
+    if first == 0:
+        return Edge(np.nan, float(curve.cutoffs[0]), not small)
+    if first == len(curve.cutoffs):
+        return Edge(np.nan, float(curve.cutoffs[-1]), small)
+    return Edge(critical_wavelength(curve.cutoffs, value, curve.limits), np.nan, small)
+
+
+def _status(edge: Edge, cell: float) -> tuple[str, str]:
+    """Return the status of an edge, and of an open one the reason in words.
+
+    Cutoffs between cell/sqrt(2) and the cell all act on its longest waves alone: beyond a bound
+    there, no other cutoff could tell more.
+    """
+    if np.isfinite(edge.wavelength):
+        return "found", ""
+    if not edge.at_least:
+        return "beyond the cutoffs", "no shorter cutoff was computed"
+    if edge.bound > cell / np.sqrt(2):
+        return "beyond the cell", "the scans end here"
+    return "beyond the cutoffs", "no longer cutoff was computed"
+
+
+def _text(edge: Edge, interval: np.ndarray, reason: str, known: bool) -> str:
+    """Return an edge and the ends of its interval, if that is known, in words and one unit."""
+    value = edge.bound if reason else edge.wavelength
+    unit, scale = ("µm", 1e3) if value >= 1e3 else ("nm", 1.0)
+    number, low, high = _numbers(np.array([value, *interval]) / scale)
+    text = f"{number} {unit}"
+    if reason:
+        text = f"at {'least' if edge.at_least else 'most'} {text}: {reason}"
+    if not known:
+        return f"{text}, no interval"
+    if np.isfinite(interval).all():
+        return f"{text} [{low}, {high}]"
+    if not np.isfinite(interval).any():
+        return f"{text} [not bounded]"
+    bound = f"above {low}" if np.isfinite(interval[0]) else f"below {high}"
+    return f"{text} [{bound} {unit}]"
+
+
+def _numbers(values: np.ndarray) -> list[str]:
+    """Return numbers with as few digits, two or more, as tell them apart; NaN is "nan"."""
+    known = np.unique(values[np.isfinite(values)])
+    for digits in range(2, 7):
+        texts = [f"{float(f'{value:.{digits}g}'):.10g}" for value in values]
+        if len({*texts} - {"nan"}) == len(known):
+            break
+    return texts
