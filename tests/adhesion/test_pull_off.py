@@ -153,11 +153,11 @@ def test_traced_contact_is_one_of_the_pair():
     assert traced.variables["force"][1][0] == -traced.attributes["pull_off_force"]
 
 
-@pytest.mark.parametrize("module", ["pull_off", "filtered_pull_off"])
+@pytest.mark.parametrize("module", ["adhesion.pull_off", "scales.filtered_pull_off"])
 def test_jobs_that_are_run_a_thousand_times_start_with_numpy_and_netcdf_alone(module):
     heavy = ["xarray", "pandas", "scipy", "SurfaceTopography", "matplotlib"]
     code = (
-        f"import sys, hardcontact.adhesion.{module}\n"
+        f"import sys, hardcontact.{module}\n"
         f"print([name for name in {heavy} if name in sys.modules])"
     )
     environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
