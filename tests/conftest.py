@@ -24,6 +24,11 @@ def pytest_unconfigure():
     HYPOTHESIS.cleanup()
 
 
+def pytest_xdist_auto_num_workers(config):
+    """Run in one process what starts Snakemake, which uses all cores itself."""
+    return None if "not study" in config.option.markexpr else 0
+
+
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
     """Mark what needs a finished study with `study`, unless it is a test of the system."""
