@@ -13,7 +13,8 @@ from hardcontact.surfaces.synthesis import random_surface
 
 TRIAL = Trial(
     pixels=256, realizations=2, sizes=(2560.0, 5120.0), ranges=(5.6, 20.0),
-    cutoffs={"small": (20.0, 60.0), "large": (300.0, 1e6)},
+    # In the order in which a job is given them: sorted by name.
+    cutoffs={"large": (300.0, 1e6), "small": (20.0, 60.0)},
     array={"window": 5120.0, "count": 4}, load={"preload": 1e-5, "hardness": 25e9},
     radius=20e3, work=0.05, rho=5.6, tolerance=0.1, confidence=0.95, seed=1,
 )  # fmt: skip

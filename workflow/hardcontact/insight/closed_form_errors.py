@@ -20,6 +20,7 @@ from hardcontact.insight.closed_form import (
 from hardcontact.insight.summits import banded
 from hardcontact.random import generator
 from hardcontact.statistics import student_log_interval
+from hardcontact.surfaces.masters import SIDES
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -122,7 +123,7 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
             map_size=("map_size", list(trial.sizes), {"units": "nm"}),
             rho=("rho", list(trial.ranges), {"units": "nm", "long_name": "range of adhesion"}),
             source=SOURCES,
-            side=["small", "large"],
+            side=list(SIDES),
         )
         .assign_attrs(
             sphere_radius=trial.radius,
@@ -199,10 +200,10 @@ def _filtered_ratios(
     """Return forces without the waves beyond cutoffs over that with all."""
     whole = closed_form(spectrum, contact).force
     sides = []
-    for side, of_side in cutoffs.items():
-        parts = [filtered_spectrum(spectrum, side, cutoff) for cutoff in of_side]
+    for side in SIDES:
+        parts = [filtered_spectrum(spectrum, side, cutoff) for cutoff in cutoffs[side]]
         ratios = [closed_form(part, contact).force / whole for part in parts]
-        sides.append(xr.DataArray(ratios, {"cutoff_wavelength": list(of_side)}))
+        sides.append(xr.DataArray(ratios, {"cutoff_wavelength": list(cutoffs[side])}))
     ratio: xr.DataArray = xr.concat(sides, "side", join="outer")
     ratio["cutoff_wavelength"].attrs["units"] = "nm"
-    return ratio.assign_coords(side=list(cutoffs)).assign_attrs(units="1")
+    return ratio.assign_coords(side=list(SIDES)).assign_attrs(units="1")
