@@ -110,6 +110,14 @@ ACCEPTED = {
         "small": {"pixels": 66, "cutoffs": ["20.001 nm"]},
         "large": {"pixels": 198, "cutoffs": ["1980 nm"]},
     },
+    "insight": {
+        "small": {"pixels": 66, "cutoffs": ["20.001 nm"]},
+        "large": {"pixels": 198, "tiles": 3, "cutoffs": ["1980 nm"]},
+        "scaling": {
+            "small": {"pixels": 66, "cutoffs": ["20.001 nm"]},
+            "large": {"pixels": 198, "tiles": 3, "cutoffs": ["1980 nm"]},
+        },
+    },
     "robustness": {
         "preloads": [],
         "hardnesses": [],

@@ -65,7 +65,8 @@ def refuse_on_master(
     cutoff_pixel_size = finest if side == "small" else grid.pixel_size
     for name, limit in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
         key = f"{section if name in own else 'scales'}.{side}.{name}"
-        _refuse_wavelengths(key, of_side[name], surface, limit, size)
+        _refuse_short_wavelengths(key, of_side[name], surface, limit)
+        _refuse_long_wavelengths(key, of_side[name], surface, f"{section}.{side}", size)
     if section == "sets" or config["scales"]["sphere_roughness"]:
         finest = min(finest, sphere.pixel_size)
         master = grid._replace(size=size / 2)
@@ -97,15 +98,26 @@ def _refuse_deep_contacts(config: dict[str, Any], section: str, rho: float, grid
             )
 
 
-def _refuse_wavelengths(
-    key: str, wavelengths: float | list[float], surface: str, pixel_size: float, size: float
+def _refuse_short_wavelengths(
+    key: str, wavelengths: float | list[float], surface: str, pixel_size: float
 ) -> None:
-    """Refuse wavelengths of no more than two pixels, or longer than the domain (all in nm)."""
+    """Refuse wavelengths of no more than two pixels (nm)."""
     for wavelength in np.atleast_1d(wavelengths):
         # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
-        if not 2 * pixel_size * (1 + 1e-9) < wavelength <= size:
+        if not 2 * pixel_size * (1 + 1e-9) < wavelength:
             raise ValueError(
                 f"config key {key}: expected on {surface} more than two pixels "
-                f"({2 * pixel_size:.4g} nm) and at most the domain ({size:.6g} nm), "
-                f"found {wavelength:.4g} nm"
+                f"({2 * pixel_size:.4g} nm), found {wavelength:.4g} nm"
             )
+
+
+def _refuse_long_wavelengths(
+    key: str, wavelengths: float | list[float], surface: str, master: str, size: float
+) -> None:
+    """Refuse wavelengths longer than the edge of a master (nm), which the message names."""
+    longest = np.max(wavelengths, initial=0.0)
+    if longest > size:
+        raise ValueError(
+            f"config key {key}: expected on {surface} at most the {size:.6g} nm of a master of "
+            f"{master}, found {longest:.4g} nm"
+        )
