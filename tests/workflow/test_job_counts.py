@@ -68,7 +68,7 @@ def test_one_more_cutoff(finished):
     jobs = planned(finished, {"scales": {"small": {"cutoffs": cutoffs}}})
     assert counts(jobs) == {
         "compute_filtered_pull_off": 2 * len(SUBSTRATES),
-        **after("aggregate_scales"),
+        **after("aggregate_scales", "compare_closed_form"),
     }
     filtered = outputs(jobs, "compute_filtered_pull_off")
     assert all(output.endswith("small/cutoff-80nm.nc") for output in filtered)
