@@ -9,7 +9,7 @@ from hardcontact.answer import fit_curve
 from hardcontact.answer.first_sentences import first_sentences
 from hardcontact.answer.fit_sentences import fit_sentences
 
-FEW = "; so few tests hardly tell how they scatter, so that the upper end is nearly open"
+FEW = ", too few to tell how they scatter: the upper end is uncertain"
 
 
 def test_one_force_gives_the_work_at_each_range():
@@ -55,6 +55,14 @@ def test_an_answer_begins_with_the_prediction_and_then_what_was_measured():
     changed["continued_differs"].loc[{"side": "small"}] = 1
     (text,) = first_sentences(datasets(fit=changed)).values()
     assert ", or 23.1 mJ/m² [18.5, 28.9] if the roughness goes on below 20 nm." in text
+
+
+@pytest.mark.parametrize(("work", "told"), [(10.0, False), (50.8, True)])
+def test_a_work_beyond_that_of_any_solids_asks_for_the_unit(work, told):
+    given = fit()
+    given["work_of_adhesion"] = given["work_of_adhesion"] * 0 + work
+    (text,) = first_sentences(datasets(fit=given)).values()
+    assert ("is the unit of the forces right?" in text) is told
 
 
 def test_forces_of_several_surfaces_give_range_and_work_at_once():

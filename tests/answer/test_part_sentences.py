@@ -113,7 +113,7 @@ def test_repeated_contact_is_judged_by_the_sizes_in_the_image():
 
 def test_widths_beside_the_image_follow_from_value_and_interval():
     for factor, expected in (
-        (1.1, "falls short of them, within its interval"),
+        (1.1, "the largest is smaller, but its interval reaches them"),
         (2.0, "contact reaches them"),
         (4.0, "goes beyond them"),
     ):

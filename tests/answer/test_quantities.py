@@ -49,3 +49,5 @@ def test_units_have_their_size_in_that_of_the_dataset():
 
 def test_an_interval_that_bounds_nothing_says_so():
     assert print_quantity(3.0, "nm", 0.0, np.inf) == "3 nm [not bounded]"
+    assert print_quantity(1.5e-4, "N", 1.2e-7, 7.8e17) == "150 µN [not bounded]"
+    assert print_quantity(3.0, "nm", 0.0, 5.0) == "3 nm [0, 5]"

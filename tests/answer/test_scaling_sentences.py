@@ -49,7 +49,7 @@ def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
         "the force on UNCD is a",
         "Gaussian average over many points, since σ/ρ = 3.04 < m/σ = 3.53",
         "short edge is set by ρ: the contact 2√(F/πH) = 23 nm is narrower than the 40 nm",
-        "stopped by the roll-off at 1 µm, shorter than the reach √(2Rρ) = 1.7 µm (computed",
+        "stopped by the roll-off at 1 µm, shorter than the reach √(2Rρ) = 1.7 µm (computed:",
     )
     assert_says(
         mcd,
@@ -57,7 +57,7 @@ def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
         "is set by the size of the contact: the contact 2√(F/πH) = 23 nm is wider than the 20 nm",
         "stopped by the reach √(2Rρ) = 1.7 µm, shorter than the roll-off at 2.7 µm",
     )
-    assert_says(polished, "The closed form has no short edge (computed ")
+    assert_says(polished, "The closed form has no short edge (computed: ")
 
 
 def test_a_smooth_surface_has_no_peaks_to_compare():

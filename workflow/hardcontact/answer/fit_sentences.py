@@ -14,6 +14,9 @@ __all__ = ["fit_sentences", "measured_sentences"]
 #: The upper end of an interval is called open where it lies this many times farther, in the
 #: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
 LOPSIDED = 2.0
+#: J/m², to part diamond along (111): no known solids adhere more strongly. Source: J. E. Field, The
+#: Properties of Diamond (Academic Press, 1979).
+STRONGEST = 10.6
 
 
 def measured_sentences(fit: xr.Dataset | None) -> dict[str, str]:
@@ -54,7 +57,15 @@ def _measured(fit: xr.Dataset) -> str:
         f"Measured, by its own forces: {print_bounded(fit, 'measured_force', 'N')} "
         f"({tests} {'test' if tests == 1 else 'tests'}{_open_above(fit)}), which means a work of "
         f"adhesion of {_work(here)} at a range of {print_length(asked)}{continued}."
+        f"{_beyond_solids(here)}"
     )
+
+
+def _beyond_solids(here: xr.Dataset) -> str:
+    """Return that a work of adhesion is larger than any known, if it is."""
+    if here["work_of_adhesion"].item() <= STRONGEST:
+        return ""
+    return " No known solids adhere so strongly: is the unit of the forces right?"
 
 
 def _open_above(fit: xr.Dataset) -> str:
@@ -63,7 +74,7 @@ def _open_above(fit: xr.Dataset) -> str:
     value = np.log(fit["measured_force"].item())
     # An interval that is not known is not lopsided.
     if high - value > LOPSIDED * (value - low):
-        return "; so few tests hardly tell how they scatter, so that the upper end is nearly open"
+        return ", too few to tell how they scatter: the upper end is uncertain"
     return ""
 
 

@@ -144,7 +144,8 @@ def _intervals(answer: PaperAnswer) -> str:
     share = f"{100 * answer.settings['confidence']:g} %"
     return (
         f"In brackets: the middle {share} of {answer.settings['sets']} equally good sets of scans, "
-        "which differ as other surfaces of the same statistics would; where the sets give none, "
+        "which differ as other surfaces of the same statistics would, wider where the number of "
+        "the study's own scans lies outside; where the sets give none, "
         f"the {share} interval of the mean over scans or realizations. Figures of the study's own "
         f"scans show the {share} interval of their mean, which is another one: it says how well "
         "these scans are known, not how much others may differ."

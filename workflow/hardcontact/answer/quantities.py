@@ -15,6 +15,9 @@ UNITS = {
     "J m-2": {"J/m²": 1.0, "mJ/m²": 1e-3},
 }
 
+#: Intervals whose ends differ by more than this factor bound nothing.
+ENDLESS = 1e6
+
 
 def best_unit(value: float, unit: str) -> tuple[str, float]:
     """Return name and size of the unit in which a value is at least one, else the smallest.
@@ -58,10 +61,10 @@ def print_quantity(value: float, unit: str, low: float = math.nan, high: float =
     """
     name, size = best_unit(value, unit)
     interval = ""
-    if math.isfinite(low + high):
-        interval = f" [{_digits(low / size)}, {_digits(high / size)}]"
-    elif low == 0 and math.isinf(high):
+    if (low == 0 and math.isinf(high)) or math.inf > high > ENDLESS * low > 0:
         interval = " [not bounded]"
+    elif math.isfinite(low + high):
+        interval = f" [{_digits(low / size)}, {_digits(high / size)}]"
     return f"{_digits(value / size)} {name}{interval}"
 
 

@@ -58,7 +58,7 @@ def _size(image: xr.Dataset, name: str) -> str:
     if high < least:
         follows = "repeated contact does not reach them"
     elif value < least:
-        follows = "repeated contact falls short of them, within its interval"
+        follows = "the largest is smaller, but its interval reaches them"
     elif value > most:
         follows = "repeated contact goes beyond them"
     else:

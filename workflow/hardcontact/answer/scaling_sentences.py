@@ -162,8 +162,8 @@ def _short_edge(of_surface: xr.Dataset) -> str:
         RANGE: f"is set by ρ: {diameter} is narrower than the {predicted} ",
     }
     if cause not in reasons:
-        return f"The closed form has no short edge (computed {computed})"
-    return f"Its short edge {reasons[cause]}of the closed form (computed {computed})"
+        return f"The closed form has no short edge (computed: {computed})"
+    return f"Its short edge {reasons[cause]}of the closed form (computed: {computed})"
 
 
 def _long_edge(of_surface: xr.Dataset) -> str:
@@ -173,7 +173,8 @@ def _long_edge(of_surface: xr.Dataset) -> str:
         REACH: f"by {reach}, shorter than the roll-off at {_nm(of_surface, 'roll_off')}",
     }
     reason = reasons[of_surface["long_edge_from"].item()]
-    return f"Its long edge is stopped {reason} (computed {_computed(of_surface, 'large')})"
+    computed = _computed(of_surface, "large")
+    return f"By these lengths its long edge should be stopped {reason} (computed: {computed})"
 
 
 def _found(scaling: xr.Dataset) -> str:
