@@ -46,7 +46,9 @@ def test_a_figure_is_drawn_from_its_files(name, tmp_path):
     assert made["figure.csv"].count(b"\n") > 10
 
 
-@pytest.mark.parametrize("name", [*FAST, *slow])
+@pytest.mark.parametrize(
+    "name", [*FAST, *(one for one in slow if one.values[0] in ("fig1", "fig4"))]
+)
 def test_drawing_twice_gives_the_same_bytes(name, tmp_path):
     for folder in (tmp_path / "first", tmp_path / "second"):
         module, inputs = module_of(name), inputs_of(name)

@@ -61,8 +61,8 @@ def continued_spectrum(
         return spectrum, f"no roughness was added below the wavelengths measured: {reason}"
     short, long = 2 * np.pi / wavevector[[-1, -count]]
     return spectrum, (
-        f"below the wavelengths measured, artificial: self-affine with H = {hurst:.2f}, fitted from "
-        f"{digits(short)} to {digits(long)} nm and held within 0 to 1, "
+        f"below the wavelengths measured, artificial: self-affine with H = {hurst:.2f}, fitted "
+        f"from {digits(short)} to {digits(long)} nm and held within 0 to 1, "
         f"ending at {2 * np.pi / WAVEVECTORS[ends]:.2g} nm: {reason}"
     )
 
