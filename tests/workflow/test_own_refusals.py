@@ -52,10 +52,13 @@ def test_several_faults_are_told_at_once_and_nothing_is_written(folder, probe):
 @pytest.mark.parametrize(
     ("change", "parts"),
     [
-        ({"contact": {"preload": 10}}, ["config key contact.preload", "unit of N", "found 10"]),
+        (
+            {"contact": {"preload": 10}},
+            ["config key contact.preload", "a force with a unit", "found 10"],
+        ),
         ({"contact": {"preload": "10 kg"}}, ["config key contact.preload", "10 kg"]),
         ({"contact": {"preload": "1 N"}}, ["contact.preload", "at most 1.37 mN", "found 1 N"]),
-        ({"forces": "none.csv"}, ["config key forces", "no file none.csv"]),
+        ({"forces": "none.csv"}, ["none.csv: expected", "(config key forces), found no file"]),
         ({"forces": "unitless.csv"}, ["unitless.csv: line 2: unit", "expected"]),
         ({"quick": {"scales": {"rang": "1 nm"}}}, ["rang"]),
         ({"published": "paper"}, ["expected"]),
