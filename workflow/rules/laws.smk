@@ -1,0 +1,77 @@
+# Whether another law of attraction would give similar results.
+
+
+rule compute_law_forces:
+    """Compute the forces of a scan and its masters at the ranges that laws are mixtures of."""
+    input:
+        scan=PATTERNS.stitched_substrate,
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        sphere=FILES.first_sphere,
+        code=code_inputs("compute_law_forces.py"),
+    output:
+        scan=PATTERNS.law_scan,
+        small=PATTERNS.law_small,
+        large=PATTERNS.law_large,
+    log:
+        PATTERNS.log("compute_law_forces", PATTERNS.law_scan),
+    benchmark:
+        PATTERNS.benchmark("compute_law_forces", PATTERNS.law_scan)
+    resources:
+        mem_mb=2000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "scan": int(w.scan),
+                "contact": STUDY["contact"] | {"count": INSIGHT["count"]},
+                "radius": STUDY["sphere"]["radius"],
+                "reach": INSIGHT["reach"],
+                # The step gives the pressure of every law to 3e-4, these ends that of its tail.
+                "ranges": {
+                    "anchor": STUDY["scales"]["range"],
+                    "step": 0.6,
+                    "low": 0.02,
+                    "high": 1e5,
+                },
+                "scales": {
+                    side: {"transition": STUDY["scales"][side]["transition"]} | INSIGHT[side]
+                    for side in SIDES
+                },
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/compute_law_forces.py"
+
+
+rule compare_laws:
+    """Fit every law of attraction, and find its critical band: laws.nc."""
+    input:
+        scans=INSIGHT_FILES.of_scans(PATTERNS.law_scan),
+        small=INSIGHT_FILES.of_scans(PATTERNS.law_small),
+        large=INSIGHT_FILES.of_scans(PATTERNS.law_large),
+        published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compare_laws.py"),
+    output:
+        PATTERNS.dataset("laws"),
+    log:
+        PATTERNS.log("compare_laws"),
+    benchmark:
+        PATTERNS.benchmark("compare_laws")
+    resources:
+        mem_mb=2000,
+    params:
+        canonical=canonical(
+            {
+                "scans": INSIGHT_FILES.scans,
+                **NAMED_SURFACES,
+                "reference_surface": STUDY["reference_surface"],
+                "spacing": INSIGHT["spacing"],
+                "tolerance": STUDY["scales"]["tolerance"],
+                "seed": STUDY["seed"],
+                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
+            }
+        ),
+    script:
+        "../scripts/compare_laws.py"

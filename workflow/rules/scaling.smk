@@ -1,0 +1,67 @@
+# How the edges of the band scale with the sphere, the range of adhesion and the contact area.
+
+SCALING = INSIGHT["scaling"]
+
+
+rule compute_scaled_pull_off:
+    """Pull-off of a filtered master over radii, ranges of adhesion and contact areas."""
+    input:
+        scan=PATTERNS.stitched_substrate,
+        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+        code=code_inputs("compute_scaled_pull_off.py"),
+    output:
+        PATTERNS.scaled,
+    log:
+        PATTERNS.log("compute_scaled_pull_off", PATTERNS.scaled),
+    benchmark:
+        PATTERNS.benchmark("compute_scaled_pull_off", PATTERNS.scaled)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "realization": int(w.scan),
+                "side": w.side,
+                "seed": STUDY["seed"],
+                "transition": STUDY["scales"][w.side]["transition"],
+                "window": STUDY["contact"]["window"],
+                "hardness": STUDY["contact"]["hardness"],
+                **{key: SCALING[key] for key in ("radii", "ranges", "preloads", "count")},
+                **SCALING[w.side],
+            }
+        ),
+    script:
+        "../scripts/compute_scaled_pull_off.py"
+
+
+rule scale_edges:
+    """How the edges of the band scale with R, rho and the contact area: scaling.nc."""
+    input:
+        masters=list(INSIGHT_FILES.scaled),
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        code=code_inputs("scale_edges.py"),
+    output:
+        PATTERNS.dataset("scaling"),
+    log:
+        PATTERNS.log("scale_edges"),
+    benchmark:
+        PATTERNS.benchmark("scale_edges")
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=canonical(
+            {
+                "masters": list(INSIGHT_FILES.scaled.values()),
+                "surfaces": SELECTION.substrates,
+                **NAMED_SURFACES,
+                "tolerance": STUDY["scales"]["tolerance"],
+                "seed": STUDY["seed"],
+                **{key: STUDY["inference"][key] for key in ("samples", "confidence")},
+                "sphere_radius": STUDY["sphere"]["radius"],
+                "rho": STUDY["scales"]["range"],
+                "area": STUDY["contact"]["preload"] / STUDY["contact"]["hardness"] * 1e18,
+            }
+        ),
+    script:
+        "../scripts/scale_edges.py"
