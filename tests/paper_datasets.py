@@ -5,6 +5,7 @@ import json
 import numpy as np
 import xarray as xr
 from intervals import between_multiples
+from known_forces import FORCE_DIMS
 from paper_numbers import MEAN_FORCE, MEDIAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.surfaces.topography import table1_variables
@@ -62,7 +63,7 @@ def make_adhesion(surfaces=SUBSTRATES):
 
     At the smallest range the force is twice that of the contact pixels.
     """
-    dims = ("surface", "scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x")
+    dims = FORCE_DIMS
     slopes = xr.DataArray([0.9, 0.6, 0.3, 0.2], dims="surface")
     shape = xr.DataArray([1.8, 1.0, 1.0, 1.1], dims="surface")
     rng = np.random.default_rng(0)

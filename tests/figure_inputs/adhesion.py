@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from known_forces import FORCE_DIMS
 from paper_numbers import MEAN_FORCE
 
 from figure_inputs.building import SCANS, SPHERE_SCANS, bounded, generator, named
@@ -36,7 +37,7 @@ def adhesion() -> xr.Dataset:
     scatter = np.stack([rng.lognormal(-(s**2) / 2, s, size) for s in (0.5, 0.5, 0.4, 0.5)])
     data = named().assign_coords(contact_model=CONTACT_MODELS, rho=RHO)
     data["pull_off_force"] = (
-        ("surface", "scan", "sphere_scan", "contact_model", "rho", "contact_y", "contact_x"),
+        FORCE_DIMS,
         np.einsum("asbij,mar->asbmrij", scatter, mean_forces(RHO)),
     )
     return data.assign_attrs(work_of_adhesion=1.0)

@@ -4,6 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+from known_forces import FORCE_DIMS
 
 from hardcontact.adhesion.sampling import Sampling
 from hardcontact.own_surfaces.own_fit import fit_measured
@@ -28,18 +29,7 @@ def adhesion(rng, scans=5, spread=0.2, of_contacts=0.3, surfaces="ab"):
     curves = np.array([mean_force(surface, RHOS) for surface in surfaces])
     return xr.Dataset(
         {
-            "pull_off_force": (
-                (
-                    "surface",
-                    "scan",
-                    "sphere_scan",
-                    "contact_model",
-                    "rho",
-                    "contact_y",
-                    "contact_x",
-                ),
-                factor * curves[:, None, None, None, :, None, None],
-            ),
+            "pull_off_force": (FORCE_DIMS, factor * curves[:, None, None, None, :, None, None]),
             "label": ("surface", [name.upper() for name in surfaces]),
         },
         {"surface": list(surfaces), "contact_model": ["plastic"], "rho": RHOS},

@@ -2,6 +2,7 @@
 
 import numpy as np
 import xarray as xr
+from known_forces import FORCE_DIMS
 from refusals import assert_says, refusal
 
 from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
@@ -21,18 +22,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
         forces[surface, count:] = np.nan
     return xr.Dataset(
         {
-            "pull_off_force": (
-                (
-                    "surface",
-                    "scan",
-                    "sphere_scan",
-                    "contact_model",
-                    "rho",
-                    "contact_y",
-                    "contact_x",
-                ),
-                forces,
-            ),
+            "pull_off_force": (FORCE_DIMS, forces),
             "label": ("surface", ["A", "B"]),
             "basis": ("surface", ["measured", "measured"]),
         },

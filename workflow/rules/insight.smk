@@ -5,7 +5,6 @@ from hardcontact.study.insight_files import InsightFiles
 INSIGHT = STUDY["insight"]
 INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)
 INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
-SIDES = ("small", "large")
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 
 

@@ -95,7 +95,7 @@ rule aggregate_robustness:
                 "masters": FILES.varied_masters,
                 "substrates": SELECTION.substrates,
                 "probe": PROBE,
-                **{f"pixels_{side}": SIZE[side]["pixels"] for side in ("small", "large")},
+                **{f"pixels_{side}": SIZE[side]["pixels"] for side in SIDES},
                 "count": SIZE["count"],
                 "tolerance": STUDY["scales"]["tolerance"],
                 "range": STUDY["scales"]["range"],

@@ -1,6 +1,7 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the critical band.
 
 from hardcontact.study.memory import master_megabytes
+from hardcontact.surfaces.masters import SIDES
 
 
 rule synthesize_small_scale_master:
@@ -107,9 +108,7 @@ rule aggregate_scales:
                 "basis": SELECTION.basis,
                 "rho": STUDY["scales"]["range"],
                 "sphere_radius": STUDY["sphere"]["radius"],
-                "transitions": {
-                    side: STUDY["scales"][side]["transition"] for side in ("small", "large")
-                },
+                "transitions": {side: STUDY["scales"][side]["transition"] for side in SIDES},
             }
         ),
     script:

@@ -7,6 +7,7 @@ from hardcontact.answer.part_text import DIGITS, labels, listed, print_within
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
 from hardcontact.statistics import bounds
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["closed_form_sentences"]
 
@@ -95,7 +96,7 @@ def _edges(closed_form: xr.Dataset) -> str:
         short, long = (
             print_as_paper(of_surface["edge"].sel(side=side).item(), "nm", digits=DIGITS)
             or "no edge"
-            for side in ("small", "large")
+            for side in SIDES
         )
         named.append(f"{of_surface['label'].item()} {short} and {long}")
     return f"The short and the long edge of the band that it predicts: {'; '.join(named)}."

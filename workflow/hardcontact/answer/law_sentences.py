@@ -14,6 +14,7 @@ from hardcontact.claims.verdicts import verdict
 from hardcontact.insight.interaction_laws import EXPONENTIAL
 from hardcontact.scales.critical_band import POOLED
 from hardcontact.statistics import bounds
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["law_sentences"]
 
@@ -87,7 +88,7 @@ def _edges(laws: xr.Dataset, others: list[str]) -> str:
     for law in others:
         short, long = (
             print_bounded_as_paper(pooled.sel(law=law, side=side), "edge_factor", "1")
-            for side in ("small", "large")
+            for side in SIDES
         )
         said.append(f"{_name(laws, law)} {short} and {long}")
     return (

@@ -14,6 +14,7 @@ from hardcontact.claims.numbers import (
     variable_as_number,
 )
 from hardcontact.statistics import bounds
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = [
     "band_edge",
@@ -70,7 +71,7 @@ def small_scale_change(band: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
 
 
 def _outside_band(band: xr.Dataset, paper: xr.Dataset) -> xr.DataArray:
-    shortest, longest = (paper[f"critical_wavelength_{side}"] for side in ("small", "large"))
+    shortest, longest = (paper[f"critical_wavelength_{side}"] for side in SIDES)
     cutoff = band["cutoff_wavelength"]
     return (cutoff <= shortest).where(band["side"] == "small", cutoff >= longest)
 

@@ -12,7 +12,6 @@ from matplotlib.patches import Patch
 
 from hardcontact.figures import style
 from hardcontact.figures.fig6_rows import (
-    POOLED,
     closed_form_rows,
     computed_cutoffs,
     critical_rows,
@@ -31,6 +30,7 @@ from hardcontact.figures.tables import (
     over_sets,
     published_edge,
 )
+from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
 

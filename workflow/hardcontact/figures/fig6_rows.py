@@ -5,9 +5,9 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.figures.tables import bounded, over_sets
+from hardcontact.scales.critical_band import POOLED
 
 __all__ = [
-    "POOLED",
     "closed_form_rows",
     "critical_rows",
     "curve_rows",
@@ -17,9 +17,6 @@ __all__ = [
     "realization_rows",
     "without_open_ends",
 ]
-
-#: The group of all substrates.
-POOLED = "pooled"
 
 
 def published_row(side: str, cutoff: float) -> pd.DataFrame:

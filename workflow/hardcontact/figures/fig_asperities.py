@@ -18,10 +18,10 @@ from hardcontact.figures.tables import (
     published_edge,
     value_and_bounds,
 )
+from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
 
-POOLED = "pooled"
 MICROMETRE = 1000  # nm
 QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 

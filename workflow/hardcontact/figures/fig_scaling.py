@@ -122,9 +122,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     for axes, side in ((short, "small"), (long, "large"), (contact, "small")):
         axes.axhline(published_edge(published_constants, side), **PUBLISHED)
     _draw_exponents(exponents, scaling)
-    figure.legend(
-        handles=style.surface_handles(scaling, ls="none"), loc="outside upper center", ncols=4
-    )
+    style.legend_above(figure, style.surface_handles(scaling, ls="none"))
     style.mark_basis(figure, scaling)
     return figure
 

@@ -110,9 +110,7 @@ def draw(scan_size: xr.Dataset) -> Figure:
     for axes in (sizes, rule, needed, edges):
         for axis in (axes.xaxis, axes.yaxis):
             style.label_logarithmic(axis)
-    figure.legend(
-        handles=style.surface_handles(scan_size, ls="none"), loc="outside upper center", ncols=4
-    )
+    style.legend_above(figure, style.surface_handles(scan_size, ls="none"))
     style.mark_basis(figure, scan_size)
     return figure
 

@@ -20,6 +20,7 @@ import xarray as xr
 from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.edge_scaling import LENGTHS
 from hardcontact.statistics import jackknife_interval, with_interval
+from hardcontact.surfaces.masters import SIDES
 from hardcontact.surfaces.spectrum import Spectrum, roll_off
 
 __all__ = ["CONTACT", "RANGE", "REACH", "ROLL_OFF", "cause_exponents", "edge_regimes"]
@@ -69,7 +70,7 @@ def edge_regimes(spectra: Mapping[str, Spectrum], contact: Contact, tolerance: f
             "contact_diameter": ((), diameter, nm),
             "attraction_reach": ((), reach, nm),
         },
-        {"surface": list(spectra), "side": ["small", "large"]},
+        {"surface": list(spectra), "side": list(SIDES)},
     )
 
 

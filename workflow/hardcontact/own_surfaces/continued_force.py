@@ -11,10 +11,9 @@ from hardcontact.own_surfaces.master_forces import (
 from hardcontact.own_surfaces.scan_parts import logarithmic_interval
 from hardcontact.records.dataset import stack
 from hardcontact.statistics import bounds, with_interval
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["PLASTIC", "continued_force", "with_continued_force"]
-
-SIDES = ["small", "large"]
 
 #: The contact model of the filtered masters.
 PLASTIC = "plastic"

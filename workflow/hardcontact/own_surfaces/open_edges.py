@@ -15,10 +15,9 @@ from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
 from hardcontact.statistics import with_interval
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["band_edges", "edges_of_curves"]
-
-SIDES = ["small", "large"]
 
 #: What an edge is described by: further dimensions, and attributes.
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {

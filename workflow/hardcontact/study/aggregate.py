@@ -11,10 +11,10 @@ from hardcontact.study.selection import Selection
 from hardcontact.study.single_files import SingleFiles
 from hardcontact.study.units import token
 from hardcontact.study.variants import Variant, variants
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["Chunk", "Files", "Master", "Pair"]
 
-SIDES = ("small", "large")
 
 #: Scans of a pool in one job: more of them leave the jobs there are as they are.
 CHUNK = 15

@@ -23,6 +23,7 @@ from hardcontact.study.patterns import PUBLISHED
 from hardcontact.study.stages import NONE, PAPER, SMOOTH
 from hardcontact.study.substitute_descriptions import refuse_description, refuse_of_paper
 from hardcontact.study.surface_table import CONTACT
+from hardcontact.surfaces.masters import SIDES
 from hardcontact.surfaces.scans import read_measurement
 
 __all__ = ["check"]
@@ -125,7 +126,7 @@ def _ascending(config: dict[str, Any]) -> Iterator[Callable[[], None]]:
     insight = config["insight"]
     of_masters = {name: config[name] for name in ("scales", "sets", "insight")}
     of_masters["insight.scaling"] = insight["scaling"]
-    for (section, values), side in product(of_masters.items(), ("small", "large")):
+    for (section, values), side in product(of_masters.items(), SIDES):
         key, cutoffs = f"{section}.{side}.cutoffs", values[side]["cutoffs"]
         yield partial(_refuse_descent, key, cutoffs, "nm")
     yield partial(_refuse_descent, "insight.sizes", insight["sizes"], "nm")

@@ -17,6 +17,7 @@ from hardcontact.study.scan_limits import (
     refuse_on_scan,
 )
 from hardcontact.study.stages import PAPER
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["check_grids", "check_scans"]
 
@@ -68,7 +69,7 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     on_scan = [refuse_on_scan, refuse_on_elastic_scan] if of_the_paper else [refuse_on_scan]
     on_pair = [refuse_on_pair, refuse_on_elastic_pair] if of_the_paper else [refuse_on_pair]
     sections = ("scales", "sets", "insight", "insight.scaling") if of_the_paper else ("scales",)
-    masters = list(product(sections, ("small", "large")))
+    masters = list(product(sections, SIDES))
     checks = [partial(limit, config, *one) for one, limit in product(grids.items(), on_scan)]
     for surface, grid in grids.items():
         if surface != name:

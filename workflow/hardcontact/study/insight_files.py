@@ -9,6 +9,7 @@ from hardcontact.study.patterns import STUDY_VARIANT, Patterns
 from hardcontact.study.selection import Selection
 from hardcontact.study.units import magnitude
 from hardcontact.study.variants import named_load
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["InsightFiles", "Repeated"]
 
@@ -55,7 +56,7 @@ class InsightFiles(Files):
         masters = [
             (surface, scan, side)
             for surface, scan in self._first_scans(self._scaled)
-            for side in ("small", "large")
+            for side in SIDES
         ]
         paths = [
             self._of_surface(self._patterns.scaled, surface, STUDY_VARIANT, scan=scan, side=side)
