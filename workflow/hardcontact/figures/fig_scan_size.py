@@ -23,6 +23,7 @@ __all__ = ["draw", "table"]
 COLUMNS = [
     *ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", "mirrored", "status", *VALUE_COLUMNS
 ]  # fmt: skip
+ARROW = 1.6  # length of an arrow, as a factor of the edge
 OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 
 
@@ -153,10 +154,14 @@ def _draw_rule(axes: Axes, scan_size: xr.Dataset) -> None:
 def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
     """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits.
 
-    The grey line is the longest wave of a mirrored window. Surfaces stand beside each other.
+    An open edge stands at its bound, with an arrow to where it lies: away from the middle of the
+    cutoffs. The grey line is the longest wave of a mirrored window. Surfaces stand beside each
+    other.
     """
     edges = _edges(scan_size).assign(period=scan_size["period"])
-    shortest = scan_size["cutoff_wavelength"].min().item()
+    cutoffs = scan_size["cutoff_wavelength"]
+    shortest = cutoffs.min().item()
+    middle = np.sqrt(shortest * cutoffs.max().item())
     edges = edges.assign(
         low=edges["low"].fillna(shortest), high=edges["high"].fillna(edges["period"])
     )
@@ -165,10 +170,17 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
     for (surface, look), factor in zip(looks.items(), beside, strict=True):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
             one = edges.sel(surface=surface, edge_size=edges["mirrored"] == mirrored)
+            sizes, values = factor * one["edge_size"] / 1e3, one["value"] / 1e3
             axes.errorbar(
-                factor * one["edge_size"] / 1e3, one["value"] / 1e3, reach(one) / 1e3, ls="none",
-                ms=3.5, elinewidth=0.7, mfc=fill, **look,
-            )  # fmt: skip
+                sizes, values, reach(one) / 1e3, ls="none", ms=3.5, elinewidth=0.7, mfc=fill, **look
+            )
+            left_open = one["status"] != "found"
+            for place, bound in zip(sizes[left_open].values, values[left_open].values, strict=True):
+                beyond = bound * (ARROW if bound > middle / 1e3 else 1 / ARROW)
+                axes.annotate(
+                    "", (place, beyond), (place, bound),
+                    arrowprops={"arrowstyle": "-|>", "color": look["color"], "shrinkA": 0},
+                )  # fmt: skip
     windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
     axes.plot(windows["edge_size"] / 1e3, windows["period"] / 1e3, color="0.7", lw=0.8, zorder=0)
     axes.axvline(scan_size.attrs["scan_size"] / 1e3, **OF_SCAN)
