@@ -112,6 +112,10 @@ def test_every_surface_has_its_pictures():
     assert len(captions) == 3 * 2 + 2
 
 
+def test_ratios_say_to_which_wavelengths_the_unfiltered_surfaces_go():
+    assert "with all down to 5 nm (upper) or up to 2.56 µm (lower)" in text_of("one", "figcaption")
+
+
 def test_open_edges_are_answered_in_words():
     text = text_of("one, open, one force")
     assert_says(text, "The long edge of the band is open: at least 2.56 µm (the scans end here)")

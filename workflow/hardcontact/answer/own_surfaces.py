@@ -26,6 +26,7 @@ from hardcontact.answer.sentences import (
 )
 from hardcontact.answer.tables import measurement_table, roughness_table
 from hardcontact.figures.style import print_share
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["Answer", "answer"]
 
@@ -180,6 +181,9 @@ def _spectrum(label: str, of: Datasets) -> str:
 def _ratios(label: str, of: Datasets) -> str:
     rho = print_length(of.force.attrs["range_of_adhesion"])
     tolerance = print_share(of.edges.attrs["tolerance"])
+    shortest, longest = (
+        print_length(of.force["continued_end"].sel(side=side).item()) for side in SIDES
+    )
     edges = "; ".join(
         f"{name}: {of.edges['edge_text'].sel(side=side).item()}"
         for side, name in (("small", "short"), ("large", "long"))
@@ -189,7 +193,8 @@ def _ratios(label: str, of: Datasets) -> str:
         f"Pull-off force of {label} with roughness below or above a cutoff removed. Edges of the "
         f"band: {edges}.",
         f"{label}: mean pull-off force with all roughness below (upper panel) or above (lower "
-        f"panel) a cutoff removed, over that with all, at ρ = {rho}. Bars: intervals, not "
+        f"panel) a cutoff removed, over that with all down to {shortest} (upper) or up to "
+        f"{longest} (lower), where the computed surfaces end; at ρ = {rho}. Bars: intervals, not "
         f"bounded where they leave the panel. Grey band: a change of {tolerance} that counts as "
         "none. Shaded wavelengths: no scan is reliable, "
         f"{artificial_words(artificial_bands(of.spectra))}. Edges of the band: {edges}.",
