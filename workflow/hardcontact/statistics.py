@@ -12,7 +12,6 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
-from scipy import optimize, special, stats
 
 __all__ = [
     "bounds",
@@ -127,6 +126,8 @@ def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.Da
     xarray.DataArray
         Low and high end along the last dimension `bound`; NaN of fewer than two values.
     """
+    from scipy import stats
+
     mean, count = values.mean(dim), values.count(dim)
     quantile = xr.apply_ufunc(stats.t.ppf, (1 + confidence) / 2, count - 1)
     half = quantile * values.std(dim, ddof=1) / np.sqrt(count)
@@ -219,6 +220,8 @@ def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float)
     ndarray (..., 2)
         Low and high end; NaN of fewer than two scans, or where a statistic is zero.
     """
+    from scipy import stats
+
     without = np.asarray(left_out, float)
     logarithms = np.log(np.where(without > 0, without, np.nan))
     count = len(logarithms)
@@ -271,6 +274,7 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
     Values above `limit` have the mean 0 and the deviation 1; a share `censored` of all is below.
     Only these numbers enter the likelihood.
     """
+    from scipy import optimize, special
 
     def surprise(parameters: np.ndarray) -> tuple[float, np.ndarray]:
         """Return minus the mean log-likelihood at mean and log deviation, and its gradient."""

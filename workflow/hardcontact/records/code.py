@@ -63,7 +63,7 @@ def _imported(tree: ast.AST, path: Path) -> Iterator[str]:
             module = _absolute(node, path)
             yield module
             yield from (f"{module}.{alias.name}" for alias in node.names)
-        else:
+        elif not isinstance(node, ast.expr):  # which holds no import
             yield from _imported(node, path)
 
 
