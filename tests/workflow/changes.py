@@ -197,9 +197,6 @@ COLUMNS = {
 
 
 SCRIPTS = sorted(path.name for path in (ROOT / "workflow/scripts").glob("*.py"))
-MODULES = sorted(
-    path.relative_to(ROOT).as_posix() for path in (ROOT / "workflow/hardcontact").rglob("*.py")
-)
 
 
 def rules_of(script):
