@@ -38,6 +38,7 @@ from hardcontact.study import configuration
         ),
         (("sphere.radius", "2 um"), ["sphere.radius", "2500 nm", "found 2000 nm"]),
         (("store", "results/paper/store"), ["store", "results/paper", "found results/paper/store"]),
+        (("effort", "quick"), ["effort", "no keys stand under quick", "config/quick.yaml"]),
         (("store", "results"), ["store", "apart from results/paper", "found results"]),
         (("scan.size", "20 nm"), ["scan.size", "0.05 to 10000 nm", "found 0.0390625 nm"]),
         (("contact.window", "90 um"), ["contact.window", "16384", "found 18432"]),

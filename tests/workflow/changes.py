@@ -53,7 +53,6 @@ KEYS = {
     "store": ("results/other", FROM_SCANS | SPECTRA | OF_SPECTRA),
     "surfaces": ("config/same.tsv", set()),
     "scans": ([1, 2, 3], FROM_SCANS | {"condition_scans"}),
-    "effort": ("quick", set()),
     "quick": ({"seed": 3}, set()),
     "reference_surface": ("ncd", {"aggregate_topography", "aggregate_robustness", "infer",
                                   "compare_laws"}),
@@ -350,8 +349,8 @@ CHANGES = (
         )
         for name in SCRIPTS
     }
-    | {"effort quick with keys": ({"effort": "quick", "quick": {"seed": 1}}, lambda folder: None,
-                                  following(KEYS["seed"][1] | KEPT))}
+    | {"effort": ({"effort": "quick", "quick": {"seed": 1}}, lambda folder: None,
+                  following(KEYS["seed"][1] | KEPT))}
     | {"nothing": ({}, lambda folder: None, set())}
     | {"touch and checkout": ({}, checked_out, set())}
     | {"comments and order of keys": ({}, text_says_the_same, set())}

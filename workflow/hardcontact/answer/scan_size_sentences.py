@@ -19,6 +19,12 @@ from hardcontact.statistics import bounds
 
 __all__ = ["scan_size_sentences"]
 
+OTHER_EDGES = (
+    "Fig. 6 and the scaling of the band have other long edges of the same surfaces: their masters, "
+    "pixels, contacts and cutoffs are others, and by so much do edges from a few realizations "
+    "differ."
+)
+
 
 def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
     """Return how wrong forces and long edges on small scans are, the rule, and the sizes needed.
@@ -38,6 +44,7 @@ def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
         _excess(at_range),
         _edges(scan_size),
         *_edges_of_others(scan_size),
+        OTHER_EDGES,
         _forces(scan_size),
         _needed(at_range),
         _rule(scan_size),

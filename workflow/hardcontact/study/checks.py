@@ -55,6 +55,7 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
             *_ascending(config),
             partial(_refuse_large_windows, config),
             partial(_refuse_small_surfaces, config),
+            partial(_refuse_quick_without_keys, config),
             partial(_refuse_common_folder, config),
             partial(_refuse_long_numbers, config),
             *_descriptions(table),
@@ -183,6 +184,15 @@ def _refuse_small_surfaces(config: dict[str, Any]) -> None:
                 f"({2 * pixel_size:.4g} nm) and at most insight.scan_sizes.size ({size:.6g} nm), "
                 f"found {cutoff:.6g} nm"
             )
+
+
+def _refuse_quick_without_keys(config: dict[str, Any]) -> None:
+    """Refuse the quick effort where nothing says what it is: it would be the full one."""
+    if config["effort"] == "quick" and not config["quick"]:
+        raise ValueError(
+            "config key effort: expected full where no keys stand under quick, found quick (the "
+            "quick study of the paper: --configfile config/quick.yaml)"
+        )
 
 
 def _refuse_common_folder(config: dict[str, Any]) -> None:
