@@ -1,5 +1,7 @@
 """Fixtures: a copy of the repository, one of them with the finished quick study, and the tiers."""
 
+import fcntl
+import os
 import shutil
 import sys
 import tempfile
@@ -31,8 +33,13 @@ def pytest_xdist_auto_num_workers(config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Mark what needs a finished study with `study`, unless it is a test of the system."""
+    """Mark what needs a finished study with `study`, unless it is a test of the system.
+
+    A process takes whole files, and all files on own surfaces, whose studies they share.
+    """
     for item in items:
+        file = item.path.name
+        item.add_marker(pytest.mark.xdist_group("own" if file.startswith("test_own_") else file))
         if STUDIES & set(item.fixturenames) and not item.get_closest_marker("system"):
             item.add_marker("study")
 
@@ -51,11 +58,21 @@ def repository(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def finished(tmp_path_factory):
-    """Run the quick study in a copy of the repository; not to be changed."""
-    folder = copy_repository(tmp_path_factory.mktemp("finished") / "study")
-    run = run_snakemake(folder)
-    assert run.returncode == 0, run.stdout[-3000:]
-    return folder
+    """Run the quick study in a copy of the repository; not to be changed.
+
+    Processes that share the tests share the run, too, and have a copy each.
+    """
+    shared = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        shared = shared.parent
+    with open(shared / "lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not (shared / "study").exists():
+            folder = copy_repository(shared / "running")
+            run = run_snakemake(folder)
+            assert run.returncode == 0, run.stdout[-3000:]
+            folder.rename(shared / "study")
+    return shutil.copytree(shared / "study", tmp_path_factory.mktemp("finished") / "study")
 
 
 @pytest.fixture

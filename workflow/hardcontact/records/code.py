@@ -40,19 +40,21 @@ def code_inputs(script: str, *modules: str) -> Sequence[str]:
     paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
     pending = [*paths]
     while pending:
-        new = {path for name in _imports(pending.pop()) for path in _files(name)} - paths
+        new = _imports(pending.pop()) - paths
         paths |= new
         pending.extend(new)
     return (*sorted(os.path.relpath(path) for path in paths), *PINS)
 
 
 @cache
-def _imports(path: Path) -> Sequence[str]:
-    """Return the full names that a file imports from the library, modules or what is in them."""
-    return tuple(_imported(ast.parse(path.read_text("utf-8")), path))
+def _imports(path: Path) -> frozenset[Path]:
+    """Return the files of the library that are run when a file is imported."""
+    names = _imported(ast.parse(path.read_text("utf-8")), path)
+    return frozenset(file for name in names for file in _files(name))
 
 
 def _imported(tree: ast.AST, path: Path) -> Iterator[str]:
+    """Yield the full names that a file imports, modules or what is in them."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
             for other in node.orelse:
