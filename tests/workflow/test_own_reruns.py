@@ -5,7 +5,7 @@ import re
 import pandas as pd
 import pytest
 import yaml
-from changes import KEYS_OF_OWN_SURFACES
+from key_changes import KEYS_OF_OWN_SURFACES
 from own_studies import changed, quick
 from refusals import assert_says
 

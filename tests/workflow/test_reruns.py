@@ -16,11 +16,9 @@ from changes import (
     CHANGES,
     COLUMNS,
     FILES,
-    KEYS,
-    KEYS_OF_OWN_SURFACES,
-    KEYS_OF_VARIANTS,
     SCRIPTS,
 )
+from key_changes import KEYS, KEYS_OF_OWN_SURFACES, KEYS_OF_VARIANTS
 from repository import PAPER, PARTS, QUICK, ROOT, SCHEMAS, environment, leaves, run_snakemake
 from snakemake.cli import main as snakemake
 
