@@ -134,6 +134,28 @@ def test_waves_that_the_table_lacks_are_told(table):
     assert TRIED not in told
 
 
+@pytest.mark.parametrize(
+    ("options", "parts"),
+    [
+        (["--range", "0.3nm"], ["ranges of 0.5 nm to 20 nm, not at 0.3 nm"]),
+        (["--radius", "5um", "--preload", "100nN"], ["a sphere of 250 µm, not of 5 µm"]),
+        (["--range", "0.5nm"], ["a freezing of 84 at most"]),
+    ],
+)
+def test_what_lies_outside_of_what_was_tried_is_told(table, options, parts):
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(200, 1000, 0.8, 20)))
+    told = predict(predict_arguments([path, *options]))
+    assert_says(told, "less sure than a factor of two", *parts)
+    assert TRIED not in told
+
+
+def test_a_contact_that_is_wider_than_the_attraction_is_refused(table):
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 1000, 0.8, 20)))
+    options = ["--preload", "10mN", "--hardness", "100MPa"]
+    message = refusal(predict, predict_arguments([path, *options]))
+    assert_says(message, "--preload: expected less than 880 µN", "found 10 mN", "smooth sphere")
+
+
 @pytest.mark.parametrize("factor", [1e-36, 1e36])
 def test_a_power_in_a_wrong_unit_is_refused(table, factor):
     spectrum = rough(17, 1000, 0.8, 20)

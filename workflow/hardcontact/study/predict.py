@@ -7,6 +7,7 @@ from functools import partial
 
 import numpy as np
 
+from hardcontact.answer.quantities import print_quantity
 from hardcontact.contact.bearing_area import Load
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -32,6 +33,10 @@ __all__ = ["predict", "predict_arguments"]
 ERROR = 1.8
 #: What it was measured on, in the words of the help and of a prediction.
 TRIED = f"within a factor of {ERROR:g} on random surfaces of 20 µm of four diamond coatings"
+#: Ranges of adhesion in nm, radius in nm and greatest freezing that it was measured at.
+RANGES, RADIUS, FREEZING = (0.5, 20.0), 250e3, 84.0
+#: Radii differ from that by more than this factor where another error is to be expected.
+OTHER_RADIUS = 4.0
 DESCRIPTION = f"""\
 Predict the pull-off force of a smooth sphere from the power spectral density of a
 surface, in closed form, within seconds:
@@ -41,7 +46,7 @@ surface, in closed form, within seconds:
 The table has a header and these columns, with the unit of each in a column of its own:
   wavevector (q = 2 pi/wavelength, e.g. rad/nm) or wavelength (e.g. nm)
   c_iso (h_rms² = 1/(2 pi) ∫ q C_iso dq, e.g. nm4) or c_1d (h_rms² = (1/pi) ∫ C_1D dq, e.g. nm3)
-for example
+for example, in five rows or more,
 
   wavelength,wavelength_unit,c_iso,c_iso_unit
   1000,nm,4.8e7,nm4
@@ -99,8 +104,13 @@ def predict(arguments: Namespace) -> str:
     (table,) = spectra
     rough = _between_zeros(table)
     _refuse_unreal_height(arguments.file, rough)
+    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
+    contact = Contact(
+        given["radius"].number, given["range"].number, given["work"].number, contact_area(load)
+    )
+    _refuse_wide_contact(contact, load)
     tolerance = read_yaml("config/config.yaml")["scales"]["tolerance"]
-    return "\n".join([*_left_out(table), *_told(rough, given, float(tolerance))])
+    return "\n".join([*_left_out(table), *_told(rough, contact, given, float(tolerance))])
 
 
 def _refuse(faults: Sequence[str]) -> None:
@@ -132,17 +142,27 @@ def _refuse_unreal_height(path: str, spectrum: Spectrum) -> None:
         )
 
 
-def _told(spectrum: Spectrum, given: Mapping[str, Option], tolerance: float) -> Iterator[str]:
+def _refuse_wide_contact(contact: Contact, load: Load) -> None:
+    """Refuse a contact that alone attracts as a smooth sphere does, over the area 2 pi R rho."""
+    widest = 2 * np.pi * contact.radius * contact.rho
+    if contact.area >= widest:
+        most = load["preload"] * widest / contact.area
+        raise ValueError(
+            f"--preload: expected less than {print_quantity(most, 'N')} at this hardness, radius "
+            f"and range, found {print_quantity(load['preload'], 'N')}: the contact alone would "
+            "stick like a smooth sphere"
+        )
+
+
+def _told(
+    spectrum: Spectrum, contact: Contact, given: Mapping[str, Option], tolerance: float
+) -> Iterator[str]:
     """Yield the lines of the prediction."""
-    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
-    contact = Contact(
-        given["radius"].number, given["range"].number, given["work"].number, contact_area(load)
-    )
     height, gradient, _ = all_scales_moments(spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     found = closed_form(spectrum, contact)
     smooth = found.force / found.relative
-    cautions = list(_cautions(spectrum, contact, found))
+    cautions = [*_cautions(spectrum, contact, found), *_untried(contact, found)]
     yield (
         f"spectrum: {_length(shortest)} to {_length(longest)}, rms height {_length(height)}, "
         f"rms gradient {gradient:.2g}"
@@ -157,7 +177,10 @@ def _told(spectrum: Spectrum, given: Mapping[str, Option], tolerance: float) -> 
         f"({'less sure than a factor of two: see below' if cautions else TRIED})"
     )
     yield f"closest approach: {_length(found.closest_approach)} above the mean plane"
-    yield f"regime: {found.regime}: {MEANING[found.regime]} (freezing {found.freezing:.2g})"
+    yield (
+        f"regime: {found.regime}: {MEANING[found.regime]} (freezing {found.freezing:.2g}: beyond 1 "
+        "single peaks decide)"
+    )
     sides = {"short": "below", "long": "above"}
     for edge, (name, side) in zip(edges(spectrum, contact, tolerance), sides.items(), strict=True):
         shown = _length(edge) if np.isfinite(edge) else "no wavelength"
@@ -185,6 +208,26 @@ def _cautions(spectrum: Spectrum, contact: Contact, found: ClosedForm) -> Iterat
                 f"take care: waves {beyond} are not in the table; its last octave alone changes "
                 f"the force by {100 * change:.0f} %"
             )
+
+
+def _untried(contact: Contact, found: ClosedForm) -> Iterator[str]:
+    """Yield what lies outside of what the error was measured on."""
+    least, most = RANGES
+    if not least <= contact.rho <= most:
+        yield (
+            f"take care: the error was measured at ranges of {_length(least)} to {_length(most)}, "
+            f"not at {_length(contact.rho)}"
+        )
+    if not 1 / OTHER_RADIUS <= contact.radius / RADIUS <= OTHER_RADIUS:
+        yield (
+            f"take care: the error was measured under a sphere of {_length(RADIUS)}, not of "
+            f"{_length(contact.radius)}"
+        )
+    if found.freezing > FREEZING:
+        yield (
+            f"take care: the error was measured at a freezing of {FREEZING:g} at most, not at "
+            f"{found.freezing:.2g}"
+        )
 
 
 def _length(number: float) -> str:
