@@ -311,10 +311,10 @@ def datasets(count=1, **others):
     return Datasets(**made | others)
 
 
-def setting(left_out=()):
+def setting(left_out=(), effort="full"):
     """Return the setting of a study."""
     contact = {
         "radius of the sphere": "250 µm", "sphere": "smooth", "hardness": "25 GPa",
         "preload": "10 µN",
     }  # fmt: skip
-    return Setting("my-coating", contact, list(left_out))
+    return Setting("my-coating", effort, contact, list(left_out))

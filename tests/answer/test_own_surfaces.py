@@ -105,6 +105,13 @@ def test_the_first_screen_holds_the_answer():
     assert len(sentence) < 300
 
 
+def test_a_quick_answer_is_called_a_first_one():
+    quick = answer(datasets(), setting(effort="quick"))
+    assert own_surfaces.FIRST_ANSWER in quick.page
+    assert quick.numbers["effort"] == "quick"
+    assert own_surfaces.FIRST_ANSWER not in made("one").page
+
+
 def test_every_surface_has_its_pictures():
     captions = shown("two substitutes, forces").texts["figcaption"]
     for label in LABELS:

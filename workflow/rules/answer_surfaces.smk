@@ -27,6 +27,7 @@ rule answer_surfaces:
         canonical=canonical(
             {
                 "study": STUDY["study"],
+                "effort": STUDY["effort"],
                 "contact": {
                     "radius of the sphere": printed(config["sphere"]["radius"]),
                     "sphere": STUDY["sphere"]["surface"],

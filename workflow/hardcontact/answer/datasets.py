@@ -48,6 +48,8 @@ class Setting(NamedTuple):
     ----------
     study : str
         Its name.
+    effort : str
+        full or quick.
     contact : mapping of str to str
         What contacts were computed for, as printed: for example "radius of the sphere": "250 µm".
     left_out : sequence of (str, str)
@@ -55,5 +57,6 @@ class Setting(NamedTuple):
     """
 
     study: str
+    effort: str
     contact: Mapping[str, str]
     left_out: Sequence[tuple[str, str]]

@@ -49,6 +49,7 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
     force = given.force
     return {
         "study": setting.study,
+        "effort": setting.effort,
         "contact": dict(setting.contact),
         "range_of_adhesion": _number(force.attrs["range_of_adhesion"], "nm"),
         "work_of_adhesion": _number(force.attrs["work_of_adhesion"], "J m-2"),

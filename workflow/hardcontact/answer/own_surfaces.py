@@ -32,6 +32,10 @@ __all__ = ["Answer", "answer"]
 
 SUBSTITUTES = "The scans are substitutes, synthesised from published statistics."
 LIMITS = "What limits this answer"
+FIRST_ANSWER = (
+    "This is a first answer at quick effort, from few cutoffs and contacts: without "
+    "--config effort=quick the same command gives the whole one."
+)
 
 
 class Answer(NamedTuple):
@@ -76,7 +80,7 @@ def answer(given: Datasets, setting: Setting) -> Answer:
         LIMITS: _limits(given),
         "What was left out": _left_out(setting),
     }
-    body = _first_screen(given) + "".join(
+    body = _first_screen(given, setting.effort) + "".join(
         f'<section id="{_anchor(title)}"><h2>{escape(title)}</h2>\n{content}</section>\n'
         for title, content in sections.items()
         if content
@@ -108,7 +112,7 @@ def _paragraphs(given: Datasets, write: Callable[[str, Datasets], str]) -> str:
     )
 
 
-def _first_screen(given: Datasets) -> str:
+def _first_screen(given: Datasets, effort: str) -> str:
     """Return the answer of each surface in a sentence, and what it means."""
     sentences = "\n".join(f"<p>{text_html(text)}</p>" for text in first_sentences(given).values())
     tolerance = print_share(given.edges.attrs["tolerance"])
@@ -125,7 +129,8 @@ def _first_screen(given: Datasets) -> str:
             " “At least” and “at most” mean that this end was not found within what was computed."
         )
     spans = "".join(f"<p>{text_html(text)}</p>\n" for text in quartile_sentences(given))
-    sentences = spans + sentences
+    first = f"<p>{FIRST_ANSWER}</p>\n" if effort == "quick" else ""
+    sentences = spans + sentences + first
     return (
         f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
         "</div>\n" + _notice(given)
