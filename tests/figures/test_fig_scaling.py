@@ -60,6 +60,15 @@ def test_every_surface_keeps_its_colour_and_every_exponent_its_line():
     assert labels == [name for *_, name in fig_scaling.EXPONENTS]
 
 
+def test_no_exponent_lies_outside_of_the_axes():
+    data = scaling()
+    data["exponent"][:] = 2.5
+    exponents = fig_scaling.draw(data, PUBLISHED).axes[3]
+    least, most = exponents.get_xlim()
+    marks = [container.lines[0].get_xdata().item() for container in exponents.containers]
+    assert max(marks) == 2.5 < most and least <= -1
+
+
 def test_substitutes_are_named_and_measured_surfaces_are_not():
     (note,) = [text.get_text() for text in drawn().texts]
     assert note.startswith("substitute surfaces: ")

@@ -176,9 +176,10 @@ def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
             axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
     for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
         axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
+    last = max(2.0, exponents["value"].max().item() + 0.2)
     for name, place in (("short edge", 0.5), ("long edge", -2.5)):
-        axes.text(1.95, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic")
+        axes.text(last - 0.05, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic")
         axes.axhline(place, color="0.7", lw=0.4)
     axes.set_yticks(places, [name for *_, name in EXPONENTS])
-    axes.set(xlabel="exponent", xlim=(-1, 2))
+    axes.set(xlabel="exponent", xlim=(min(-1.0, exponents["value"].min().item() - 0.2), last))
     style.label_panel(axes, "d", "edge in proportion: 1")
