@@ -99,7 +99,11 @@ def parsed(arguments: Sequence[str]) -> Namespace:
     parser = ArgumentParser(
         "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
     )
-    parser.add_argument("command", choices=["new"], help="make a study of own surfaces")
+    parser.add_argument(
+        "command", choices=["new"], metavar="{new,predict}",
+        help="new: make a study of own surfaces; predict: a force from a spectrum, see "
+        "hardcontact predict --help",
+    )  # fmt: skip
     parser.add_argument("name", metavar="NAME", help="of the study: results/NAME/")
     parser.add_argument(
         "files", metavar="FILE", nargs="*", help="scans, line scans or containers of one surface"
