@@ -151,6 +151,7 @@ def edges(count=1):
     texts = ["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]
     data = data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
+        edge_at_least=(("surface", "side"), [[0] * 2] * count),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
         interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
         edge_text=(("surface", "side"), [texts] * count),
@@ -175,6 +176,7 @@ def open_edges(count=1):
     data["edge"].loc[at] = np.nan
     data["edge_interval"].loc[at] = np.nan
     data["edge_bound"].loc[at] = CUTOFFS["large"][-1]
+    data["edge_at_least"].loc[at] = 1
     for name, value in {
         "edge_status": "beyond the cell",
         "interval_status": "open",

@@ -119,10 +119,9 @@ def test_open_edges_are_arrows_and_no_lines():
 
 def test_arrows_point_to_what_was_not_computed():
     data = of_first(open_edges())
-    of_side = data.sel(side="large")
-    assert ratios.points_to_longer(of_side)
-    shortest = of_side.assign(edge_bound=of_side["edge_bound"] * 0 + CUTOFFS["large"][0])
-    assert not ratios.points_to_longer(shortest)
+    data["edge_at_least"].loc[{"side": "large"}] = 0
+    (arrow,) = ratios.draw(data, of_first(spectra())).axes[1].texts
+    assert arrow.xy[0] < arrow.xyann[0] == CUTOFFS["large"][-1]
 
 
 def test_an_open_end_of_an_interval_runs_to_the_last_cutoff():

@@ -36,7 +36,7 @@ def scan_size() -> xr.Dataset:
 
 
 def _edges() -> xr.Dataset:
-    """Return long edges, one of them open."""
+    """Return long edges, two of them open: one is longer than its bound, one shorter."""
     edge = 1000 + 10 * np.arange(4 * 5.0).reshape(4, 5)
     over = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20
     data = named().drop_vars(["label", "basis"]).assign_coords(
@@ -44,6 +44,7 @@ def _edges() -> xr.Dataset:
     ).assign(bounded("long_edge", ON_SIZES, edge, unit="nm"))  # fmt: skip
     data = data.assign(bounded("force_over_largest", ON_SIZES, over)).assign(
         long_edge_bound=(ON_SIZES, np.full((4, 5), np.nan)),
+        long_edge_at_least=(ON_SIZES, np.zeros((4, 5), int)),
         long_edge_status=(ON_SIZES, np.full((4, 5), "found", dtype="<U20")),
         long_edge_text=(
             ON_SIZES, np.array([[f"{one:g} nm" for one in row] for row in edge], "<U60"),
@@ -51,10 +52,15 @@ def _edges() -> xr.Dataset:
         mirrored=("edge_size", [1, 1, 1, 0, 0]),
         period=("edge_size", [2500.0, 5000.0, 10000.0, 20e3, 40e3]),
     )  # fmt: skip
-    first = {"surface": "mcd", "edge_size": 1250.0}
-    data["long_edge"].loc[first] = np.nan
-    data["long_edge_interval"].loc[first] = np.nan
-    data["long_edge_bound"].loc[first] = 2400.0
-    data["long_edge_status"].loc[first] = "beyond the cell"
-    data["long_edge_text"].loc[first] = "at least 2.4 µm: the scans end here [not bounded]"
+    for size, bound, at_least, status, text in (
+        (1250.0, 2400.0, 1, "beyond the cell", "at least 2.4 µm: the scans end here [not bounded]"),
+        (5000.0, 500.0, 0, "beyond the cutoffs", "at most 500 nm: no shorter cutoff was computed"),
+    ):
+        place = {"surface": "mcd", "edge_size": size}
+        data["long_edge"].loc[place] = np.nan
+        data["long_edge_interval"].loc[place] = np.nan
+        data["long_edge_bound"].loc[place] = bound
+        data["long_edge_at_least"].loc[place] = at_least
+        data["long_edge_status"].loc[place] = status
+        data["long_edge_text"].loc[place] = text
     return data

@@ -122,7 +122,7 @@ def test_an_edge_is_open_where_the_longest_waves_of_a_window_matter():
     ratios = [[1.5, 1.2, np.nan], [2.0, 1.21, 1.0]]
     found = window_edges({"one": known(ratios)}, 0.1, 0.95).isel(surface=0, edge_size=0)
     assert np.isnan(found["long_edge"]) and found["long_edge_bound"] == 1000
-    assert found["long_edge_status"] == "beyond the cell"
+    assert found["long_edge_status"] == "beyond the cell" and found["long_edge_at_least"] == 1
     assert found["long_edge_text"].item().startswith("at least 1 µm: the scans end here")
 
 

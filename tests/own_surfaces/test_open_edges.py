@@ -56,6 +56,7 @@ def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
     found = edges([[flat_small, steep_large]], [1], spread=0.05).sel(surface="a")
     assert found.edge.isnull().all()
     np.testing.assert_array_equal(found.edge_bound, [1000, 4000])
+    np.testing.assert_array_equal(found.edge_at_least, [1, 1])
     assert found.edge_text.values[0].startswith("at least 1 µm: no longer cutoff")
     assert found.edge_text.values[1].startswith("at least 4 µm: no longer cutoff")
 

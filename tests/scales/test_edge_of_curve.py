@@ -77,6 +77,7 @@ def test_an_edge_beyond_what_was_computed_is_open(side, changes, cell, bound, st
     found = edge(side, changes, cell=cell)
     assert np.isnan(found["edge"]) and found["edge_bound"] == bound
     assert found["edge_status"] == f"beyond the {status}"
+    assert found["edge_at_least"] == text.startswith("at least")
     assert found["edge_text"].startswith(text) and found["edge_text"].endswith(", no interval")
     assert found["interval_status"].tolist() == ["open", "open"]
 

@@ -11,8 +11,9 @@ from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.first_sentences import first_sentences
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
-from hardcontact.answer.ratios import SIDES, computed_cutoffs
+from hardcontact.answer.ratios import computed_cutoffs
 from hardcontact.statistics import bounds
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["METRICS", "answer_numbers"]
 

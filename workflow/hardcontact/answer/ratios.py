@@ -15,10 +15,10 @@ from hardcontact.figures import style
 from hardcontact.figures.marks import reach
 from hardcontact.figures.tables import bounded
 
-__all__ = ["SIDES", "computed_cutoffs", "draw", "points_to_longer"]
+__all__ = ["computed_cutoffs", "draw"]
 
 #: What is removed at each side of the band.
-SIDES = {
+TITLES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
@@ -38,15 +38,6 @@ def computed_cutoffs(of_side: xr.Dataset) -> np.ndarray:
     return cutoffs
 
 
-def points_to_longer(of_side: xr.Dataset) -> bool:
-    """Return whether an open edge lies beyond its bound towards longer wavelengths.
-
-    The bound is an end of what was computed: the longest wavelengths, or the shortest.
-    """
-    cutoffs = computed_cutoffs(of_side)
-    return bool(of_side["edge_bound"].item() > np.sqrt(cutoffs.min() * cutoffs.max()))
-
-
 @canvas.canvas_style()
 def draw(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
     """Draw the force over the unfiltered one against the cutoff, with the edge at each side.
@@ -55,7 +46,8 @@ def draw(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
     ----------
     edges : xarray.Dataset
         Part of edges.nc of one surface: `scale_ratio` (side, cutoff_wavelength), `edge`,
-        `edge_bound` and `edge_text` (side), their intervals, and the attribute `tolerance`.
+        `edge_bound`, `edge_at_least` and `edge_text` (side), their intervals, and the attribute
+        `tolerance`.
     spectra : xarray.Dataset
         Part of spectra.nc of the surface, as `artificial_bands` takes it.
 
@@ -66,13 +58,13 @@ def draw(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
     """
     figure = canvas.create(5.2)
     panels = figure.subplots(2, 1, sharex=True)
-    for axes, (side, title) in zip(panels, SIDES.items(), strict=True):
+    for axes, (side, title) in zip(panels, TITLES.items(), strict=True):
         of_side = edges.sel(side=side)
         _draw_ratio(axes, of_side, edges.attrs["tolerance"])
         _draw_edge(axes, of_side)
         axes.set_title(title, loc="left")
         axes.set_ylabel("force / unfiltered")
-    cutoffs = np.concatenate([computed_cutoffs(edges.sel(side=side)) for side in SIDES])
+    cutoffs = np.concatenate([computed_cutoffs(edges.sel(side=side)) for side in TITLES])
     panels[1].set(xlim=(cutoffs.min() / MARGIN, cutoffs.max() * MARGIN), xlabel="cutoff wavelength")
     canvas.label_lengths(panels[1].xaxis)
     for axes in panels:
@@ -106,7 +98,7 @@ def _draw_edge(axes: Axes, of_side: xr.Dataset) -> None:
         _draw_interval(axes, of_side)
         return
     bound = of_side["edge_bound"].item()
-    further = bound * (MARGIN**0.8 if points_to_longer(of_side) else MARGIN**-0.8)
+    further = bound * (MARGIN**0.8 if of_side["edge_at_least"] else MARGIN**-0.8)
     axes.annotate(
         "",
         xy=(further, 0.1),

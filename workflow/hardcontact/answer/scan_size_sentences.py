@@ -20,9 +20,8 @@ from hardcontact.statistics import bounds
 __all__ = ["scan_size_sentences"]
 
 OTHER_EDGES = (
-    "Fig. 6 and the scaling of the band have other long edges of the same surfaces: their masters, "
-    "pixels, contacts and cutoffs are others, and by so much do edges from a few realizations "
-    "differ."
+    "Fig. 6 and the scaling of the band have other long edges of the same surfaces, as their "
+    "masters, pixels, contacts and cutoffs are others. The intervals say how well each is known."
 )
 
 

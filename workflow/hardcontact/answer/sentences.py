@@ -7,8 +7,8 @@ import xarray as xr
 
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.quantities import print_bounded, print_length, print_quantity
-from hardcontact.answer.ratios import SIDES
 from hardcontact.figures.style import print_share
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = [
     "band_sentences",

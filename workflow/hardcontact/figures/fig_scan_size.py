@@ -23,7 +23,7 @@ __all__ = ["draw", "table"]
 COLUMNS = [
     *ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", "mirrored", "status", *VALUE_COLUMNS
 ]  # fmt: skip
-ARROW = 1.6  # length of an arrow, as a factor of the edge
+ARROW = 1.6  # length of an arrow, as a factor of the bound
 OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 
 
@@ -67,6 +67,7 @@ def _edges(scan_size: xr.Dataset) -> xr.Dataset:
         value=edges["value"].fillna(scan_size["long_edge_bound"]),
         mirrored=scan_size["mirrored"],
         status=scan_size["long_edge_status"],
+        at_least=scan_size["long_edge_at_least"],
     )
 
 
@@ -154,35 +155,38 @@ def _draw_rule(axes: Axes, scan_size: xr.Dataset) -> None:
 def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
     """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits.
 
-    An open edge stands at its bound, with an arrow to where it lies: away from the middle of the
-    cutoffs. The grey line is the longest wave of a mirrored window. Surfaces stand beside each
-    other.
+    The grey line is the longest wave of a mirrored window. Surfaces stand beside each other.
     """
-    edges = _edges(scan_size).assign(period=scan_size["period"])
-    cutoffs = scan_size["cutoff_wavelength"]
-    shortest = cutoffs.min().item()
-    middle = np.sqrt(shortest * cutoffs.max().item())
-    edges = edges.assign(
-        low=edges["low"].fillna(shortest), high=edges["high"].fillna(edges["period"])
-    )
+    edges, period = _edges(scan_size), scan_size["period"]
+    shortest = scan_size["cutoff_wavelength"].min()
+    ends = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
+    in_micrometres = ends[["value", "low", "high"]] / 1e3
+    edges, sizes = edges.assign(in_micrometres), edges["edge_size"] / 1e3
     looks = style.looks(scan_size["surface"].values)
     beside = np.geomspace(0.88, 1 / 0.88, len(looks))
     for (surface, look), factor in zip(looks.items(), beside, strict=True):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
-            one = edges.sel(surface=surface, edge_size=edges["mirrored"] == mirrored)
-            sizes, values = factor * one["edge_size"] / 1e3, one["value"] / 1e3
+            of_kind = edges["mirrored"] == mirrored
+            one = edges.assign(place=factor * sizes).sel(surface=surface, edge_size=of_kind)
             axes.errorbar(
-                sizes, values, reach(one) / 1e3, ls="none", ms=3.5, elinewidth=0.7, mfc=fill, **look
-            )
-            left_open = one["status"] != "found"
-            for place, bound in zip(sizes[left_open].values, values[left_open].values, strict=True):
-                beyond = bound * (ARROW if bound > middle / 1e3 else 1 / ARROW)
-                axes.annotate(
-                    "", (place, beyond), (place, bound),
-                    arrowprops={"arrowstyle": "-|>", "color": look["color"], "shrinkA": 0},
-                )  # fmt: skip
-    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
-    axes.plot(windows["edge_size"] / 1e3, windows["period"] / 1e3, color="0.7", lw=0.8, zorder=0)
+                one["place"], one["value"], reach(one),
+                ls="none", ms=3.5, elinewidth=0.7, mfc=fill, **look,
+            )  # fmt: skip
+            _draw_open(axes, one.sel(edge_size=one["status"] != "found"), look["color"])
+    of_windows = {"edge_size": scan_size["mirrored"] == 1}
+    axes.plot(sizes.sel(of_windows), period.sel(of_windows) / 1e3, color="0.7", lw=0.8, zorder=0)
     axes.axvline(scan_size.attrs["scan_size"] / 1e3, **OF_SCAN)
     axes.set(xscale="log", yscale="log", xlabel="edge of the scan (µm)",
              ylabel="long edge of the band (µm)")  # fmt: skip
+
+
+def _draw_open(axes: Axes, edges: xr.Dataset, color: str) -> None:
+    """Draw arrows from the bounds of open edges to where the edges lie."""
+    lengths = np.where(edges["at_least"], ARROW, 1 / ARROW)
+    for place, bound, length in zip(
+        edges["place"].values, edges["value"].values, lengths, strict=True
+    ):
+        axes.annotate(
+            "", (place, bound * length), (place, bound),
+            arrowprops={"arrowstyle": "-|>", "color": color, "shrinkA": 0},
+        )  # fmt: skip

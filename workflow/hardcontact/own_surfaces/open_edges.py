@@ -23,6 +23,7 @@ __all__ = ["band_edges", "edges_of_curves"]
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     "edge": ((), {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"}),
     "edge_bound": ((), {"units": "nm", "long_name": "limit of an open edge"}),
+    "edge_at_least": ((), {"units": "1", "long_name": "1 where an open edge is above its limit"}),
     "edge_status": ((), {}),
     "edge_interval": (("bound",), {"units": "nm", "long_name": "interval of the edge"}),
     "interval_status": (("bound",), {}),

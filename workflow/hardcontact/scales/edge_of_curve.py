@@ -48,7 +48,7 @@ class Edge(NamedTuple):
     bound : float
         In nm, what is known of an open edge; NaN of one that is found.
     at_least : bool
-        Whether the bound is one from below.
+        Whether the edge is open and its bound one from below.
     """
 
     wavelength: float
@@ -74,7 +74,8 @@ def described_edge(curve: Curve) -> dict[str, Any]:
     -------
     dict
         ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
-        ``edge_status``, ``interval_status`` (2,) and ``edge_text``.
+        ``edge_at_least``, 1 where the edge is longer than its bound; ``edge_status``,
+        ``interval_status`` (2,) and ``edge_text``.
     """
     _, least, greatest = curve.values
     edge = _edge(curve)
@@ -91,6 +92,7 @@ def described_edge(curve: Curve) -> dict[str, Any]:
     return {
         "edge": edge.wavelength,
         "edge_bound": edge.bound,
+        "edge_at_least": int(edge.at_least),
         "edge_status": status,
         "edge_interval": interval,
         "interval_status": np.where(np.isfinite(interval), "found", "open"),
@@ -121,7 +123,7 @@ def _edge(curve: Curve) -> Edge:
         return Edge(np.nan, float(curve.cutoffs[0]), not small)
     if first == len(curve.cutoffs):
         return Edge(np.nan, float(curve.cutoffs[-1]), small)
-    return Edge(critical_wavelength(curve.cutoffs, value, curve.limits), np.nan, small)
+    return Edge(critical_wavelength(curve.cutoffs, value, curve.limits), np.nan, False)
 
 
 def _status(edge: Edge, cell: float) -> tuple[str, str]:
