@@ -10,7 +10,9 @@ from refusals import assert_says, refusal
 from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.study import new
 from hardcontact.study.own_spectrum import own_spectrum
-from hardcontact.study.predict import TRIED, predict, predict_arguments
+from hardcontact.study.predict import RADIUS, RANGES, TRIED, predict, predict_arguments
+from hardcontact.study.request import read_yaml
+from hardcontact.study.units import magnitude
 from hardcontact.surfaces.profile_conversion import isotropic_from_profile
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
@@ -96,11 +98,11 @@ def test_faults_of_options_and_table_are_told_together(tmp_path):
 def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
     spectrum = rough(17, 1000, 0.8, 20)
     path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(spectrum))
-    line = ["hardcontact", "predict", path, "--radius", "100 um", "--range", "8nm"]
+    line = ["hardcontact", "predict", path, "--radius", "250 um", "--range", "8nm"]
     monkeypatch.setattr(sys, "argv", [*line, "--work", "50 mJ/m2"])
     assert new.main() == 0
     told = capsys.readouterr().out
-    expected = closed_form(spectrum, Contact(100e3, 8.0, 0.05, 400.0))
+    expected = closed_form(spectrum, Contact(250e3, 8.0, 0.05, 400.0))
     assert_says(
         told, f"pull-off force: {1e6 * expected.force:.2g} µN", f"regime: {expected.regime}",
         "range: 8nm (range of adhesion: as given)", "the paper's; --preload", "short edge",
@@ -139,6 +141,7 @@ def test_waves_that_the_table_lacks_are_told(table):
     [
         (["--range", "0.3nm"], ["ranges of 0.5 nm to 20 nm, not at 0.3 nm"]),
         (["--radius", "5um", "--preload", "100nN"], ["a sphere of 250 µm, not of 5 µm"]),
+        (["--radius", "100um"], ["a sphere of 250 µm, not of 100 µm"]),
         (["--range", "0.5nm"], ["a freezing of 84 at most"]),
     ],
 )
@@ -149,11 +152,26 @@ def test_what_lies_outside_of_what_was_tried_is_told(table, options, parts):
     assert TRIED not in told
 
 
+def test_what_was_tried_is_what_the_default_study_computes(at_root):
+    """The error itself is in its closed_form.nc, which takes the whole study."""
+    paper = read_yaml("config/config.yaml")
+    lengths = [magnitude(text, "nm") for text in paper["insight"]["ranges"]]
+    assert RANGES == (min(lengths), max(lengths))
+    assert RADIUS == pytest.approx(magnitude(paper["sphere"]["radius"], "nm"))
+
+
+def test_faults_of_contact_and_table_are_told_together(tmp_path):
+    arguments = [str(tmp_path / "none.csv"), "--preload", "10mN", "--hardness", "100MPa"]
+    message = refusal(predict, predict_arguments(arguments))
+    assert_says(message, "--preload: expected less than", "none.csv", "found no file")
+    assert len(message.splitlines()) == 2
+
+
 def test_a_contact_that_is_wider_than_the_attraction_is_refused(table):
     path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 1000, 0.8, 20)))
     options = ["--preload", "10mN", "--hardness", "100MPa"]
     message = refusal(predict, predict_arguments([path, *options]))
-    assert_says(message, "--preload: expected less than 880 µN", "found 10 mN", "smooth sphere")
+    assert_says(message, "--preload: expected less than 880 µN", "found 10mN", "smooth sphere")
 
 
 @pytest.mark.parametrize("factor", [1e-36, 1e36])

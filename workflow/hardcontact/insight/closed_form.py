@@ -55,6 +55,7 @@ __all__ = [
     "Contact",
     "closed_form",
     "contact_area",
+    "contact_share",
     "edges",
     "filtered_spectrum",
     "gaussian_share",
@@ -130,6 +131,11 @@ def contact_area(load: Load) -> float:
     return load["preload"] / load["hardness"] * 1e18
 
 
+def contact_share(contact: Contact) -> float:
+    """Return A/(2 pi R rho), the force of the area in contact alone over 2 pi R W."""
+    return contact.area / (2 * np.pi * contact.radius * contact.rho)
+
+
 def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -> Floats:
     """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
 
@@ -180,8 +186,7 @@ def closed_form(
         (delta,) = clump_radius(waves, [heights.mean()])
         levels = Approaches(heights, np.full(heights.shape, 1 / heights.size), float(delta))
     first, touching = _terms(waves, levels, contact, GENERATIONS)
-    of_contact = contact.area / (2 * np.pi * contact.radius * contact.rho)
-    relative = first + touching + of_contact
+    relative = first + touching + contact_share(contact)
     m = sigma * levels.mean()
     freezing = sigma**2 / (contact.rho * m)
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
