@@ -34,7 +34,7 @@ from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
 
-SIDES = {
+TITLES = {
     "small": "roughness below the cutoff removed",
     "large": "roughness above the cutoff removed",
 }
@@ -71,7 +71,7 @@ def table(
     """
     rows = pd.concat(
         frame
-        for side in SIDES
+        for side in TITLES
         for frame in (
             *curve_rows(band.sel(side=side), sets.sel(side=side)),
             *realization_rows(scales.sel(side=side)),
@@ -119,7 +119,7 @@ def draw(
     """
     figure = style.create(6.4)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
-    for letter, side, column in zip("ab", SIDES, grid.T, strict=True):
+    for letter, side, column in zip("ab", TITLES, grid.T, strict=True):
         of_side, of_sets = band.sel(side=side), sets.sel(side=side)
         _draw_ratios(column[0], of_side, of_sets, scales.sel(side=side))
         _draw_closed_form(column[0], closed_form.sel(side=side))
@@ -129,13 +129,13 @@ def draw(
             axes.axvline(published_edge(published_constants, side), zorder=1, **PUBLISHED)
             axes.label_outer()
             style.shade_artificial(axes, [_artificial(scales.sel(side=side))])
-        style.label_panel(column[0], letter, SIDES[side])
+        style.label_panel(column[0], letter, TITLES[side])
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
         for axes in row:
             style.label_logarithmic(axes.yaxis, at=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
-    cutoffs = [published_edge(published_constants, side) for side in SIDES]
+    cutoffs = [published_edge(published_constants, side) for side in TITLES]
     style.legend_above(figure, _legend_handles(band, cutoffs))
     figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)

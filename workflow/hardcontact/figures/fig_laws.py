@@ -27,7 +27,7 @@ DASHES = ("-", "--", "-.", ":")
 MARKERS = ("o", "s", "^", "D")
 GAPS = np.geomspace(0.1, 300.0, 200)  # nm
 PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
-SIDES = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
+PANELS = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
 TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
 COLUMNS = [
@@ -63,7 +63,7 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
     drawn += [
         (panel, name, unit, bounded(laws, name).rename(group="surface").sel(side=[side]))
         for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
-        for side, (panel, _) in SIDES.items()
+        for side, (panel, _) in PANELS.items()
     ]
     rows = pd.concat(
         computed_rows(values, panel=panel, quantity=name, unit=unit)
@@ -93,7 +93,7 @@ def draw(laws: xr.Dataset) -> Figure:
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)
     _draw_ratios(ratios, laws)
-    for axes, (side, (panel, title)) in zip((small, large), SIDES.items(), strict=True):
+    for axes, (side, (panel, title)) in zip((small, large), PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
     style.mark_basis(figure, laws)

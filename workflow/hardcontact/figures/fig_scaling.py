@@ -20,13 +20,13 @@ from hardcontact.insight.edge_scaling import LENGTHS, PARTS
 
 __all__ = ["draw", "table"]
 
-SIDES = {"small": "short edge (nm)", "large": "long edge (nm)"}
+TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
 CONTACT = "$\\sqrt{F/H}$"
 #: Exponents that are drawn, from above: edge, length or part of the combinations, name.
 EXPONENTS = [
     *((side, length, name)
-      for side in SIDES
+      for side in TITLES
       for length, name in zip(LENGTHS, ("$\\sqrt{R}$", "$\\sqrt{\\rho}$", CONTACT), strict=True)),
     ("large", PARTS[1], f"{REACH}, below"),
     ("large", PARTS[2], f"{REACH}, above"),
@@ -65,8 +65,8 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
     def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
         return np.select([rows["side"] == "large", rows["area"] == area], ["b", "a"], "c")
 
-    of_paper = [published_edge(published_constants, side) for side in SIDES]
-    published = pd.DataFrame({"side": list(SIDES), "value": of_paper})
+    of_paper = [published_edge(published_constants, side) for side in TITLES]
+    published = pd.DataFrame({"side": list(TITLES), "value": of_paper})
     rows = pd.concat(
         [
             computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
@@ -147,7 +147,7 @@ def _draw_edges(
         last = lengths.sizes[dimensions[-1]]
         for line in zip(*(one.reshape(-1, last) for one in lines), strict=True):
             axes.plot(*line, color=look["color"], lw=0.5, alpha=0.6)
-    axes.set(xscale="log", yscale="log", ylabel=SIDES[side])
+    axes.set(xscale="log", yscale="log", ylabel=TITLES[side])
     for axis in (axes.xaxis, axes.yaxis):
         style.label_logarithmic(axis, at=(1, 3))
 
@@ -164,7 +164,7 @@ def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
 
 def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
     """Draw EXPONENTS of all surfaces with their intervals, each surface a little lower."""
-    exponents = _exponents(scaling)
+    exponents, drawn = _exponents(scaling), [-0.8, 1.8]
     looks = style.looks(scaling["surface"].values)
     places = -np.arange(len(EXPONENTS), dtype=float)
     beside = np.linspace(0.27, -0.27, len(looks))
@@ -174,12 +174,13 @@ def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
             one = exponents.sel(side=side, part=part, length=length, surface=surface)
             known = np.nan_to_num(reach(one))[:, None]
             axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
+            drawn.append(one["value"].item())
     for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
         axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
-    last = max(2.0, exponents["value"].max().item() + 0.2)
     for name, place in (("short edge", 0.5), ("long edge", -2.5)):
-        axes.text(last - 0.05, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic")
+        axes.text(0.98, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic",
+                  transform=axes.get_yaxis_transform())  # fmt: skip
         axes.axhline(place, color="0.7", lw=0.4)
     axes.set_yticks(places, [name for *_, name in EXPONENTS])
-    axes.set(xlabel="exponent", xlim=(min(-1.0, exponents["value"].min().item() - 0.2), last))
+    axes.set(xlabel="exponent", xlim=(np.nanmin(drawn) - 0.2, np.nanmax(drawn) + 0.2))
     style.label_panel(axes, "d", "edge in proportion: 1")
