@@ -1,5 +1,6 @@
 """The rerun matrix: what a dry run would make after each possible change, and nothing else."""
 
+import csv
 import multiprocessing
 import os
 import re
@@ -7,24 +8,27 @@ import shutil
 import subprocess
 import sys
 from multiprocessing.pool import ThreadPool
-from pathlib import Path
 
 import pytest
 import yaml
-from changes import (
-    ALL,
-    CHANGES,
-    COLUMNS,
-    FILES,
-    SCRIPTS,
-)
+from changes import ALL, CHANGES, COLUMNS, FILES, SCRIPTS, with_line
 from key_changes import KEYS, KEYS_OF_OWN_SURFACES, KEYS_OF_VARIANTS
 from repository import PAPER, PARTS, QUICK, ROOT, SCHEMAS, environment, leaves, run_snakemake
+from rule_graph import DRAWN, all_following
 from snakemake.cli import main as snakemake
 
-from hardcontact.figures.catalogue import FIGURES
-
 pytestmark = pytest.mark.study
+
+LIBRARY = ROOT / "workflow/hardcontact"
+#: Modules that are changed: the first of every folder, and all beside the folders. Of all others
+#: it is enough that a job has them as inputs.
+MODULES = sorted(
+    path.relative_to(ROOT).as_posix()
+    for path in [
+        *(sorted(room.glob("[a-z]*.py"))[0] for room in LIBRARY.glob("[a-z]*/")),
+        *LIBRARY.glob("[a-z]*.py"),
+    ]
+)
 
 #: Imports what a script imports; then, for they may come later, all imports inside of functions.
 LOAD = """
@@ -88,8 +92,11 @@ def dry_run(folder):
 @pytest.fixture(scope="module")
 def loads():
     """Rule -> modules that its script loads, those included that it draws by."""
-    programs = {Path(script).stem: (script,) for script in SCRIPTS} | {
-        f"draw_{name}": ("draw_figure.py", f"hardcontact.figures.{name}") for name in FIGURES
+    programs = {
+        rule: ("draw_figure.py", f"hardcontact.figures.{rule.removeprefix('draw_')}")
+        if rule in DRAWN
+        else (f"{rule}.py",)
+        for rule in sorted(ALL)
     }
     with ThreadPool(2) as pool:
         return dict(zip(programs, pool.starmap(loaded, programs.values()), strict=True))
@@ -98,13 +105,13 @@ def loads():
 @pytest.fixture(scope="module")
 def inputs(finished):
     """Rule -> the modules among the inputs of each of its jobs, as Snakemake sums them up."""
+    lines = run_snakemake(finished, "--detailed-summary").stdout.splitlines()
+    header = next(number for number, line in enumerate(lines) if line.startswith("output_file\t"))
     modules = {}
-    for line in run_snakemake(finished, "--detailed-summary").stdout.splitlines():
-        if line.count("\t") < 4:
-            continue
-        _, _, rule, _, paths, *_ = line.split("\t")
-        library = {path for path in paths.split(",") if path.startswith("workflow/hardcontact/")}
-        modules.setdefault(rule, []).append(library)
+    for row in csv.DictReader(lines[header:], delimiter="\t"):
+        paths = row["input-file(s)"].split(",")
+        library = {path for path in paths if path.startswith("workflow/hardcontact/")}
+        modules.setdefault(row["rule"], []).append(library)
     return modules
 
 
@@ -113,7 +120,8 @@ def reruns(finished, tmp_path_factory):
     """Name of a change -> the rules of a dry run after it."""
     top = tmp_path_factory.mktemp("reruns")
     requests = {}
-    for number, (name, (overlay, change, _)) in enumerate(CHANGES.items()):
+    changes = CHANGES | {path: ({}, with_line(path), None) for path in MODULES}
+    for number, (name, (overlay, change, _)) in enumerate(changes.items()):
         folder = top / str(number)
         folder.mkdir()
         for part in PARTS:
@@ -165,6 +173,11 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(loads, inputs, r
     assert rule in inputs
     for modules in inputs[rule]:
         assert modules == loads[rule]
+
+
+@pytest.mark.parametrize("path", MODULES)
+def test_a_module_reruns_the_rules_whose_scripts_load_it(reruns, loads, path):
+    assert reruns[path] == all_following({rule for rule in loads if path in loads[rule]})
 
 
 def test_no_script_reads_the_configuration():
