@@ -316,7 +316,7 @@ def datasets(count=1, **others):
 def setting(left_out=(), effort="full"):
     """Return the setting of a study."""
     contact = {
-        "radius of the sphere": "250 µm", "sphere": "smooth", "hardness": "25 GPa",
+        "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "25 GPa",
         "preload": "10 µN",
     }  # fmt: skip
-    return Setting("my-coating", effort, contact, list(left_out))
+    return Setting("my-coating", effort, contact, ["hardness"], list(left_out))

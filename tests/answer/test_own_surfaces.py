@@ -147,6 +147,12 @@ def test_artificial_edges_stand_on_the_first_screen():
     assert '<div class="notice">' not in answer(datasets(edges=data), setting()).page
 
 
+def test_what_is_the_papers_and_not_the_users_is_said():
+    text, numbers = shown("one").text, made("one").numbers
+    assert_says(text, "hardness: 25 GPa (the paper's); preload: 10 µN.")
+    assert numbers["of_paper"] == ["hardness"] and numbers["contact"]["hardness"] == "25 GPa"
+
+
 def test_what_was_left_out_is_listed_with_its_reason():
     rows = [[cell.strip() for cell in row] for row in shown("one, open, one force").rows]
     assert all(list(part) in rows for part in LEFT_OUT)

@@ -9,9 +9,9 @@ from refusals import assert_says, refusal
 
 from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.study import new
+from hardcontact.study.configuration import read_yaml
 from hardcontact.study.own_spectrum import own_spectrum
 from hardcontact.study.predict import RADIUS, RANGES, TRIED, predict, predict_arguments
-from hardcontact.study.request import read_yaml
 from hardcontact.study.units import magnitude
 from hardcontact.surfaces.profile_conversion import isotropic_from_profile
 

@@ -167,8 +167,9 @@ def test_a_colloidal_probe_has_its_own_force(probe):
     answer = numbers(probe)
     assert answer["contact"] == {
         "hardness": "5 GPa", "preload": "100 nN", "radius of the sphere": "5 µm",
-        "sphere": "smooth",
+        "range of adhesion": "2 nm", "sphere": "smooth", "work of adhesion": "30 mJ/m²",
     }  # fmt: skip
+    assert answer["of_paper"] == []
     assert answer["range_of_adhesion"]["value"] == 2.0
     assert answer["work_of_adhesion"]["value"] == pytest.approx(0.03)
     # Less than the smooth limit 2 pi R W, by the roughness.

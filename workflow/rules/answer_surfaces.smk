@@ -1,7 +1,8 @@
 # The page that answers for own surfaces.
 
+from hardcontact.study.configuration import read_yaml
+from hardcontact.study.contact_words import contact_words, of_paper
 from hardcontact.study.stages import NONE, left_out
-from hardcontact.study.units import printed
 
 
 rule answer_surfaces:
@@ -28,12 +29,8 @@ rule answer_surfaces:
             {
                 "study": STUDY["study"],
                 "effort": STUDY["effort"],
-                "contact": {
-                    "radius of the sphere": printed(config["sphere"]["radius"]),
-                    "sphere": STUDY["sphere"]["surface"],
-                    "hardness": printed(config["contact"]["hardness"]),
-                    "preload": printed(config["contact"]["preload"]),
-                },
+                "contact": contact_words(config),
+                "of_paper": of_paper(config, read_yaml("config/config.yaml")),
                 "left_out": list(left_out(STUDY).items()),
             }
         ),

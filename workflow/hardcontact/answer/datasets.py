@@ -52,6 +52,8 @@ class Setting(NamedTuple):
         full or quick.
     contact : mapping of str to str
         What contacts were computed for, as printed: for example "radius of the sphere": "250 µm".
+    of_paper : sequence of str
+        What of these is the paper's: of its sphere, not of the user's bodies.
     left_out : sequence of (str, str)
         Parts that these data do not allow, and why.
     """
@@ -59,4 +61,5 @@ class Setting(NamedTuple):
     study: str
     effort: str
     contact: Mapping[str, str]
+    of_paper: Sequence[str]
     left_out: Sequence[tuple[str, str]]

@@ -52,6 +52,7 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
         "study": setting.study,
         "effort": setting.effort,
         "contact": dict(setting.contact),
+        "of_paper": list(setting.of_paper),
         "range_of_adhesion": _number(force.attrs["range_of_adhesion"], "nm"),
         "work_of_adhesion": _number(force.attrs["work_of_adhesion"], "J m-2"),
         "tolerance": _number(given.edges.attrs["tolerance"], "1"),

@@ -218,7 +218,10 @@ def _force(given: Datasets, setting: Setting) -> str:
     """Return the forces in words and as a curve, and what they were computed for."""
     force = given.force.assign(label=("surface", list(given.labels().values())))
     model, work = model_of(force), print_quantity(force.attrs["work_of_adhesion"], "J m-2")
-    contact = "; ".join(f"{name}: {value}" for name, value in setting.contact.items())
+    contact = "; ".join(
+        f"{name}: {value}" + (" (the paper's)" if name in setting.of_paper else "")
+        for name, value in setting.contact.items()
+    )
     names = " and ".join(given.labels().values())
     figure = figure_html(
         png(force_curve.draw(force)),

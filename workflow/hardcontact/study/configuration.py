@@ -8,10 +8,16 @@ from typing import Any
 
 import yaml
 
+from hardcontact.records.code import LIBRARY
 from hardcontact.study.schema import Schema, plain, refuse, resolved
 from hardcontact.study.units import magnitude
 
-__all__ = ["computed_ranges", "configuration", "refuse_repeated_keys"]
+__all__ = ["computed_ranges", "configuration", "read_yaml", "refuse_repeated_keys"]
+
+
+def read_yaml(path: str) -> Any:
+    """Return a YAML file of the project, by its path from the top folder."""
+    return yaml.safe_load((LIBRARY.parents[1] / path).read_text("utf-8"))
 
 
 def refuse_repeated_keys(path: str | Path) -> None:

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from hardcontact.study.configuration import configuration
+from hardcontact.study.configuration import configuration, read_yaml
 from hardcontact.study.faults import refuse_all
 from hardcontact.study.grid_checks import check_grids
 from hardcontact.study.grids import Grid
@@ -36,7 +36,6 @@ from hardcontact.study.request import (
     options,
     parsed,
     path_from_root,
-    read_yaml,
     sources,
 )
 from hardcontact.study.schema import refuse

@@ -20,9 +20,10 @@ from hardcontact.insight.closed_form import (
     contact_share,
     edges,
 )
+from hardcontact.study.configuration import read_yaml
 from hardcontact.study.faults import refuse_all
 from hardcontact.study.own_spectrum import own_spectrum
-from hardcontact.study.request import QUANTITIES, Option, options, read_yaml
+from hardcontact.study.request import QUANTITIES, Option, options
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
 __all__ = ["predict", "predict_arguments"]

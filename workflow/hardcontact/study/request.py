@@ -7,9 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import yaml
-
 from hardcontact.records.code import LIBRARY
+from hardcontact.study.configuration import read_yaml
 from hardcontact.study.inventory import Source
 from hardcontact.study.schema import Schema, refuse, resolved
 from hardcontact.study.units import magnitude
@@ -24,7 +23,6 @@ __all__ = [
     "options",
     "parsed",
     "path_from_root",
-    "read_yaml",
     "sources",
     "surface_id",
 ]
@@ -76,11 +74,6 @@ class Option(NamedTuple):
     text: str
     number: float
     given: bool
-
-
-def read_yaml(path: str) -> Any:
-    """Return a YAML file of the project, by its path from the top folder."""
-    return yaml.safe_load((ROOT / path).read_text("utf-8"))
 
 
 def parsed(arguments: Sequence[str]) -> Namespace:
