@@ -148,7 +148,7 @@ def test_artificial_edges_stand_on_the_first_screen():
 
 
 def test_what_is_the_papers_and_not_the_users_is_said():
-    text, numbers = shown("one").text, made("one").numbers
+    text, numbers = text_of("one"), made("one").numbers
     assert_says(text, "hardness: 25 GPa (the paper's); preload: 10 µN.")
     assert numbers["of_paper"] == ["hardness"] and numbers["contact"]["hardness"] == "25 GPa"
 
