@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from answer_inputs import SURFACES, continued, edges, force, open_edges, without_interval
 from refusals import assert_says
 
@@ -87,6 +88,13 @@ def test_force_has_its_spread_and_where_its_interval_comes_from():
         "95 % interval of the mean, from 3 scans",
         "Of single contacts 90 % lie between 256 nN and 1.15 µN.",
     )  # fmt: skip
+
+
+def test_an_interval_of_the_mean_that_is_wider_than_the_spread_is_explained():
+    data = of_first(force())
+    assert "less than the interval" not in force_sentences("x", data)
+    data["force_interval"] = data["force"] * xr.DataArray([0.1, 10.0], dims="bound")
+    assert_says(force_sentences("x", data), "1.15 µN: less than the interval of the mean, as")
 
 
 def test_force_without_interval_says_why():

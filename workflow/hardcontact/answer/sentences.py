@@ -203,17 +203,24 @@ def force_sentences(label: str, force: xr.Dataset) -> str:
     """
     here = at_range(force)
     certainty = str(force["interval_note"].item())
-    if np.isfinite(here["force_interval"]).all():
+    low, high = here["force_interval"].values
+    if np.isfinite([low, high]).all():
         share = print_share(force.attrs["confidence"])
         certainty = f"brackets: {share} interval of the mean, {certainty}"
     least, most = here["force_quantile"].isel(quantile=[0, -1]).values
     share = print_share(float(np.ptp(here["quantile"].values)))
     model = str(here["contact_model"].item())
+    wider = (
+        ": less than the interval of the mean, as contacts on one scan share its summits, and "
+        "other places may have others"
+        if low < least and most < high
+        else ""
+    )
     return (
         f"The mean pull-off force of {label} is {printed_force(force)} {printed_pair(force)}, for "
         f"{model} contact ({certainty}). Of single contacts {share} lie between "
-        f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}. The force is proportional "
-        "to the work of adhesion."
+        f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}{wider}. The force is "
+        "proportional to the work of adhesion."
     )
 
 
