@@ -96,7 +96,7 @@ def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Fig
         style.label_logarithmic(axes.xaxis, at=(1,))
         style.label_panel(axes, panel, label)
     curves[0].axhline(1, color="0.7", lw=0.6, zorder=0)
-    curves[0].legend(handles=style.surface_handles(repeated_contact, ls="none"), loc="best")
+    curves[0].legend(handles=style.surface_handles(repeated_contact, ms=3), loc="best")
     image = _of_image(repeated_contact)
     _draw_map(view, image)
     colour = style.colours(repeated_contact["surface"].values)[str(image["surface"].values[0])]
@@ -122,11 +122,13 @@ def _draw_curves(axes: Axes, repeated: xr.Dataset, name: str) -> None:
     """Draw a quantity with its interval against contacts; dashed at the largest preload."""
     values = bounded(repeated, name)
     dashes = dict(zip(np.sort(repeated["preload"]), ("-", "--"), strict=False))
-    for surface, colour in style.colours(repeated["surface"].values).items():
+    for surface, look in style.looks(repeated["surface"].values).items():
         for preload, line in dashes.items():
             one = values.sel(surface=surface, preload=preload)
-            axes.fill_between(one["stage"], one["low"], one["high"], color=colour, alpha=0.15, lw=0)
-            axes.plot(one["stage"], one["value"], color=colour, ls=line)
+            axes.fill_between(
+                one["stage"], one["low"], one["high"], color=look["color"], alpha=0.15, lw=0
+            )
+            axes.plot(one["stage"], one["value"], ls=line, ms=3, **look)
 
 
 def _draw_map(axes: Axes, image: xr.Dataset) -> None:
