@@ -113,6 +113,14 @@ def test_several_surfaces_a_sphere_and_forces(folder, monkeypatch, capsys):
     assert config["adhesion"]["work"] == 0.05
 
 
+def test_a_name_that_is_no_name_is_told_once(folder, monkeypatch, capsys):
+    own_scan(folder / "good.nc")
+    done = run(monkeypatch, capsys, "my coat", "good.nc")
+    assert done.code == 1
+    (line,) = done.errors
+    assert_says(line, "NAME: expected a name", "'my coat'")
+
+
 def test_paths_are_those_from_the_top_folder(folder, monkeypatch, capsys, tmp_path_factory):
     (folder / "deep").mkdir()
     elsewhere = own_scan(tmp_path_factory.mktemp("elsewhere") / "there.nc")

@@ -203,7 +203,9 @@ def _check(contact: Sequence[Entry], choices: Sequence[Choice], quick: Sequence[
     schema = read_yaml("workflow/schemas/config.schema.yaml")
     base = read_yaml("config/config.yaml")
     for keys in (choices, [*choices, *quick]):
-        check_grids(configuration(nested(keys, base), schema), grids)
+        # What is wrong with keys that follow from the name is told of the name.
+        others = [choice for choice in keys if choice.key not in ("study", "store")]
+        check_grids(configuration(nested(others, base), schema), grids)
 
 
 def _run(overlay: str) -> str:
