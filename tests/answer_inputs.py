@@ -165,6 +165,7 @@ def edges(count=1):
         between_multiples("pooled_edge", "side", [45.0, 1500.0], (0.8, 1.25), CONFIDENCE)
     ).assign(
         pooled_edge_bound=("side", [np.nan] * 2),
+        pooled_edge_at_least=("side", [0] * 2),
         pooled_edge_text=("side", ["45 nm [36, 56.2]", "1.5 µm [1.2, 1.88]"]),
     )
 
@@ -215,7 +216,7 @@ def force(count=1):
     data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
     return data.assign_attrs(
         work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
-        contact_area=400.0,
+        contact_area=400.0, sphere_radius=250e3,
     )  # fmt: skip
 
 

@@ -115,18 +115,19 @@ def test_a_window_that_cuts_forces_off_is_named():
 
 def test_forces_that_continued_roughness_changes_are_named():
     text = said(of_force=continued(force(), small=0.45))
-    assert (
-        "The force of 640 nN is that of the scans as they are. With roughness below 20 nm" in text
-    )
-    assert "down to 5 nm, it is 288 nN [230, 360]." in text and "as they are" not in said()
+    assert "The force of 288 nN [230, 360] rests on roughness below 20 nm down to 5 nm, wh" in text
+    assert "rests on roughness" not in said()
     both = said(of_force=continued(force(), small=0.45, large=1.25))
-    assert "above 1 µm that follows the joined spectrum, up to 2.56 µm, it is 800 nN" in both
+    assert "and that of 800 nN [640, 1000] rests on roughness above 1 µm up to 2.56 µm, wh" in both
 
 
 def test_pixels_larger_than_the_contact_are_named():
     text = said(of_force=force().assign_attrs(contact_area=20.0))
     assert "The preload is carried by 20 nm², less than a pixel of the scans (100 nm²)" in text
     assert "one pixel" not in said()
+    few = said(of_force=force().assign_attrs(contact_area=250.0))
+    assert "250 nm², 2.5 pixels of the scans (100 nm²)" in few and "one pixel" not in few
+    assert "The preload is carried" not in said(of_force=force().assign_attrs(contact_area=1000.0))
 
 
 def test_edges_between_cutoffs_far_apart_are_named():
@@ -156,6 +157,19 @@ def test_what_changes_the_answer_stands_on_the_first_screen():
     assert grave_limits(*parts[:2], grave) == ["the scan is small."]
     (text,) = grave_limits(*parts[:2], mild.assign(window_share=("rho", [0.5] * 5)))
     assert text.startswith("Forces come out too low")
+    window, scan, both = grave_limits(*parts[:2], grave.assign(window_share=("rho", [0.5] * 5)))
+    assert window == text and scan == "the scan is small." and "a rough guess" in both
+    (pixel,) = grave_limits(*parts[:2], parts[2].assign_attrs(contact_area=20.0))
+    assert "one pixel touches" in pixel
+
+
+def test_contacts_on_scans_that_are_reliable_nowhere_are_named():
+    blind = of_first(spectra())
+    blind["reliable"].loc[{"measurement": 1}] = 0  # of the first, whose pixels contacts have
+    parts = [blind, of_first(with_edge(200.0, 180.0, 230.0)), of_first(force())]
+    (text,) = [one for one in grave_limits(*parts) if "reliable at no wavelength" in one]
+    assert text in limits("measured", *parts)
+    assert "that contacts are made on are reliable" not in said()
 
 
 def test_intervals_of_few_scans_are_conditional():

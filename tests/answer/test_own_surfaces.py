@@ -91,7 +91,7 @@ def test_sections_stand_in_the_order_of_the_questions(case):
         "The scans", "Roughness", "The spectrum, and where it is reliable",
         "The force without parts of the roughness", "The band", "The force",
         *(["Fit to your own forces (measured)"] if fitted else []),
-        "What limits this answer", "What was left out",
+        "What limits this answer", "What would narrow it", "What was left out",
     ]  # fmt: skip
     assert shown(case).texts["h2"] == expected
 
@@ -149,7 +149,7 @@ def test_artificial_edges_stand_on_the_first_screen():
 
 def test_what_is_the_papers_and_not_the_users_is_said():
     text, numbers = text_of("one"), made("one").numbers
-    assert_says(text, "hardness: 25 GPa (the paper's); preload: 10 µN.")
+    assert_says(text, "hardness: 25 GPa (as in the paper); preload: 10 µN.")
     assert numbers["of_paper"] == ["hardness"] and numbers["contact"]["hardness"] == "25 GPa"
 
 
@@ -219,6 +219,7 @@ def test_open_edges_are_no_numbers():
     assert edge["edge"]["value"] is None and edge["bound"]["value"] == 2560.0
     assert edge["edge"]["interval"] == [None, None] and edge["status"] == "beyond the cell"
     assert edge["conditional"] is True and edge["text"].startswith("at least")
+    assert edge["longer_than_bound"] is True
 
 
 def test_fits_and_pooled_bands_are_among_the_numbers():

@@ -60,6 +60,13 @@ def test_sentence_gives_the_median_its_quartiles_and_their_intervals():
     assert "; mean force " in sentence
 
 
+def test_forces_without_bounds_have_none():
+    given = described(["crn", "crn_lower", "crn_upper"])
+    ends = given.force["force_interval"] * 0 + xr.DataArray([0.0, np.inf], dims="bound")
+    (sentence,) = quartile_sentences(given._replace(force=given.force.assign(force_interval=ends)))
+    assert "; intervals not bounded)." in sentence and "inf" not in sentence
+
+
 def test_open_edges_are_bounds():
     unknown = [[np.nan] * 2] * 3
     bounds, texts = [np.nan, 8e3, 8e3], ["", "at least 8 µm", "at least 8 µm"]

@@ -39,14 +39,14 @@ def test_forces_with_continued_roughness_stand_beside_that_of_the_scans():
     sentence = one_sentence("x", of_first(edges()), changed)
     assert sentence.endswith(
         "its predicted pull-off force is 640 nN [512, 800] with the roughness that its scans show, "
-        "but 160 nN [128, 200] if it goes on below 20 nm as its spectrum does (the scans that "
-        "contacts are made on do not tell), at a range of adhesion of 5.6 nm and a work of "
-        "adhesion of 46.3 mJ/m²."
+        "but 160 nN [128, 200] if it goes on below 20 nm down to 5 nm as its spectrum does (the "
+        "scans that contacts are made on do not tell), at a range of adhesion of 5.6 nm and a work "
+        "of adhesion of 46.3 mJ/m²."
     )
     both = one_sentence("x", of_first(edges()), of_first(continued(force(), small=0.25, large=2)))
     assert_says(
         both, "but 160 nN [128, 200] if it goes on below 20 nm",
-        "and 1.28 µN [1.02, 1.6] if it goes on above 1 µm as its spectrum does (the",
+        "and 1.28 µN [1.02, 1.6] if it goes on above 1 µm up to 2.56 µm as its spectrum does (the",
     )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ import xarray as xr
 from hardcontact.contact.bearing_area import Load
 
 __all__ = [
+    "LARGE_ENOUGH",
     "FiniteScan",
     "finite_scan",
     "finite_scan_warning",
@@ -28,6 +29,9 @@ __all__ = [
 #: 250 µm, rho = 2 to 10 nm, windows of 1.25 to 5 µm, each ratio within 2 to 10 %; a second code
 #: found the same on four spectra, and up to 4 below 0.25.
 RATIOS = {0.125: (2.0, 6.4), 0.25: (2.0, 4.0), 0.5: (1.1, 2.3), 1.0: (1.0, 1.5), 2.0: (1.0, 1.2)}
+#: Size over the draw size from which a scan is large enough, and the smallest that was tried:
+#: 1.25 µm under the larger sphere, of the greatest rms height.
+LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.125
 
 
 class FiniteScan(NamedTuple):
@@ -83,10 +87,13 @@ def finite_scan_warning(size: float, rms_height: float, radius: float) -> str:
     if greatest == 1:
         return ""
     times = f"{least:g} to {greatest:g}" if least > 1 else f"up to {greatest:g}"
+    tried = "such scans"
+    if found.share < LEAST_TRIED / 2:
+        tried = f"scans of {LEAST_TRIED:g}, the smallest that were tried,"
     return (
         f"A contact finds its peaks within {found.draw_size / 1e3:.2g} µm, the scan is "
         f"{size / 1e3:.2g} µm, {found.share:.2g} of that: on synthetic surfaces the mean force on "
-        f"such scans was {times} times that on large ones."
+        f"{tried} was {times} times that on large ones."
     )
 
 

@@ -10,17 +10,24 @@ from hardcontact.answer.artificial import (
     share_inside,
 )
 from hardcontact.answer.force_curve import at_range
-from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.answer.quantities import print_length
 from hardcontact.answer.sentences import (
+    continued_words,
     differing_sides,
     edge_words,
     is_open,
     printed_continued_force,
-    transition_words,
 )
 from hardcontact.answer.sparse_cutoffs import EDGES, sparse_cutoffs
 
-__all__ = ["artificial_edges", "grave_limits", "limits", "measurement_name"]
+__all__ = [
+    "DESCRIPTION",
+    "FEW_PIXELS",
+    "artificial_edges",
+    "grave_limits",
+    "limits",
+    "measurement_name",
+]
 
 #: Measurements that a sentence names.
 NAMED = 4
@@ -28,10 +35,18 @@ NAMED = 4
 #: Share of the force on a smooth sphere that a window holds as good as whole.
 WHOLE = 0.99
 
+#: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
+FEW_PIXELS = 10
+
 #: Kind of what stands for the measurements of a substitute.
 DESCRIPTION = "description"
-#: How roughness that is continued at each side ends.
-END = {"small": "down to", "large": "up to"}
+
+
+#: What errors of both signs leave of a force.
+OPPOSITE = (
+    "The window makes the force too low, the small scan too high; neither error is known well "
+    "enough to correct it, so the force is a rough guess."
+)
 
 
 def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
@@ -53,6 +68,7 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *_of_basis(basis),
         *(text for side in EDGES for text in _of_edge(side, edges)),
         *artificial_edges(spectra, edges),
+        *_of_blind_scans(spectra, force),
         *_of_window(force),
         *_of_scan_size(force),
         *_of_continued_roughness(force),
@@ -74,16 +90,20 @@ def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> l
     Returns
     -------
     list of str
-        A sentence each: edges in artificial roughness, and what changes the force by more than
-        the tolerance of the band.
+        A sentence each: edges in artificial roughness, contacts on scans that are reliable
+        nowhere or on a single pixel, and what changes the force by more than the tolerance of the
+        band.
     """
     tolerance = edges.attrs["tolerance"]
     too_small = force["finite_scan_ratio"].values[0] > 1 + tolerance
     cut = at_range(force)["window_share"].item() < 1 - tolerance
     return [
         *artificial_edges(spectra, edges),
+        *_of_blind_scans(spectra, force),
         *(_of_window(force) if cut else []),
         *(_of_scan_size(force) if too_small else []),
+        *([OPPOSITE] if cut and too_small else []),
+        *(_of_pixels(force) if force.attrs["contact_area"] < force["pixel_area"] else []),
     ]
 
 
@@ -153,6 +173,21 @@ def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
     ]
 
 
+def _of_blind_scans(spectra: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
+    known = measurements(spectra)
+    of_contact = (known["kind"].values.astype(str) == "map") & np.isclose(
+        known["pixel_size"].values ** 2, force["pixel_area"].item()
+    )
+    reliable = (known["reliable"].values == 1).any(axis=1)
+    if reliable[of_contact].any() or not of_contact.any():
+        return []
+    return [
+        "The scans that contacts are made on are reliable at no wavelength: the force on them says "
+        "little of that on the surface."
+    ]
+
+
 def _of_window(force: xr.Dataset) -> list[str]:
     """Return that the window holds too little of the force, at the range asked for or others."""
     rho, share = force["rho"].values, force["window_share"].values
@@ -177,10 +212,15 @@ def _of_scan_size(force: xr.Dataset) -> list[str]:
 
 
 def _of_pixels(force: xr.Dataset) -> list[str]:
-    """Return that a pixel is larger than the area that carries the preload."""
+    """Return that few pixels carry the preload, or one that is larger than need be."""
     area, pixel = force.attrs["contact_area"], force["pixel_area"].item()
-    if area >= pixel:
+    if area >= FEW_PIXELS * pixel:
         return []
+    if area >= pixel:
+        return [
+            f"The preload is carried by {area:.3g} nm², {area / pixel:.2g} pixels of the scans "
+            f"({pixel:.3g} nm²): the area in contact is known to half a pixel at best."
+        ]
     return [
         f"The preload is carried by {area:.3g} nm², less than a pixel of the scans "
         f"({pixel:.3g} nm²): one pixel touches, hardness and preload do not matter, and the "
@@ -189,14 +229,16 @@ def _of_pixels(force: xr.Dataset) -> list[str]:
 
 
 def _of_continued_roughness(force: xr.Dataset) -> list[str]:
-    """Return how the force changes once the roughness goes on where the scans do not show it."""
-    return [
-        f"The force of {print_quantity(at_range(force)['force'].item(), 'N')} is that of the scans "
-        f"as they are. With roughness {transition_words(force, side)} that follows the joined "
-        f"spectrum, {END[side]} "
-        f"{print_length(force['continued_end'].sel(side=side).item())}, it is "
-        f"{printed_continued_force(force, side)}."
+    """Return where the force hangs on roughness that the scans do not show."""
+    resting = [
+        f"{printed_continued_force(force, side)} rests on roughness {continued_words(force, side)}"
         for side in differing_sides(force)
+    ]
+    if not resting:
+        return []
+    return [
+        f"The force of {' and that of '.join(resting)}, which the scans of contacts do not show. "
+        "No interval counts how uncertain the spectrum of this roughness is."
     ]
 
 

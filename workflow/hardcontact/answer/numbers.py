@@ -122,6 +122,7 @@ def _edge(of_side: xr.Dataset) -> dict[str, Any]:
         "status": str(of_side["edge_status"].item()),
         "edge": _of(of_side, "edge", "nm"),
         "bound": _of(of_side, "edge_bound", "nm"),
+        "longer_than_bound": bool(of_side["edge_at_least"].item()),
         "interval_status": [str(end) for end in ends],
         "interval_note": str(of_side["interval_note"].item()),
         "conditional": bool(of_side["conditional"].item()),
@@ -139,6 +140,7 @@ def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
         | {
             "text": str(of_side["pooled_edge_text"].item()),
             "bound": _of(of_side, "pooled_edge_bound", "nm"),
+            "longer_than_bound": bool(of_side["pooled_edge_at_least"].item()),
         }
         for side, of_side in ((side, edges.sel(side=side)) for side in SIDES)
     }

@@ -16,6 +16,7 @@ from hardcontact.answer.fit_sentences import fit_sentences
 from hardcontact.answer.force_curve import model_of
 from hardcontact.answer.html import figure_html, list_html, page, table_html, text_html
 from hardcontact.answer.limits import grave_limits, limits
+from hardcontact.answer.next_measurements import next_measurements
 from hardcontact.answer.numbers import answer_numbers
 from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.quartiles import quartile_sentences
@@ -77,7 +78,13 @@ def answer(given: Datasets, setting: Setting) -> Answer:
         "The band": _band(given),
         "The force": _force(given, setting),
         "Fit to your own forces (measured)": "" if given.fit is None else _fit(given.fit),
-        LIMITS: _limits(given),
+        LIMITS: _each_list(
+            given,
+            lambda of: limits(str(of.topography["basis"].item()), of.spectra, of.edges, of.force),
+        ),
+        "What would narrow it": _each_list(
+            given, lambda of: next_measurements(of._replace(fit=given.fit))
+        ),
         "What was left out": _left_out(setting),
     }
     body = _first_screen(given, setting.effort) + "".join(
@@ -119,20 +126,21 @@ def _first_screen(given: Datasets, effort: str) -> str:
     confidence = print_share(given.edges.attrs["confidence"])
     meaning = (
         "If all roughness of shorter wavelengths than these were removed, or all of longer ones, "
-        f"the force would change by less than {tolerance}. Brackets hold {confidence} intervals; a "
-        "number without brackets has none."
+        f"the force would change by less than {tolerance}."
     )
-    more = f'<a href="#{_anchor(LIMITS)}">{LIMITS}</a>.'
-    opened = ""
     if (given.edges["edge_status"] != "found").any():
-        opened = (
-            " “At least” and “at most” mean that this end was not found within what was computed."
+        meaning = (
+            "A wavelength ends the band where the force changes by "
+            f"{tolerance} if all roughness beyond it is removed. “At least” and “at most” mean "
+            "that this end was not found within what was computed."
         )
+    meaning += f" Brackets hold {confidence} intervals; a number without brackets has none."
+    more = f'<a href="#{_anchor(LIMITS)}">{LIMITS}</a>.'
     spans = "".join(f"<p>{text_html(text)}</p>\n" for text in quartile_sentences(given))
     first = f"<p>{FIRST_ANSWER}</p>\n" if effort == "quick" else ""
     sentences = spans + sentences + first
     return (
-        f'<div class="answer">{sentences}<p><small>{text_html(meaning + opened)} {more}</small></p>'
+        f'<div class="answer">{sentences}<p><small>{text_html(meaning)} {more}</small></p>'
         "</div>\n" + _notice(given)
     )
 
@@ -219,7 +227,7 @@ def _force(given: Datasets, setting: Setting) -> str:
     force = given.force.assign(label=("surface", list(given.labels().values())))
     model, work = model_of(force), print_quantity(force.attrs["work_of_adhesion"], "J m-2")
     contact = "; ".join(
-        f"{name}: {value}" + (" (the paper's)" if name in setting.of_paper else "")
+        f"{name}: {value}" + (" (as in the paper)" if name in setting.of_paper else "")
         for name, value in setting.contact.items()
     )
     names = " and ".join(given.labels().values())
@@ -228,7 +236,8 @@ def _force(given: Datasets, setting: Setting) -> str:
         f"Mean pull-off force of {names} against the range of adhesion, at a work of {work}.",
         f"Mean pull-off force against the range of adhesion, at a work of adhesion of {work}. "
         f"Bands: {print_share(force.attrs['confidence'])} intervals of the mean, {model} contact. "
-        "Bars: single contacts at the range asked for.",
+        "Bars: single contacts at the range asked for. Plastic: the softer body yields where the "
+        "bodies touch, until the area carries the preload; rigid: they touch at one point.",
     )
     return (
         _paragraphs(given, lambda label, of: force_sentences(label, of.force))
@@ -251,14 +260,12 @@ def _fit(fit: xr.Dataset) -> str:
     return f'<p>{text_html(text)}</p>\n<div class="figures">{figure}</div>'
 
 
-def _limits(given: Datasets) -> str:
-    """Return what limits the answer of each surface."""
-    texts = []
-    for surface, label in given.labels().items():
-        of = given.of_surface(surface)
-        found = limits(str(of.topography["basis"].item()), of.spectra, of.edges, of.force)
-        texts.append(f"<h3>{escape(label)}</h3>\n{list_html(found)}")
-    return "\n".join(texts)
+def _each_list(given: Datasets, write: Callable[[Datasets], list[str]]) -> str:
+    """Return a list for each surface that has one."""
+    lists = {label: write(given.of_surface(surface)) for surface, label in given.labels().items()}
+    return "\n".join(
+        f"<h3>{escape(label)}</h3>\n{list_html(items)}" for label, items in lists.items() if items
+    )
 
 
 def _left_out(setting: Setting) -> str:

@@ -84,10 +84,11 @@ def _force(force: xr.Dataset) -> str:
 def _with_spans(first: str, least: str, most: str, intervals: xr.DataArray, unit: str) -> str:
     """Return a value, the span of all, and that of their intervals (surface, bound).
 
-    An end of the latter is bounded if that of every interval is.
+    An end of the latter is bounded if that of every interval is: zero and infinity bound nothing.
     """
     span = f"{first} ({least} to {most}" if least != most else f"{first} (all three alike"
-    ends = intervals.transpose("surface", "bound").values
+    known = intervals.where((intervals > 0) & np.isfinite(intervals))
+    ends = known.transpose("surface", "bound").values
     low, high = ends[:, 0].min(), ends[:, 1].max()
     low_text, high_text = (print_quantity(float(end), unit) for end in (low, high))
     if np.isnan(low) and np.isnan(high):

@@ -87,6 +87,7 @@ def _draw_ratio(axes: Axes, of_side: xr.Dataset, tolerance: float) -> None:
         max(float(low.min()), float(value.min()) / FAR),
         min(float(high.max()), float(value.max()) * FAR),
     )
+    shown = min(shown[0], 1 - tolerance), max(shown[1], 1 + tolerance)
     axes.set(xscale="log", yscale="log", ylim=(shown[0] / EDGE_ROOM, shown[1] * EDGE_ROOM))
     canvas.label_numbers(axes.yaxis)
 
@@ -123,10 +124,12 @@ def _legend_handles(edges: xr.Dataset) -> list[Any]:
     confidence = style.print_share(edges.attrs["confidence"])
     open_edges = not np.isfinite(edges["edge"]).all()
     arrow = Line2D([], [], ls=":", marker=">", ms=5, label="open edge", **EDGE)
+    known = np.isfinite(edges["scale_ratio_interval"]).any()
     return [
-        Line2D([], [], label=f"mean and {confidence} interval", **CURVE),
+        Line2D([], [], label=f"mean and {confidence} interval" if known else "mean", **CURVE),
         Patch(label=f"±{style.print_share(edges.attrs['tolerance'])}", **TOLERANCE),
         Line2D([], [], label="edge of the band", **EDGE),
+        *([Patch(label="interval of the edge", **EDGE_INTERVAL)] if known else []),
         Patch(label="no reliable scan", **style.ARTIFICIAL),
         *([arrow] if open_edges else []),
     ]

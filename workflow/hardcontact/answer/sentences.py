@@ -13,6 +13,7 @@ from hardcontact.surfaces.masters import SIDES
 __all__ = [
     "band_sentences",
     "capital",
+    "continued_words",
     "differing_sides",
     "edge_words",
     "force_sentences",
@@ -30,8 +31,9 @@ OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
 #: What an edge without an interval ends with.
 NO_INTERVAL = ", no interval"
 
-#: Where the wavelengths lie that continue the roughness of the scans at each side.
+#: Where the wavelengths lie that continue the roughness of the scans at each side, and their end.
 BEYOND = {"small": "below", "large": "above"}
+LAST = {"small": "down to", "large": "up to"}
 
 #: The end of the band at each side.
 ENDS = {"small": "shortest", "large": "longest"}
@@ -50,7 +52,7 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     label : str
         Of the surface.
     edges : xarray.Dataset
-        Part of edges.nc of the surface: `edge_text` (side).
+        Part of edges.nc of the surface: `edge_text` and `edge_status` (side).
     force : xarray.Dataset
         Part of force.nc of the surface.
 
@@ -61,17 +63,21 @@ def one_sentence(label: str, edges: xr.Dataset, force: xr.Dataset) -> str:
     """
     return (
         f"How {label} sticks is decided by roughness with wavelengths {_from_to(edges)}; its "
-        f"predicted pull-off force is {_force_or_two(force)} {printed_pair(force)}."
+        f"predicted pull-off force is {_force_or_two(edges, force)} {printed_pair(force)}."
     )
 
 
-def _force_or_two(force: xr.Dataset) -> str:
-    """Return the force of a surface; with continued roughness too, where that differs."""
+def _force_or_two(edges: xr.Dataset, force: xr.Dataset) -> str:
+    """Return the force of a surface; with continued roughness too, where that differs.
+
+    Where the band is open at a side, the force with roughness continued there has not settled.
+    """
     sides = differing_sides(force)
     if not sides:
         return printed_force(force)
     continued = " and ".join(
-        f"{printed_continued_force(force, side)} if it goes on {transition_words(force, side)}"
+        f"{printed_continued_force(force, side)} if it goes on {continued_words(force, side)}"
+        + (", where it still changes," if is_open(edges, side) else "")
         for side in sides
     )
     return (
@@ -99,6 +105,12 @@ def differing_sides(data: xr.Dataset) -> list[str]:
 def transition_words(data: xr.Dataset, side: str) -> str:
     """Return from where on roughness follows the spectrum: "below 200 nm"."""
     return f"{BEYOND[side]} {print_length(data['transition'].sel(side=side).item())}"
+
+
+def continued_words(force: xr.Dataset, side: str) -> str:
+    """Return where roughness follows the spectrum: "below 200 nm down to 9.8 nm"."""
+    end = print_length(force["continued_end"].sel(side=side).item())
+    return f"{transition_words(force, side)} {LAST[side]} {end}"
 
 
 def printed_continued_force(force: xr.Dataset, side: str) -> str:
@@ -204,23 +216,39 @@ def force_sentences(label: str, force: xr.Dataset) -> str:
     here = at_range(force)
     certainty = str(force["interval_note"].item())
     low, high = here["force_interval"].values
-    if np.isfinite([low, high]).all():
+    bounded = np.isfinite([low, high]).all()
+    if bounded:
         share = print_share(force.attrs["confidence"])
         certainty = f"brackets: {share} interval of the mean, {certainty}"
     least, most = here["force_quantile"].isel(quantile=[0, -1]).values
     share = print_share(float(np.ptp(here["quantile"].values)))
     model = str(here["contact_model"].item())
     wider = (
-        ": less than the interval of the mean, as contacts on one scan share its summits, and "
-        "other places may have others"
-        if low < least and most < high
+        ": less than the interval of the mean, as contacts on the same scan share its summits, and "
+        "scans are few"
+        if bounded and low < least and most < high
         else ""
     )
     return (
         f"The mean pull-off force of {label} is {printed_force(force)} {printed_pair(force)}, for "
         f"{model} contact ({certainty}). Of single contacts {share} lie between "
-        f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}{wider}. The force is "
-        "proportional to the work of adhesion."
+        f"{print_quantity(least, 'N')} and {print_quantity(most, 'N')}{wider}."
+        f"{_continued_sentences(force)} The force is proportional to the work of adhesion."
+    )
+
+
+def _continued_sentences(force: xr.Dataset) -> str:
+    """Return what the force is once roughness goes on where the scans do not show it."""
+    continued = [
+        f"with roughness {continued_words(force, side)}, it is "
+        f"{printed_continued_force(force, side)}"
+        for side in differing_sides(force)
+    ]
+    if not continued:
+        return ""
+    return (
+        f" This is the force of the scans as they are; {', and '.join(continued)}, if that follows "
+        "the joined spectrum."
     )
 
 
