@@ -51,11 +51,21 @@ def test_the_first_term_freezes():
 def test_without_roughness_the_force_is_that_of_a_smooth_sphere():
     flat = Spectrum(rough().wavevector, 0 * rough().density)
     found = closed_form(flat, contact())
-    assert found.force == pytest.approx(2 * np.pi * RADIUS * 1e-9)
-    assert (found.regime, found.relative, found.freezing) == (SMOOTH, 1.0, 0.0)
+    # Beside it the area in contact alone attracts, by A/(2 pi R rho) of that.
+    relative = 1 + contact().area / (2 * np.pi * RADIUS * contact().rho)
+    assert found.force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * relative)
+    assert found.relative == pytest.approx(relative, rel=1e-12)
+    assert (found.regime, found.freezing) == (SMOOTH, 0.0)
     little = closed_form(rough(0.02), contact())
     assert little.regime == SMOOTH and little.relative == pytest.approx(1, abs=0.03)
     assert np.isnan(edges(flat, contact(), 0.1)).all()
+
+
+def test_the_force_of_a_wide_contact_goes_to_its_limit_as_roughness_vanishes():
+    wide = contact(area=0.57 * 2 * np.pi * RADIUS * contact().rho)
+    little, none = (closed_form(rough(height), wide) for height in (0.02, 0.0))
+    assert none.relative == pytest.approx(1.57) == pytest.approx(little.relative, abs=0.03)
+    assert np.isnan(edges(rough(0.02), wide, 0.1)).all()
 
 
 def test_a_single_smooth_summit_is_a_sphere_of_its_radius():

@@ -7,11 +7,11 @@ import pytest
 from known_spectra import rough
 from refusals import assert_says, refusal
 
-from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.insight.closed_form import Contact, closed_form, contact_area
 from hardcontact.study import new
 from hardcontact.study.configuration import read_yaml
 from hardcontact.study.own_spectrum import own_spectrum
-from hardcontact.study.predict import RADIUS, RANGES, TRIED, predict, predict_arguments
+from hardcontact.study.predict import AREA, RADIUS, RANGES, TRIED, predict, predict_arguments
 from hardcontact.study.units import magnitude
 from hardcontact.surfaces.profile_conversion import isotropic_from_profile
 
@@ -104,7 +104,8 @@ def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
     told = capsys.readouterr().out
     expected = closed_form(spectrum, Contact(250e3, 8.0, 0.05, 400.0))
     assert_says(
-        told, f"pull-off force: {1e6 * expected.force:.2g} µN", f"regime: {expected.regime}",
+        told, f"pull-off force: {round(1e9 * expected.force, -1):g} nN,",
+        f"regime: {expected.regime}",
         "range: 8nm (range of adhesion: as given)", "the paper's; --preload", "short edge",
         "long edge", f"({TRIED})",
     )  # fmt: skip
@@ -143,6 +144,7 @@ def test_waves_that_the_table_lacks_are_told(table):
         (["--radius", "5um", "--preload", "100nN"], ["a sphere of 250 µm, not of 5 µm"]),
         (["--radius", "100um"], ["a sphere of 250 µm, not of 100 µm"]),
         (["--range", "0.5nm"], ["a freezing of 84 at most"]),
+        (["--preload", "20uN"], ["with 400 nm² in contact, not 800 nm²"]),
     ],
 )
 def test_what_lies_outside_of_what_was_tried_is_told(table, options, parts):
@@ -158,6 +160,11 @@ def test_what_was_tried_is_what_the_default_study_computes(at_root):
     lengths = [magnitude(text, "nm") for text in paper["insight"]["ranges"]]
     assert RANGES == (min(lengths), max(lengths))
     assert RADIUS == pytest.approx(magnitude(paper["sphere"]["radius"], "nm"))
+    preload, hardness = (
+        magnitude(paper["contact"][name], unit)
+        for name, unit in (("preload", "N"), ("hardness", "Pa"))
+    )
+    assert AREA == pytest.approx(contact_area({"preload": preload, "hardness": hardness}))
 
 
 def test_faults_of_contact_and_table_are_told_together(tmp_path):

@@ -112,7 +112,7 @@ class ClosedForm:
     rms_height, closest_approach : float
         sigma and the mean of m, in nm.
     freezing : float
-        (sigma/rho)/(m/sigma): beyond one single peaks decide.
+        (sigma/rho)/(m/sigma): beyond one single peaks decide; infinite where m is not above zero.
     regime : str
         SMOOTH, MANY_POINTS or SINGLE_PEAKS.
     """
@@ -176,8 +176,9 @@ def closed_form(
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
-    if waves is None:
-        return ClosedForm(smooth, 1.0, 1.0, 0.0, 0.0, 0.0, SMOOTH)
+    if waves is None:  # The limit of a rms height of zero.
+        relative = 1 + contact_share(contact)
+        return ClosedForm(smooth * relative, relative, 1.0, 0.0, 0.0, 0.0, SMOOTH)
     sigma = np.sqrt(moment(waves, 0))
     if approaches is None:
         levels = closest_approaches(waves, contact.radius, contact.area)
@@ -188,7 +189,7 @@ def closed_form(
     first, touching = _terms(waves, levels, contact, GENERATIONS)
     relative = first + touching + contact_share(contact)
     m = sigma * levels.mean()
-    freezing = sigma**2 / (contact.rho * m)
+    freezing = sigma**2 / (contact.rho * m) if m > 0 else np.inf
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
     return ClosedForm(
         smooth * relative,

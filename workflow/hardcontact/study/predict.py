@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from hardcontact.answer.quantities import print_quantity
+from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.contact.bearing_area import Load
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -34,9 +34,9 @@ __all__ = ["predict", "predict_arguments"]
 ERROR = 1.8
 #: What it was measured on, in the words of the help and of a prediction.
 TRIED = f"within a factor of {ERROR:g} on random surfaces of 20 µm of four diamond coatings"
-#: Ranges of adhesion and radius, in nm, that it was measured at, and the greatest freezing there:
-#: 83.5, rounded up.
-RANGES, RADIUS, FREEZING = (0.5, 20.0), 250e3, 84.0
+#: Ranges of adhesion and radius in nm and area in contact in nm² that it was measured at, and the
+#: greatest freezing there: 83.5, rounded up.
+RANGES, RADIUS, AREA, FREEZING = (0.5, 20.0), 250e3, 400.0, 84.0
 DESCRIPTION = f"""\
 Predict the pull-off force of a smooth sphere from the power spectral density of a
 surface, in closed form, within seconds:
@@ -151,8 +151,9 @@ def _refuse_unreal_height(path: str, spectrum: Spectrum) -> None:
     height, longest = all_scales_moments(spectrum)[0], 2 * np.pi / spectrum.wavevector[0]
     if not LEAST_HEIGHT <= height <= longest:
         raise ValueError(
-            f"{path}: c_iso: expected an rms height of {_length(LEAST_HEIGHT)} to "
-            f"{_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit right?"
+            f"{path}: expected densities of an rms height of {print_length(LEAST_HEIGHT)} to "
+            f"{print_length(longest)}, its longest wavelength, found {height:.3g} nm: is the unit "
+            "right?"
         )
 
 
@@ -166,26 +167,27 @@ def _told(
     smooth = found.force / found.relative
     cautions = [*_cautions(spectrum, contact, found), *_untried(contact, found)]
     yield (
-        f"spectrum: {_length(shortest)} to {_length(longest)}, rms height {_length(height)}, "
-        f"rms gradient {gradient:.2g}"
+        f"spectrum: {print_length(shortest)} to {print_length(longest)}, "
+        f"rms height {print_length(height)}, rms gradient {gradient:.2g}"
     )
     for name, (_, meaning) in QUANTITIES.items():
         meaning = re.sub(" of the predicted force", "", meaning)
         source = "as given" if given[name].given else f"the paper's; --{name} changes it"
         yield f"{name}: {given[name].text} ({meaning}: {source})"
     yield (
-        f"pull-off force: {1e6 * found.force:.2g} µN, {found.relative:.2g} of the "
-        f"{1e6 * smooth:.3g} µN of a smooth surface "
+        f"pull-off force: {print_quantity(float(f'{found.force:.2g}'), 'N')}, "
+        f"{found.relative:.2g} of the {print_quantity(smooth, 'N')} of a smooth surface "
         f"({'less sure than a factor of two: see below' if cautions else TRIED})"
     )
-    yield f"closest approach: {_length(found.closest_approach)} above the mean plane"
+    yield f"closest approach: {print_length(found.closest_approach)} above the mean plane"
+    freezing = f" (freezing {found.freezing:.3g}: beyond 1 single peaks decide)"
     yield (
-        f"regime: {found.regime}: {MEANING[found.regime]} (freezing {found.freezing:.2g}: beyond 1 "
-        "single peaks decide)"
+        f"regime: {found.regime}: {MEANING[found.regime]}"
+        f"{freezing if found.regime != SMOOTH else ''}"
     )
     sides = {"short": "below", "long": "above"}
     for edge, (name, side) in zip(edges(spectrum, contact, tolerance), sides.items(), strict=True):
-        shown = _length(edge) if np.isfinite(edge) else "no wavelength"
+        shown = print_length(edge) if np.isfinite(edge) else "no wavelength"
         yield (
             f"{name} edge: {shown} (without all roughness {side} it the force changes by "
             f"{100 * tolerance:g} %)"
@@ -197,8 +199,9 @@ def _cautions(spectrum: Spectrum, contact: Contact, found: ClosedForm) -> Iterat
     """Yield what makes the prediction less sure: waves at the ends of the table that matter."""
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     ends = {
-        f"longer than {_length(longest)}": spectrum.wavevector >= 2 * spectrum.wavevector[0],
-        f"shorter than {_length(shortest)}": spectrum.wavevector <= spectrum.wavevector[-1] / 2,
+        f"longer than {print_length(longest)}": spectrum.wavevector >= 2 * spectrum.wavevector[0],
+        f"shorter than {print_length(shortest)}": spectrum.wavevector
+        <= spectrum.wavevector[-1] / 2,
     }
     for beyond, kept in ends.items():
         if kept.sum() < 2:
@@ -214,23 +217,16 @@ def _cautions(spectrum: Spectrum, contact: Contact, found: ClosedForm) -> Iterat
 
 def _untried(contact: Contact, found: ClosedForm) -> Iterator[str]:
     """Yield what lies outside of what the error was measured on."""
-    least, most = RANGES
+    least, most, radius = map(print_length, (*RANGES, RADIUS))
+    rho, own_radius = print_length(contact.rho), print_length(contact.radius)
     tried = {
-        f"at ranges of {_length(least)} to {_length(most)}, not at {_length(contact.rho)}": (
-            least <= contact.rho <= most
-        ),
-        f"under a sphere of {_length(RADIUS)}, not of {_length(contact.radius)}": np.isclose(
-            contact.radius, RADIUS
-        ),
-        f"at a freezing of {FREEZING:g} at most, not at {found.freezing:.2g}": (
-            found.freezing <= FREEZING
+        f"at ranges of {least} to {most}, not at {rho}": RANGES[0] <= contact.rho <= RANGES[1],
+        f"under a sphere of {radius}, not of {own_radius}": np.isclose(contact.radius, RADIUS),
+        f"with {AREA:g} nm² in contact, not {contact.area:.3g} nm²": np.isclose(contact.area, AREA),
+        f"at a freezing of {FREEZING:g} at most, not at {found.freezing:.3g}": (
+            found.freezing <= FREEZING or found.regime == SMOOTH
         ),
     }
     for where, holds in tried.items():
         if not holds:
             yield f"take care: the error was measured {where}"
-
-
-def _length(number: float) -> str:
-    """Return a length in nm as it is printed."""
-    return f"{number / 1000:.3g} µm" if number >= 1000 else f"{number:.3g} nm"
