@@ -86,6 +86,23 @@ def test_the_answer_prints_the_number_of_the_paper(name):
     assert print_as_paper(0.0721, unit) in said(answer(rows))
 
 
+def test_the_change_outside_the_band_is_that_of_the_mean_of_all_coatings():
+    assert_says(
+        answer_sentences(answer())[1], "averaged over all coatings, stays below 10 %", "of 5.6 nm"
+    )
+
+
+def test_edges_of_single_coatings_span_what_the_band_has():
+    """The long edge of polished UNCD is open: it counts as the last cutoff, by its bound."""
+    assert answer_sentences(answer())[1].endswith(
+        "edges of single coatings run from 32 nm (UNCD) to 160 nm (polished UNCD) and from "
+        "at most 500 nm (polished UNCD) to 2.4 µm (NCD)."
+    )
+    other = band()
+    other["critical_wavelength"].loc[{"side": "small", "group": "mcd"}] = np.nan
+    assert "to at least 250 nm (MCD) and" in answer_sentences(answer(band=other))[1]
+
+
 def test_the_answer_says_in_how_many_sets_the_range_is_large():
     assert "37 % of 100 equally good sets" in said(answer(changed("range_exceeds", frequency=0.37)))
     assert "sets" not in said(answer(changed("range_exceeds", frequency=np.nan)))
@@ -111,7 +128,10 @@ def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
     beyond = answer(rows, band=with_critical(side, np.nan))
     assert f"{bound} 430 nm" in said(beyond) and "[320" not in said(beyond)
     assert as_plain(beyond)["answer"][name]["bound"] == bound
-    assert "at least" not in said(answer(rows)) and "at most" not in said(answer(rows))
+    found = band()
+    found["critical_wavelength"] = found["critical_wavelength"].fillna(400.0)  # of one coating
+    known = said(answer(rows, band=found))
+    assert "at least" not in known and "at most" not in known
 
 
 @pytest.mark.parametrize(

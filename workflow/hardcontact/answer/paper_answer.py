@@ -11,7 +11,7 @@ import xarray as xr
 from hardcontact.claims.verdicts import summary
 from hardcontact.scales.critical_band import POOLED
 
-__all__ = ["ANSWERS", "PaperAnswer", "as_plain", "paper_answer"]
+__all__ = ["ANSWERS", "EDGES", "PaperAnswer", "as_plain", "paper_answer"]
 
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
@@ -46,6 +46,11 @@ class PaperAnswer(NamedTuple):
     open_ends : dict of str to str
         Which end of the interval of an edge is the last cutoff, "high" or "low", and therefore
         open; by the same names.
+    edges : pandas.DataFrame
+        Edges of the band of each substrate by itself (nm), NaN where they lie beyond the cutoffs;
+        columns are the names of edges, the index is the label.
+    last_cutoffs : dict of str to float
+        The cutoff of each side that removes most (nm), by the same names.
     surfaces : pandas.DataFrame
         Columns label and basis, indexed by name: the substrates, then the sphere.
     settings : dict of str to float
@@ -59,6 +64,8 @@ class PaperAnswer(NamedTuple):
     claims: pd.DataFrame
     open_edges: dict[str, str]
     open_ends: dict[str, str]
+    edges: pd.DataFrame
+    last_cutoffs: dict[str, float]
     surfaces: pd.DataFrame
     settings: dict[str, float]
     printed: dict[str, float]
@@ -91,7 +98,8 @@ def paper_answer(
         Numbers in the units of the claims.
     """
     topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
-    critical = band["critical_wavelength"].sel(group=POOLED)
+    critical, changes = band["critical_wavelength"], band["scale_change"]
+    single = critical.sel(group=band["surface"].values)
     sphere = topography.attrs["sphere_surface"]
     surfaces = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return PaperAnswer(
@@ -99,9 +107,14 @@ def paper_answer(
         {
             name: bound
             for name, (side, bound, _) in EDGES.items()
-            if np.isnan(critical.sel(side=side).item())
+            if np.isnan(critical.sel(side=side, group=POOLED).item())
         },
         _open_ends(claims, [band, datasets["sets"]]),
+        pd.DataFrame(
+            {name: single.sel(side=side).values for name, (side, _, _) in EDGES.items()},
+            index=band["label"].values,
+        ),
+        {name: _last_cutoff(changes.sel(side=side), end) for name, (side, _, end) in EDGES.items()},
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
         {
             "rho": float(scales.attrs["rho"]),

@@ -3,7 +3,9 @@
 import math
 from typing import Any
 
-from hardcontact.answer.paper_answer import PaperAnswer
+import numpy as np
+
+from hardcontact.answer.paper_answer import EDGES, PaperAnswer
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
 
@@ -62,10 +64,24 @@ def _meaning(answer: PaperAnswer) -> str:
     if not _band(answer):
         return ""
     return (
-        "With all roughness below this band removed, or all above it, the mean pull-off force "
-        f"changes by less than {100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
-        f"{print_as_paper(answer.settings['rho'], 'nm')}."
+        "With all roughness below this band removed, or all above it, the change of the mean "
+        "pull-off force, averaged over all coatings, stays below "
+        f"{100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
+        f"{print_as_paper(answer.settings['rho'], 'nm')}; edges of single coatings run "
+        f"{' and '.join(_span(answer, name) for name in EDGES)}."
     )
+
+
+def _span(answer: PaperAnswer, name: str) -> str:
+    """Return from where to where an edge runs over coatings; an open one stands by its bound."""
+    known, bound = answer.edges[name], EDGES[name][1]
+    sizes = known.fillna(answer.last_cutoffs[name]).sort_values()
+    shortest, longest = (
+        f"{'' if np.isfinite(known[label]) else f'{bound} '}"
+        f"{print_as_paper(sizes[label], 'nm', digits=DIGITS)} ({label})"
+        for label in (sizes.index[0], sizes.index[-1])
+    )
+    return f"from {shortest} to {longest}"
 
 
 def _fit(answer: PaperAnswer) -> str:
