@@ -43,6 +43,14 @@ def with_critical(side, wavelength):
     return of_all
 
 
+def with_fits(ranges, works):
+    """Sets whose best ranges (nm) and works (J/m2) with plastic contact are these."""
+    sets = datasets()["sets"].isel(set=slice(len(ranges))).copy(deep=True)
+    for name, fitted in (("range_of_adhesion", ranges), ("work_of_adhesion", works)):
+        sets[name].loc[{"contact_model": "plastic"}] = fitted
+    return sets
+
+
 def test_numbers_for_machines_are_those_of_the_claims():
     plain = json.loads(json.dumps(as_plain(answer()), allow_nan=False))
     table = claims()
@@ -76,7 +84,8 @@ def test_the_answer_prints_the_number_computed(name):
     rows = changed(name, computed=0.0377, low=0.0311, high=0.0433)
     unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
     printed = print_as_paper(0.0377, unit, (0.0311, 0.0433), 2)
-    assert printed in said(answer(rows)) and printed not in said(answer())
+    alike = with_fits([8.0, 9.0], [0.013, 0.012])
+    assert printed in said(answer(rows, sets=alike)) and printed not in said(answer(sets=alike))
 
 
 @pytest.mark.parametrize("name", sorted(ANSWERS.keys() - {"rigid_over_plastic_error"}))
@@ -106,6 +115,34 @@ def test_edges_of_single_coatings_span_what_the_band_has():
 def test_the_answer_says_in_how_many_sets_the_range_is_large():
     assert "37 % of 100 equally good sets" in said(answer(changed("range_exceeds", frequency=0.37)))
     assert "sets" not in said(answer(changed("range_exceeds", frequency=np.nan)))
+
+
+def test_fits_that_differ_in_kind_are_not_printed_as_one_interval():
+    """The paper's statement is that the range exceeds 5 nm."""
+    rows = changed("range_of_adhesion", computed=8.9, low=0.7, high=10.6)
+    both = with_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
+    split = answer(rows, sets=both)
+    assert_says(
+        answer_sentences(split)[2],
+        "a range of adhesion of 8.9 nm and",
+        "58 % of 5 equally good sets of scans. In these it is 9 [8, 10] nm with 12 [11, 14] mJ/m², "
+        "in the others 1 [0.8, 1.2] nm with 120 [90, 140] mJ/m² (medians, and in brackets all sets "
+        "of a group); no set has a range between 1.2 nm and 8 nm.",
+    )
+    assert "[0.7" not in said(split)
+    short, long = as_plain(split)["fit_groups"]
+    assert long["exceeds"] is True and short["exceeds"] is False
+    assert long["range_of_adhesion"] == {"count": 3, "median": 9, "min": 8, "max": 10}
+    assert short["work_of_adhesion"] == pytest.approx(
+        {"count": 2, "median": 0.115, "min": 0.09, "max": 0.14}
+    )
+
+
+@pytest.mark.parametrize("ranges", [[9.0, 8.0], [1.2, 0.8]])
+def test_fits_of_one_kind_have_their_interval(ranges):
+    rows = changed("range_of_adhesion", computed=8.9, low=0.7, high=10.6)
+    alike = said(answer(rows, sets=with_fits(ranges, [0.01, 0.02])))
+    assert "8.9 [0.7, 11] nm" in alike and "in the others" not in alike
 
 
 def test_the_answer_counts_independent_findings():

@@ -29,6 +29,10 @@ EDGES = {
     "shortest_wavelength": ("small", "at least", "high"),
     "longest_wavelength": ("large", "at most", "low"),
 }
+#: What is fitted to the forces of each set of scans.
+FITTED = ("range_of_adhesion", "work_of_adhesion")
+#: What is said of a group of fits.
+SUMMARY = ("count", "median", "min", "max")
 #: Sizes of the study that the paper prints too.
 GRIDS = ("scan_pixels", "scan_size", "contacts_per_side")
 
@@ -51,6 +55,9 @@ class PaperAnswer(NamedTuple):
         columns are the names of edges, the index is the label.
     last_cutoffs : dict of str to float
         The cutoff of each side that removes most (nm), by the same names.
+    fits : pandas.DataFrame
+        Best `range_of_adhesion` (nm) and `work_of_adhesion` (J/m2) of each set of scans, with
+        plastic contact.
     surfaces : pandas.DataFrame
         Columns label and basis, indexed by name: the substrates, then the sphere.
     settings : dict of str to float
@@ -66,6 +73,7 @@ class PaperAnswer(NamedTuple):
     open_ends: dict[str, str]
     edges: pd.DataFrame
     last_cutoffs: dict[str, float]
+    fits: pd.DataFrame
     surfaces: pd.DataFrame
     settings: dict[str, float]
     printed: dict[str, float]
@@ -76,6 +84,24 @@ class PaperAnswer(NamedTuple):
         known = self.claims.dropna(subset="computed")
         rows: dict[Any, Any] = {row.id: row for row in known.itertuples()}
         return {name: rows[claim] for name, claim in ANSWERS.items() if claim in rows}
+
+    @property
+    def fit_groups(self) -> dict[bool, dict[str, dict[str, float]]]:
+        """Fits of the sets whose range exceeds that of the paper's statement, and of the others.
+
+        Count, median, min and max of each column of `fits`, of groups that have a set. Empty where
+        the study does not have that statement.
+        """
+        row = self.numbers.get("range_exceeds")
+        if row is None or math.isnan(row.frequency):
+            return {}
+        exceeds = self.fits["range_of_adhesion"] > row.published
+        return {
+            bool(group): {
+                name: {said: float(of_group[name].agg(said)) for said in SUMMARY} for name in FITTED
+            }
+            for group, of_group in self.fits.groupby(exceeds)
+        }
 
 
 def paper_answer(
@@ -101,6 +127,7 @@ def paper_answer(
     critical, changes = band["critical_wavelength"], band["scale_change"]
     single = critical.sel(group=band["surface"].values)
     sphere = topography.attrs["sphere_surface"]
+    fits = datasets["sets"].sel(contact_model="plastic", drop=True)
     surfaces = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return PaperAnswer(
         claims,
@@ -115,6 +142,7 @@ def paper_answer(
             index=band["label"].values,
         ),
         {name: _last_cutoff(changes.sel(side=side), end) for name, (side, _, end) in EDGES.items()},
+        fits[list(FITTED)].to_dataframe()[list(FITTED)],
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
         {
             "rho": float(scales.attrs["rho"]),
@@ -161,8 +189,10 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     -------
     dict
         `answer`: claims by what the answer calls them, each with its `bound` and `open_end`, None
-        where its number and the ends of its interval are none; `verdicts`: independent findings
-        and all statements by verdict; `claims`: every row of claims.csv; `surfaces`; `settings`.
+        where its number and the ends of its interval are none; `fit_groups` of sets,
+        whose range `exceeds` that of the statement `range_exceeds` or not; `verdicts`: independent
+        findings and all statements by verdict; `claims`: every row of claims.csv; `surfaces`;
+        `settings`.
     """
     rows = [_plain(row) for row in answer.claims.to_dict("records")]
     by_claim = {row["id"]: row for row in rows}
@@ -172,6 +202,9 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
             | {"bound": answer.open_edges.get(name), "open_end": answer.open_ends.get(name)}
             for name, row in answer.numbers.items()
         },
+        "fit_groups": [
+            {"exceeds": exceeds, **group} for exceeds, group in answer.fit_groups.items()
+        ],
         "verdicts": summary(answer.claims).set_index("verdict").to_dict("index"),
         "claims": rows,
         "surfaces": answer.surfaces.to_dict("index"),

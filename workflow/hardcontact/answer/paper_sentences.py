@@ -88,15 +88,17 @@ def _fit(answer: PaperAnswer) -> str:
     pair = ("range_of_adhesion", "work_of_adhesion")
     if not answer.numbers.keys() >= set(pair):
         return ""
-    reach, work = (_computed(answer, name) for name in pair)
+    # An interval over two groups of sets would hold numbers that hardly any of them has.
+    two = len(answer.fit_groups) > 1
+    reach, work = (_alone(answer, name) if two else _computed(answer, name) for name in pair)
     printed = " and ".join(_printed(answer, name) for name in pair)
     return (
         f"The measured mean forces are fitted best by a range of adhesion of {reach} and a work of "
-        f"adhesion of {work} (paper: {printed}){_share_of_sets(answer)}."
+        f"adhesion of {work} (paper: {printed}){_groups(answer) if two else _share(answer)}."
     )
 
 
-def _share_of_sets(answer: PaperAnswer) -> str:
+def _share(answer: PaperAnswer) -> str:
     """Return in how many of the sets the range exceeds the number that the paper names."""
     row = answer.numbers.get("range_exceeds")
     if row is None or math.isnan(row.frequency):
@@ -107,6 +109,29 @@ def _share_of_sets(answer: PaperAnswer) -> str:
     )
 
 
+def _groups(answer: PaperAnswer) -> str:
+    """Return the fits of the sets above and below that number, and the gap between them."""
+    long, short = (answer.fit_groups[exceeds] for exceeds in (True, False))
+    of_long, of_short = (
+        f"{_middle(group['range_of_adhesion'], 'nm')} with "
+        f"{_middle(group['work_of_adhesion'], 'J/m2')}"
+        for group in (long, short)
+    )
+    gap = " and ".join(
+        print_as_paper(end, "nm", digits=DIGITS)
+        for end in (short["range_of_adhesion"]["max"], long["range_of_adhesion"]["min"])
+    )
+    return (
+        f"{_share(answer)}. In these it is {of_long}, in the others {of_short} (medians, and in "
+        f"brackets all sets of a group); no set has a range between {gap}"
+    )
+
+
+def _middle(fits: dict[str, float], unit: str) -> str:
+    """Return the median of a group with its least and greatest number."""
+    return print_as_paper(fits["median"], unit, (fits["min"], fits["max"]), DIGITS)
+
+
 def _errors(answer: PaperAnswer) -> str:
     if "fit_error" not in answer.numbers:
         return ""
@@ -115,7 +140,7 @@ def _errors(answer: PaperAnswer) -> str:
         ratio = _computed(answer, "rigid_over_plastic_error")
         rigid = f"; with rigid contact it is {ratio} times that"
     return (
-        "The mean relative error of this fit, with plastic contact, is "
+        "The mean relative error of the best fit, with plastic contact, is "
         f"{_computed(answer, 'fit_error')} (paper: below {_printed(answer, 'fit_error')}){rigid}."
     )
 
@@ -168,11 +193,17 @@ def _intervals(answer: PaperAnswer) -> str:
     )
 
 
+def _alone(answer: PaperAnswer, name: str) -> str:
+    """Return a computed number without its interval."""
+    row: Any = answer.numbers[name]
+    return print_as_paper(row.computed, row.unit, digits=DIGITS)
+
+
 def _computed(answer: PaperAnswer, name: str) -> str:
     """Return a computed number with its interval, or with the bound that it is."""
     row: Any = answer.numbers[name]
     if name in answer.open_edges:
-        return f"{answer.open_edges[name]} {print_as_paper(row.computed, row.unit, digits=DIGITS)}"
+        return f"{answer.open_edges[name]} {_alone(answer, name)}"
     computed = print_as_paper(row.computed, row.unit, (row.low, row.high), DIGITS)
     if name in answer.open_ends:
         return f"{computed} (interval open: its {answer.open_ends[name]} end is the last cutoff)"
