@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 from figure_inputs.scales import band
+from figure_inputs.scan_size import scan_size
 from paper_study import answer, claims, datasets
 from refusals import assert_says
 
@@ -206,6 +207,19 @@ def test_substitutes_are_named_and_only_they():
     assert "Substitute surfaces: UNCD." in some
     measured = topography.assign(basis=("surface", ["measured"] * 5))
     assert basis_sentences(answer(topography=measured))[0] == "All surfaces are measured."
+
+
+def test_the_error_of_forces_on_scans_is_said_of_each_coating():
+    data = scan_size()
+    place = {"surface": "mcd", "edge_size": 2500.0}
+    data["force_over_largest"].loc[place] = 2.24
+    data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
+    assert_says(
+        basis_sentences(answer(scan_size=data))[1],
+        "mirrored scans of 2.5 µm over that on surfaces of 40 µm", "a range of 5.6 nm, is: "
+        "polished UNCD 1.9 [", "; NCD ", "; MCD 2.2 [1.5, 3.4] (90 % intervals",
+        "none is corrected",
+    )  # fmt: skip
 
 
 def test_grids_coarser_than_the_papers_are_said_to_be():

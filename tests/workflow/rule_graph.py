@@ -92,6 +92,7 @@ FOLLOWS = {
     "filter_windows": {"try_scan_sizes"},
     **{rule: {"answer_insight"} for rule in BEYOND},
     "compare_laws": {"answer_insight", "evaluate_claims"},
+    "try_scan_sizes": {"answer_insight", "answer_paper"},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
         for name in FIGURES

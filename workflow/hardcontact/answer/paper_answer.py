@@ -58,6 +58,8 @@ class PaperAnswer(NamedTuple):
     fits : pandas.DataFrame
         Best `range_of_adhesion` (nm) and `work_of_adhesion` (J/m2) of each set of scans, with
         plastic contact.
+    scan_size : xarray.Dataset
+        As `fig_scan_size.draw` takes it.
     surfaces : pandas.DataFrame
         Columns label and basis, indexed by name: the substrates, then the sphere.
     settings : dict of str to float
@@ -74,6 +76,7 @@ class PaperAnswer(NamedTuple):
     edges: pd.DataFrame
     last_cutoffs: dict[str, float]
     fits: pd.DataFrame
+    scan_size: xr.Dataset
     surfaces: pd.DataFrame
     settings: dict[str, float]
     printed: dict[str, float]
@@ -114,7 +117,7 @@ def paper_answer(
     claims : pandas.DataFrame
         As from `verdicts.read_verdicts`.
     datasets : mapping of str to xarray.Dataset
-        `topography`, `scales`, `band` and `sets`, as in the final netCDF files.
+        `topography`, `scales`, `band`, `sets` and `scan_size`, as in the final netCDF files.
     constants : pandas.DataFrame
         As from `published.constants`.
 
@@ -143,6 +146,7 @@ def paper_answer(
         ),
         {name: _last_cutoff(changes.sel(side=side), end) for name, (side, _, end) in EDGES.items()},
         fits[list(FITTED)].to_dataframe()[list(FITTED)],
+        datasets["scan_size"],
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
         {
             "rho": float(scales.attrs["rho"]),

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from hardcontact.answer.paper_answer import EDGES, PaperAnswer
+from hardcontact.answer.scan_size_sentences import force_on_scans_sentence
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
 
@@ -34,7 +35,7 @@ def answer_sentences(answer: PaperAnswer) -> list[str]:
 
 
 def basis_sentences(answer: PaperAnswer) -> list[str]:
-    """Return what the numbers stand on: substitutes, grids, intervals.
+    """Return what the numbers stand on: substitutes, scans, grids, intervals.
 
     Parameters
     ----------
@@ -46,7 +47,7 @@ def basis_sentences(answer: PaperAnswer) -> list[str]:
     list of str
         The substitutes are named one by one.
     """
-    return [_substitutes(answer), _grids(answer), _intervals(answer)]
+    return [_substitutes(answer), _scans(answer), _grids(answer), _intervals(answer)]
 
 
 def _band(answer: PaperAnswer) -> str:
@@ -159,6 +160,14 @@ def _substitutes(answer: PaperAnswer) -> str:
         f"Substitute surfaces: {', '.join(labels)}. No scan of them is at hand, so they are "
         "synthesised from published statistics. Forces on them also differ from the paper's "
         "because they are other surfaces."
+    )
+
+
+def _scans(answer: PaperAnswer) -> str:
+    return (
+        f"{force_on_scans_sentence(answer.scan_size)} Range and work of adhesion, ratios of forces "
+        "and the error of the fit rest on forces on such scans, as in the paper, and none is "
+        "corrected."
     )
 
 
