@@ -56,6 +56,7 @@ def test_numbers_for_machines_are_those_of_the_claims():
     plain = json.loads(json.dumps(as_plain(answer()), allow_nan=False))
     table = claims()
     assert [row["id"] for row in plain["claims"]] == list(table["id"])
+    assert all(list(row) == list(table.columns) for row in plain["claims"])
     for row, claim in zip(plain["claims"], table.to_dict("records"), strict=True):
         for column, value in claim.items():
             missing = isinstance(value, float) and math.isnan(value)
@@ -187,6 +188,7 @@ def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
     at_end = answer(changed(name, **{end: last}), sets=fewer)
     assert f"its {end} end is the last cutoff" in said(at_end)
     assert as_plain(at_end)["answer"][name]["open_end"] == end
+    assert as_plain(at_end)["open_ends"] == {ANSWERS[name]: end}
     assert "open" not in said(answer(changed(name, **{end: inside}), sets=fewer))
 
 

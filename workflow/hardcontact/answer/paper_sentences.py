@@ -214,8 +214,8 @@ def _computed(answer: PaperAnswer, name: str) -> str:
     if name in answer.open_edges:
         return f"{answer.open_edges[name]} {_alone(answer, name)}"
     computed = print_as_paper(row.computed, row.unit, (row.low, row.high), DIGITS)
-    if name in answer.open_ends:
-        return f"{computed} (interval open: its {answer.open_ends[name]} end is the last cutoff)"
+    if row.open_end:
+        return f"{computed} (interval open: its {row.open_end} end is the last cutoff)"
     return computed
 
 
