@@ -5,6 +5,7 @@ from io import BytesIO
 
 import numpy as np
 from figure_inputs.scales import band, scales
+from figure_inputs.scan_size import scan_size
 from figure_inputs.sets import sets
 from figure_inputs.surfaces import topography
 from paper_claims import CONSTANTS, STATEMENTS
@@ -42,6 +43,7 @@ def datasets(contacts=20, pixels=512):
         "scales": scales().assign(pull_off_force=("contact_y", np.ones(contacts))),
         "band": band(),
         "sets": sets(),
+        "scan_size": scan_size(),
     }
 
 

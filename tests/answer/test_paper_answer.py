@@ -6,6 +6,7 @@ import math
 import numpy as np
 import pytest
 from figure_inputs.scales import band
+from figure_inputs.scan_size import scan_size
 from paper_study import answer, claims, datasets
 from refusals import assert_says
 
@@ -43,10 +44,19 @@ def with_critical(side, wavelength):
     return of_all
 
 
+def with_fits(ranges, works):
+    """Sets whose best ranges (nm) and works (J/m2) with plastic contact are these."""
+    sets = datasets()["sets"].isel(set=slice(len(ranges))).copy(deep=True)
+    for name, fitted in (("range_of_adhesion", ranges), ("work_of_adhesion", works)):
+        sets[name].loc[{"contact_model": "plastic"}] = fitted
+    return sets
+
+
 def test_numbers_for_machines_are_those_of_the_claims():
     plain = json.loads(json.dumps(as_plain(answer()), allow_nan=False))
     table = claims()
     assert [row["id"] for row in plain["claims"]] == list(table["id"])
+    assert all(list(row) == list(table.columns) for row in plain["claims"])
     for row, claim in zip(plain["claims"], table.to_dict("records"), strict=True):
         for column, value in claim.items():
             missing = isinstance(value, float) and math.isnan(value)
@@ -76,7 +86,8 @@ def test_the_answer_prints_the_number_computed(name):
     rows = changed(name, computed=0.0377, low=0.0311, high=0.0433)
     unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
     printed = print_as_paper(0.0377, unit, (0.0311, 0.0433), 2)
-    assert printed in said(answer(rows)) and printed not in said(answer())
+    alike = with_fits([8.0, 9.0], [0.013, 0.012])
+    assert printed in said(answer(rows, sets=alike)) and printed not in said(answer(sets=alike))
 
 
 @pytest.mark.parametrize("name", sorted(ANSWERS.keys() - {"rigid_over_plastic_error"}))
@@ -86,9 +97,54 @@ def test_the_answer_prints_the_number_of_the_paper(name):
     assert print_as_paper(0.0721, unit) in said(answer(rows))
 
 
+def test_the_change_outside_the_band_is_that_of_the_mean_of_all_coatings():
+    assert_says(
+        answer_sentences(answer())[1], "averaged over all coatings, stays below 10 %", "of 5.6 nm"
+    )
+
+
+def test_edges_of_single_coatings_span_what_the_band_has():
+    """The long edge of polished UNCD is open: it counts as the last cutoff, by its bound."""
+    assert answer_sentences(answer())[1].endswith(
+        "edges of single coatings run from 32 nm (UNCD) to 160 nm (polished UNCD) and from "
+        "at most 500 nm (polished UNCD) to 2.4 µm (NCD)."
+    )
+    other = band()
+    other["critical_wavelength"].loc[{"side": "small", "group": "mcd"}] = np.nan
+    assert "to at least 250 nm (MCD) and" in answer_sentences(answer(band=other))[1]
+
+
 def test_the_answer_says_in_how_many_sets_the_range_is_large():
     assert "37 % of 100 equally good sets" in said(answer(changed("range_exceeds", frequency=0.37)))
     assert "sets" not in said(answer(changed("range_exceeds", frequency=np.nan)))
+
+
+def test_fits_that_differ_in_kind_are_not_printed_as_one_interval():
+    """The paper's statement is that the range exceeds 5 nm."""
+    rows = changed("range_of_adhesion", computed=8.9, low=0.7, high=10.6)
+    both = with_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
+    split = answer(rows, sets=both)
+    assert_says(
+        answer_sentences(split)[2],
+        "a range of adhesion of 8.9 nm and",
+        "58 % of 5 equally good sets of scans. In these it is 9 [8, 10] nm with 12 [11, 14] mJ/m², "
+        "in the others 1 [0.8, 1.2] nm with 120 [90, 140] mJ/m² (medians, and in brackets all sets "
+        "of a group); no set has a range between 1.2 nm and 8 nm.",
+    )
+    assert "[0.7" not in said(split)
+    short, long = as_plain(split)["fit_groups"]
+    assert long["exceeds"] is True and short["exceeds"] is False
+    assert long["range_of_adhesion"] == {"count": 3, "median": 9, "min": 8, "max": 10}
+    assert short["work_of_adhesion"] == pytest.approx(
+        {"count": 2, "median": 0.115, "min": 0.09, "max": 0.14}
+    )
+
+
+@pytest.mark.parametrize("ranges", [[9.0, 8.0], [1.2, 0.8]])
+def test_fits_of_one_kind_have_their_interval(ranges):
+    rows = changed("range_of_adhesion", computed=8.9, low=0.7, high=10.6)
+    alike = said(answer(rows, sets=with_fits(ranges, [0.01, 0.02])))
+    assert "8.9 [0.7, 11] nm" in alike and "in the others" not in alike
 
 
 def test_the_answer_counts_independent_findings():
@@ -111,7 +167,10 @@ def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
     beyond = answer(rows, band=with_critical(side, np.nan))
     assert f"{bound} 430 nm" in said(beyond) and "[320" not in said(beyond)
     assert as_plain(beyond)["answer"][name]["bound"] == bound
-    assert "at least" not in said(answer(rows)) and "at most" not in said(answer(rows))
+    found = band()
+    found["critical_wavelength"] = found["critical_wavelength"].fillna(400.0)  # of one coating
+    known = said(answer(rows, band=found))
+    assert "at least" not in known and "at most" not in known
 
 
 @pytest.mark.parametrize(
@@ -129,6 +188,7 @@ def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
     at_end = answer(changed(name, **{end: last}), sets=fewer)
     assert f"its {end} end is the last cutoff" in said(at_end)
     assert as_plain(at_end)["answer"][name]["open_end"] == end
+    assert as_plain(at_end)["open_ends"] == {ANSWERS[name]: end}
     assert "open" not in said(answer(changed(name, **{end: inside}), sets=fewer))
 
 
@@ -149,6 +209,19 @@ def test_substitutes_are_named_and_only_they():
     assert "Substitute surfaces: UNCD." in some
     measured = topography.assign(basis=("surface", ["measured"] * 5))
     assert basis_sentences(answer(topography=measured))[0] == "All surfaces are measured."
+
+
+def test_the_error_of_forces_on_scans_is_said_of_each_coating():
+    data = scan_size()
+    place = {"surface": "mcd", "edge_size": 2500.0}
+    data["force_over_largest"].loc[place] = 2.24
+    data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
+    assert_says(
+        basis_sentences(answer(scan_size=data))[1],
+        "mirrored scans of 2.5 µm over that on surfaces of 40 µm", "a range of 5.6 nm, is: "
+        "polished UNCD 1.9 [", "; NCD ", "; MCD 2.2 [1.5, 3.4] (90 % intervals",
+        "none is corrected",
+    )  # fmt: skip
 
 
 def test_grids_coarser_than_the_papers_are_said_to_be():

@@ -67,6 +67,7 @@ def evaluated(**values):
             "follows_from": ["", "first", ""],
             "basis": ["substitute scans", "no scan", "substitute scans"],
             "note": ["", "", "Assumed."],
+            "open_end": "",
         }
     )
     for column, value in values.items():
@@ -88,6 +89,14 @@ def test_claims_show_every_statement_with_its_numbers_and_verdict():
     assert_says(rows[0], "3.25", "[2.75, 3.75]", "nm", "87 %")
     assert_says(rows[1], "Follows from first.")
     assert "nan" not in " ".join(rows).lower() and "[" not in rows[1] and "%" not in rows[1]
+
+
+@pytest.mark.parametrize(
+    ("end", "shown"), [("high", "[2.75, 3.75 or more] nm"), ("low", "[2.75 or less, 3.75] nm")]
+)
+def test_claims_say_which_end_of_an_interval_is_open(end, shown):
+    rows = rows_of_claims(claims_page(evaluated(open_end=end), 0.95))
+    assert shown in rows[0][2] and "or " not in rows[1][2]
 
 
 @pytest.mark.parametrize(("stability", "count"), [(0.68, 1), (0.96, 0), (np.nan, 0)])
@@ -140,7 +149,7 @@ def test_claims_name_the_confidence_of_their_intervals(confidence, printed):
 def test_all_claims_of_the_paper_have_a_row():
     table = STATEMENTS.assign(
         computed=1.0, low=np.nan, high=np.nan, frequency=0.5, verdict="consistent", basis="no scan",
-        stability=1.0,
+        stability=1.0, open_end="",
     )  # fmt: skip
     page = claims_page(table, 0.95)
     rows = [" ".join(row) for row in rows_of_claims(page)]

@@ -100,3 +100,16 @@ def test_figure_of_a_fit_at_the_end_of_the_sweep_without_intervals():
             data[name][:] = np.nan
     fig4.draw(*inputs(data)).draw_without_rendering()
     assert select(fig4.table(*inputs(data)), quantity="minimum_range").empty
+
+
+def test_the_interval_of_the_least_error_is_said_to_be_over_scans():
+    data = inference()
+    assert title_of_errors(data).endswith("] over scans")
+    data["best_error_interval"][...] = np.nan
+    assert title_of_errors(data).endswith("smallest error 0.056")
+
+
+def title_of_errors(data):
+    """The title of panel d."""
+    titles = [axes.get_title("left") for axes in fig4.draw(*inputs(data)).axes]
+    return next(title for title in titles if "smallest error" in title)

@@ -39,6 +39,14 @@ def test_panels_show_computed_factors_the_rule_and_sizes():
     assert needed.lines[3].get_ydata() == pytest.approx(last.values)
 
 
+def test_surfaces_of_one_size_stand_beside_each_other():
+    sizes, edges = (drawn().axes[place] for place in (0, 3))
+    for axes, containers in ((sizes, sizes.containers), (edges, edges.containers[::2])):
+        places = [float(one.lines[0].get_xdata()[1]) for one in containers]  # at 2.5 µm
+        assert len(places) == 4 and places == sorted(set(places)), axes
+        assert places[0] * places[3] == pytest.approx(2.5**2) and 2.5 not in places
+
+
 def test_long_edges_of_windows_and_whole_surfaces_are_drawn_open_ones_at_their_bound():
     data, edges = scan_size(), drawn().axes[3]
     windows, whole = (container.lines[0] for container in edges.containers[:2])

@@ -73,7 +73,7 @@ FOLLOWS = {
     "vary_scales": {"aggregate_robustness", "judge_sets"},
     "compute_pool": {"judge_sets"},
     "compare_sphere": {"judge_sets"},
-    "judge_sets": {"answer_paper", "evaluate_claims"},
+    "judge_sets": {"answer_paper", "describe_study", "evaluate_claims"},
     "measure_topography": {"aggregate_topography"},
     "aggregate_topography": {"answer_paper", "judge_sets", "evaluate_claims"},
     "aggregate_adhesion": {"infer", "judge_sets", "evaluate_claims"},
@@ -81,7 +81,7 @@ FOLLOWS = {
     "measure_indents": {"evaluate_claims"},
     "aggregate_asperities": {"evaluate_claims"},
     "aggregate_scales": {"answer_paper", "find_critical_band", "evaluate_claims"},
-    "find_critical_band": {"answer_paper", "evaluate_claims"},
+    "find_critical_band": {"answer_paper", "describe_study", "evaluate_claims"},
     "infer": {"apply_classical_models", "evaluate_claims"},
     "apply_classical_models": {"evaluate_claims"},
     "evaluate_claims": {"describe_study", "answer_paper"},
@@ -92,6 +92,7 @@ FOLLOWS = {
     "filter_windows": {"try_scan_sizes"},
     **{rule: {"answer_insight"} for rule in BEYOND},
     "compare_laws": {"answer_insight", "evaluate_claims"},
+    "try_scan_sizes": {"answer_insight", "answer_paper"},
     **{
         f"draw_{name}": {"answer_insight" if name in OF_INSIGHT else "answer_paper"}
         for name in FIGURES

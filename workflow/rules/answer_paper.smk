@@ -4,7 +4,10 @@
 rule answer_paper:
     """Write the page that tells the story of the study, and its numbers."""
     input:
-        **{name: PATTERNS.dataset(name) for name in ("topography", "scales", "band", "sets")},
+        **{
+            name: PATTERNS.dataset(name)
+            for name in ("topography", "scales", "band", "sets", "scan_size")
+        },
         claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED["published_constants"],
         figures=[PATTERNS.figure(name, "png") for name in OF_PAPER],

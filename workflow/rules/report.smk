@@ -8,6 +8,8 @@ rule describe_study:
     input:
         **{chapter: f"workflow/report/{chapter}.md" for chapter in CHAPTERS},
         claims=PATTERNS.result("claims.csv"),
+        band=PATTERNS.dataset("band"),
+        sets=PATTERNS.dataset("sets"),
         environment="environment.txt",
         code=code_inputs("describe_study.py"),
     output:

@@ -14,10 +14,12 @@ from hardcontact.study.job import job
 
 WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
 
+DATASETS = ("topography", "scales", "band", "sets", "scan_size")
+
 with job(snakemake) as this:
     answer = paper_answer(
         read_verdicts(this.input.claims),
-        {name: read(this.input[name]) for name in ("topography", "scales", "band", "sets")},
+        {name: read(this.input[name]) for name in DATASETS},
         published.constants(this.input.published_constants),
     )
     figures = {

@@ -2,15 +2,18 @@
 
 from pathlib import Path
 
+from hardcontact.claims.open_ends import with_open_ends
 from hardcontact.claims.report_pages import pages
 from hardcontact.claims.verdicts import read_verdicts
+from hardcontact.records.dataset import read
 from hardcontact.records.origin import pinned_versions
 from hardcontact.study.job import job
 
 with job(snakemake) as this:
     chapters = [Path(path) for path in this.input if path.endswith(".md")]
+    bands = [read(this.input.band), read(this.input.sets)]
     made = pages(
-        read_verdicts(this.input.claims),
+        with_open_ends(read_verdicts(this.input.claims), bands),
         {path.stem: path.read_text("utf-8") for path in chapters},
         this.parameters,
         pinned_versions(this.input.environment),

@@ -8,10 +8,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.claims.open_ends import last_cutoff, with_open_ends
 from hardcontact.claims.verdicts import summary
 from hardcontact.scales.critical_band import POOLED
 
-__all__ = ["ANSWERS", "PaperAnswer", "as_plain", "paper_answer"]
+__all__ = ["ANSWERS", "EDGES", "PaperAnswer", "as_plain", "paper_answer"]
 
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
@@ -23,12 +24,15 @@ ANSWERS = {
     "rigid_over_plastic_error": "plasticity_is_crucial",
     "range_exceeds": "range_exceeds_5_nm",
 }
-#: Side of each edge of the band in the datasets, what is known of one beyond the cutoffs, and the
-#: end of its interval that may lie there.
+#: Side of each edge of the band in the datasets, and what is known of one beyond the cutoffs.
 EDGES = {
-    "shortest_wavelength": ("small", "at least", "high"),
-    "longest_wavelength": ("large", "at most", "low"),
+    "shortest_wavelength": ("small", "at least"),
+    "longest_wavelength": ("large", "at most"),
 }
+#: What is fitted to the forces of each set of scans.
+FITTED = ("range_of_adhesion", "work_of_adhesion")
+#: What is said of a group of fits.
+SUMMARY = ("count", "median", "min", "max")
 #: Sizes of the study that the paper prints too.
 GRIDS = ("scan_pixels", "scan_size", "contacts_per_side")
 
@@ -39,13 +43,20 @@ class PaperAnswer(NamedTuple):
     Attributes
     ----------
     claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
+        As from `open_ends.with_open_ends`.
     open_edges : dict of str to str
         What the number of an edge is, "at least" or "at most", where the edge of the band lies
         beyond the cutoffs; by its name in `ANSWERS`.
-    open_ends : dict of str to str
-        Which end of the interval of an edge is the last cutoff, "high" or "low", and therefore
-        open; by the same names.
+    edges : pandas.DataFrame
+        Edges of the band of each substrate by itself (nm), NaN where they lie beyond the cutoffs;
+        columns are the same names, the index is the label.
+    last_cutoffs : dict of str to float
+        The cutoff of each side that removes most (nm), by the same names.
+    fits : pandas.DataFrame
+        Best `range_of_adhesion` (nm) and `work_of_adhesion` (J/m2) of each set of scans, with
+        plastic contact.
+    scan_size : xarray.Dataset
+        As `fig_scan_size.draw` takes it.
     surfaces : pandas.DataFrame
         Columns label and basis, indexed by name: the substrates, then the sphere.
     settings : dict of str to float
@@ -58,7 +69,10 @@ class PaperAnswer(NamedTuple):
 
     claims: pd.DataFrame
     open_edges: dict[str, str]
-    open_ends: dict[str, str]
+    edges: pd.DataFrame
+    last_cutoffs: dict[str, float]
+    fits: pd.DataFrame
+    scan_size: xr.Dataset
     surfaces: pd.DataFrame
     settings: dict[str, float]
     printed: dict[str, float]
@@ -69,6 +83,24 @@ class PaperAnswer(NamedTuple):
         known = self.claims.dropna(subset="computed")
         rows: dict[Any, Any] = {row.id: row for row in known.itertuples()}
         return {name: rows[claim] for name, claim in ANSWERS.items() if claim in rows}
+
+    @property
+    def fit_groups(self) -> dict[bool, dict[str, dict[str, float]]]:
+        """Fits of the sets whose range exceeds that of the paper's statement, and of the others.
+
+        Count, median, min and max of each column of `fits`, of groups that have a set. Empty where
+        the study does not have that statement.
+        """
+        row = self.numbers.get("range_exceeds")
+        if row is None or math.isnan(row.frequency):
+            return {}
+        exceeds = self.fits["range_of_adhesion"] > row.published
+        return {
+            bool(group): {
+                name: {said: float(of_group[name].agg(said)) for said in SUMMARY} for name in FITTED
+            }
+            for group, of_group in self.fits.groupby(exceeds)
+        }
 
 
 def paper_answer(
@@ -81,7 +113,7 @@ def paper_answer(
     claims : pandas.DataFrame
         As from `verdicts.read_verdicts`.
     datasets : mapping of str to xarray.Dataset
-        `topography`, `scales`, `band` and `sets`, as in the final netCDF files.
+        `topography`, `scales`, `band`, `sets` and `scan_size`, as in the final netCDF files.
     constants : pandas.DataFrame
         As from `published.constants`.
 
@@ -91,17 +123,25 @@ def paper_answer(
         Numbers in the units of the claims.
     """
     topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
-    critical = band["critical_wavelength"].sel(group=POOLED)
+    critical = band["critical_wavelength"]
+    single = critical.sel(group=band["surface"].values)
     sphere = topography.attrs["sphere_surface"]
+    fits = datasets["sets"].sel(contact_model="plastic", drop=True)
     surfaces = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return PaperAnswer(
-        claims,
+        with_open_ends(claims, [band, datasets["sets"]]),
         {
             name: bound
-            for name, (side, bound, _) in EDGES.items()
-            if np.isnan(critical.sel(side=side).item())
+            for name, (side, bound) in EDGES.items()
+            if np.isnan(critical.sel(side=side, group=POOLED).item())
         },
-        _open_ends(claims, [band, datasets["sets"]]),
+        pd.DataFrame(
+            {name: single.sel(side=side).values for name, (side, _) in EDGES.items()},
+            index=band["label"].values,
+        ),
+        {name: last_cutoff(band, side) for name, (side, _) in EDGES.items()},
+        fits[list(FITTED)].to_dataframe()[list(FITTED)],
+        datasets["scan_size"],
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
         {
             "rho": float(scales.attrs["rho"]),
@@ -117,25 +157,6 @@ def paper_answer(
     )
 
 
-def _open_ends(claims: pd.DataFrame, bands: list[xr.Dataset]) -> dict[str, str]:
-    """Return the ends of intervals that are the last cutoff of their side in one of the bands."""
-    rows = claims.set_index("id")
-    found = {}
-    for name, (side, _, end) in EDGES.items():
-        if ANSWERS[name] in rows.index:
-            limits = [_last_cutoff(band["scale_change"].sel(side=side), end) for band in bands]
-            if np.isclose(rows[end][ANSWERS[name]], limits, rtol=1e-5).any():
-                found[name] = end
-    return found
-
-
-def _last_cutoff(changes: xr.DataArray, end: str) -> float:
-    """Return the cutoff of a side (nm) that removes most: the longest, "high", or the shortest."""
-    others = [dim for dim in changes.dims if dim != "cutoff_wavelength"]
-    cutoffs = changes["cutoff_wavelength"][changes.notnull().any(others)]
-    return float(cutoffs.max() if end == "high" else cutoffs.min())
-
-
 def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     """Return the answer in plain values, for JSON: None where there is no number.
 
@@ -148,19 +169,26 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     -------
     dict
         `answer`: claims by what the answer calls them, each with its `bound` and `open_end`, None
-        where its number and the ends of its interval are none; `verdicts`: independent findings
-        and all statements by verdict; `claims`: every row of claims.csv; `surfaces`; `settings`.
+        where its number and the ends of its interval are none; `fit_groups` of sets,
+        whose range `exceeds` that of the statement `range_exceeds` or not; `verdicts`: independent
+        findings and all statements by verdict; `claims`: every row of claims.csv;
+        `open_ends` of their intervals by id; `surfaces`; `settings`.
     """
-    rows = [_plain(row) for row in answer.claims.to_dict("records")]
+    rows = [_plain(row) for row in answer.claims.drop(columns="open_end").to_dict("records")]
+    is_open = answer.claims["open_end"] != ""
     by_claim = {row["id"]: row for row in rows}
     return {
         "answer": {
             name: by_claim[row.id]
-            | {"bound": answer.open_edges.get(name), "open_end": answer.open_ends.get(name)}
+            | {"bound": answer.open_edges.get(name), "open_end": row.open_end or None}
             for name, row in answer.numbers.items()
         },
+        "fit_groups": [
+            {"exceeds": exceeds, **group} for exceeds, group in answer.fit_groups.items()
+        ],
         "verdicts": summary(answer.claims).set_index("verdict").to_dict("index"),
         "claims": rows,
+        "open_ends": answer.claims[is_open].set_index("id")["open_end"].to_dict(),
         "surfaces": answer.surfaces.to_dict("index"),
         "settings": answer.settings,
     }

@@ -3,7 +3,10 @@
 import math
 from typing import Any
 
-from hardcontact.answer.paper_answer import PaperAnswer
+import numpy as np
+
+from hardcontact.answer.paper_answer import EDGES, PaperAnswer
+from hardcontact.answer.scan_size_sentences import force_on_scans_sentence
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
 
@@ -32,7 +35,7 @@ def answer_sentences(answer: PaperAnswer) -> list[str]:
 
 
 def basis_sentences(answer: PaperAnswer) -> list[str]:
-    """Return what the numbers stand on: substitutes, grids, intervals.
+    """Return what the numbers stand on: substitutes, scans, grids, intervals.
 
     Parameters
     ----------
@@ -44,7 +47,7 @@ def basis_sentences(answer: PaperAnswer) -> list[str]:
     list of str
         The substitutes are named one by one.
     """
-    return [_substitutes(answer), _grids(answer), _intervals(answer)]
+    return [_substitutes(answer), _scans(answer), _grids(answer), _intervals(answer)]
 
 
 def _band(answer: PaperAnswer) -> str:
@@ -62,25 +65,41 @@ def _meaning(answer: PaperAnswer) -> str:
     if not _band(answer):
         return ""
     return (
-        "With all roughness below this band removed, or all above it, the mean pull-off force "
-        f"changes by less than {100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
-        f"{print_as_paper(answer.settings['rho'], 'nm')}."
+        "With all roughness below this band removed, or all above it, the change of the mean "
+        "pull-off force, averaged over all coatings, stays below "
+        f"{100 * answer.settings['tolerance']:g} %, at a range of adhesion of "
+        f"{print_as_paper(answer.settings['rho'], 'nm')}; edges of single coatings run "
+        f"{' and '.join(_span(answer, name) for name in EDGES)}."
     )
+
+
+def _span(answer: PaperAnswer, name: str) -> str:
+    """Return from where to where an edge runs over coatings; an open one stands by its bound."""
+    known, bound = answer.edges[name], EDGES[name][1]
+    sizes = known.fillna(answer.last_cutoffs[name]).sort_values()
+    shortest, longest = (
+        f"{'' if np.isfinite(known[label]) else f'{bound} '}"
+        f"{print_as_paper(sizes[label], 'nm', digits=DIGITS)} ({label})"
+        for label in (sizes.index[0], sizes.index[-1])
+    )
+    return f"from {shortest} to {longest}"
 
 
 def _fit(answer: PaperAnswer) -> str:
     pair = ("range_of_adhesion", "work_of_adhesion")
     if not answer.numbers.keys() >= set(pair):
         return ""
-    reach, work = (_computed(answer, name) for name in pair)
+    # An interval over two groups of sets would hold numbers that hardly any of them has.
+    two = len(answer.fit_groups) > 1
+    reach, work = (_alone(answer, name) if two else _computed(answer, name) for name in pair)
     printed = " and ".join(_printed(answer, name) for name in pair)
     return (
         f"The measured mean forces are fitted best by a range of adhesion of {reach} and a work of "
-        f"adhesion of {work} (paper: {printed}){_share_of_sets(answer)}."
+        f"adhesion of {work} (paper: {printed}){_groups(answer) if two else _share(answer)}."
     )
 
 
-def _share_of_sets(answer: PaperAnswer) -> str:
+def _share(answer: PaperAnswer) -> str:
     """Return in how many of the sets the range exceeds the number that the paper names."""
     row = answer.numbers.get("range_exceeds")
     if row is None or math.isnan(row.frequency):
@@ -91,6 +110,29 @@ def _share_of_sets(answer: PaperAnswer) -> str:
     )
 
 
+def _groups(answer: PaperAnswer) -> str:
+    """Return the fits of the sets above and below that number, and the gap between them."""
+    long, short = (answer.fit_groups[exceeds] for exceeds in (True, False))
+    of_long, of_short = (
+        f"{_middle(group['range_of_adhesion'], 'nm')} with "
+        f"{_middle(group['work_of_adhesion'], 'J/m2')}"
+        for group in (long, short)
+    )
+    gap = " and ".join(
+        print_as_paper(end, "nm", digits=DIGITS)
+        for end in (short["range_of_adhesion"]["max"], long["range_of_adhesion"]["min"])
+    )
+    return (
+        f"{_share(answer)}. In these it is {of_long}, in the others {of_short} (medians, and in "
+        f"brackets all sets of a group); no set has a range between {gap}"
+    )
+
+
+def _middle(fits: dict[str, float], unit: str) -> str:
+    """Return the median of a group with its least and greatest number."""
+    return print_as_paper(fits["median"], unit, (fits["min"], fits["max"]), DIGITS)
+
+
 def _errors(answer: PaperAnswer) -> str:
     if "fit_error" not in answer.numbers:
         return ""
@@ -99,7 +141,7 @@ def _errors(answer: PaperAnswer) -> str:
         ratio = _computed(answer, "rigid_over_plastic_error")
         rigid = f"; with rigid contact it is {ratio} times that"
     return (
-        "The mean relative error of this fit, with plastic contact, is "
+        "The mean relative error of the best fit, with plastic contact, is "
         f"{_computed(answer, 'fit_error')} (paper: below {_printed(answer, 'fit_error')}){rigid}."
     )
 
@@ -118,6 +160,14 @@ def _substitutes(answer: PaperAnswer) -> str:
         f"Substitute surfaces: {', '.join(labels)}. No scan of them is at hand, so they are "
         "synthesised from published statistics. Forces on them also differ from the paper's "
         "because they are other surfaces."
+    )
+
+
+def _scans(answer: PaperAnswer) -> str:
+    return (
+        f"{force_on_scans_sentence(answer.scan_size)} Range and work of adhesion, ratios of forces "
+        "and the error of the fit rest on forces on such scans, as in the paper, and none is "
+        "corrected."
     )
 
 
@@ -152,14 +202,20 @@ def _intervals(answer: PaperAnswer) -> str:
     )
 
 
+def _alone(answer: PaperAnswer, name: str) -> str:
+    """Return a computed number without its interval."""
+    row: Any = answer.numbers[name]
+    return print_as_paper(row.computed, row.unit, digits=DIGITS)
+
+
 def _computed(answer: PaperAnswer, name: str) -> str:
     """Return a computed number with its interval, or with the bound that it is."""
     row: Any = answer.numbers[name]
     if name in answer.open_edges:
-        return f"{answer.open_edges[name]} {print_as_paper(row.computed, row.unit, digits=DIGITS)}"
+        return f"{answer.open_edges[name]} {_alone(answer, name)}"
     computed = print_as_paper(row.computed, row.unit, (row.low, row.high), DIGITS)
-    if name in answer.open_ends:
-        return f"{computed} (interval open: its {answer.open_ends[name]} end is the last cutoff)"
+    if row.open_end:
+        return f"{computed} (interval open: its {row.open_end} end is the last cutoff)"
     return computed
 
 

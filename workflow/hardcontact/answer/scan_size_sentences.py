@@ -17,7 +17,7 @@ from hardcontact.answer.part_text import (
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.statistics import bounds
 
-__all__ = ["scan_size_sentences"]
+__all__ = ["force_on_scans_sentence", "on_scans", "scan_size_sentences"]
 
 OTHER_EDGES = (
     "Fig. 6 and the scaling of the band have other long edges of the same surfaces, as their "
@@ -51,6 +51,46 @@ def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
     ]
 
 
+def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
+    """Return what edges and forces are on mirrored windows of the size of the study's scans.
+
+    Parameters
+    ----------
+    scan_size : xarray.Dataset
+        As `fig_scan_size.draw` takes it.
+
+    Returns
+    -------
+    xarray.Dataset
+        At one `edge_size`.
+    """
+    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
+    return windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+
+
+def force_on_scans_sentence(scan_size: xr.Dataset) -> str:
+    """Return by how much forces on mirrored scans differ from those on large surfaces.
+
+    Parameters
+    ----------
+    scan_size : xarray.Dataset
+        As `fig_scan_size.draw` takes it.
+
+    Returns
+    -------
+    str
+        Each surface with its interval.
+    """
+    of_scan, larger = on_scans(scan_size), scan_size.isel(edge_size=-1)
+    return (
+        f"The mean force on mirrored scans of {_size(of_scan)} over that on surfaces of "
+        f"{_size(larger)} with the same spectrum, at a range of "
+        f"{print_as_paper(scan_size.attrs['rho'], 'nm')}, is: "
+        f"{print_each(of_scan, 'force_over_largest')} "
+        f"({print_percent(scan_size.attrs['confidence'])} intervals over realizations)."
+    )
+
+
 def _excess(at_range: xr.Dataset) -> str:
     at_size = at_range.sel(scan_size=at_range.attrs["scan_size"], method="nearest")
     said = []
@@ -66,8 +106,7 @@ def _excess(at_range: xr.Dataset) -> str:
 
 
 def _edges(scan_size: xr.Dataset) -> str:
-    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
-    of_scan = windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+    of_scan = on_scans(scan_size)
     of_whole = scan_size.isel(edge_size=-1)
     said = "; ".join(
         f"{label} {found} instead of {true}"
@@ -100,8 +139,7 @@ def _edges_of_others(scan_size: xr.Dataset) -> Iterator[str]:
 
 def _forces(scan_size: xr.Dataset) -> str:
     """Return forces over those on the larger whole surfaces, and whether the smaller are enough."""
-    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
-    of_scan = windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+    of_scan = on_scans(scan_size)
     smaller, larger = scan_size.isel(edge_size=-2), scan_size.isel(edge_size=-1)
     low, high = bounds(smaller, "force_over_largest")
     differ = smaller["surface"].values[((low > 1) | (high < 1)).values]

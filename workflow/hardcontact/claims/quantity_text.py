@@ -17,7 +17,11 @@ PRINTED = {
 
 
 def print_as_paper(
-    value: float, unit: str, interval: tuple[float, float] = (math.nan, math.nan), digits: int = 3
+    value: float,
+    unit: str,
+    interval: tuple[float, float] = (math.nan, math.nan),
+    digits: int = 3,
+    open_end: str = "",
 ) -> str:
     """Return a quantity with its interval, as "1.66 [1.38, 2.84] µm".
 
@@ -31,11 +35,13 @@ def print_as_paper(
         Low and high, in `unit`; NaN if there is none.
     digits : int
         Significant digits of each number.
+    open_end : str
+        End of the interval that is a bound on it: "low", "high" or none.
 
     Returns
     -------
     str
-        Plain text.
+        Plain text; an open interval as "250 [175, 250 or more] nm".
     """
     if math.isnan(value):
         return ""
@@ -44,6 +50,8 @@ def print_as_paper(
     fitting = (scale for scale in scales if abs(value) >= (1 - 0.5 * 10**-digits) * scale[1])
     name, size = next(fitting, scales[-1])
     low, high = (_rounded(end / size, digits) for end in interval)
+    low += " or less" * (open_end == "low")
+    high += " or more" * (open_end == "high")
     within = "" if any(map(math.isnan, interval)) else f" [{low}, {high}]"
     return f"{_rounded(value / size, digits)}{within} {name}".rstrip()
 

@@ -68,7 +68,7 @@ def pages(
     Parameters
     ----------
     claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
+        As from `open_ends.with_open_ends`.
     texts : mapping of str to str
         Chapters in Markdown.
     configuration : mapping
@@ -94,7 +94,7 @@ def claims_page(claims: pd.DataFrame, confidence: float) -> str:
     Parameters
     ----------
     claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
+        As from `open_ends.with_open_ends`.
     confidence : float
         Of the intervals.
 
@@ -124,7 +124,7 @@ def counts_table(claims: pd.DataFrame) -> str:
     Parameters
     ----------
     claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
+        As from `open_ends.with_open_ends`.
 
     Returns
     -------
@@ -146,7 +146,7 @@ def section_tables(claims: pd.DataFrame) -> dict[str, str]:
     Parameters
     ----------
     claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
+        As from `open_ends.with_open_ends`.
 
     Returns
     -------
@@ -280,11 +280,12 @@ def _table(header: Sequence[str], rows: Iterable[Sequence[tuple[str, str]]]) -> 
 def _claim(row: Any) -> list[tuple[str, str]]:
     """Return the cells of one claim, each with its class."""
     source = f"Follows from {row.follows_from}." if row.follows_from else ""
+    computed = print_as_paper(row.computed, row.unit, (row.low, row.high), open_end=row.open_end)
     seed = f"kept in {100 * row.stability:.0f} % of redraws" if row.stability < STABLE else ""
     return [
         (escape(row.statement) + _small(row.id) + _small(source) + _small(row.note), ""),
         (escape(print_as_paper(row.published, row.unit)), "number"),
-        (escape(print_as_paper(row.computed, row.unit, (row.low, row.high))), "number"),
+        (escape(computed), "number"),
         ("" if np.isnan(row.frequency) else f"{100 * row.frequency:.0f} %", "number"),
         (escape(row.verdict) + _small(seed) + _small(row.basis), _kind(row.verdict)),
     ]

@@ -126,7 +126,8 @@ def draw_least_error(
     axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
     style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
     axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
-    style.label_panel(axes, "d", f"smallest error {style.print_interval(best, '.2g')}")
+    over = " over scans" if np.isfinite(best["low"]) else ""
+    style.label_panel(axes, "d", f"smallest error {style.print_interval(best, '.2g')}{over}")
 
 
 def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> None:

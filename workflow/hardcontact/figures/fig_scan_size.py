@@ -1,5 +1,6 @@
 """How large a scan must be: force and long edge on windows and on surfaces, and the rule."""
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -121,17 +122,26 @@ def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> None:
     """Draw the excess of all surfaces, with intervals, and that of the rule as lines."""
     excess = bounded(at_range, "excess")
     sizes = at_range["scan_size"] / 1e3
-    for surface, look in style.looks(at_range["surface"].values).items():
+    for surface, look, factor in _beside(at_range):
         one = excess.sel(surface=surface)
         axes.errorbar(
-            sizes, one["value"], np.nan_to_num(reach(one)), ls="none", ms=3, elinewidth=0.6, **look
-        )
+            factor * sizes, one["value"], np.nan_to_num(reach(one)),
+            ls="none", ms=3, elinewidth=0.6, **look,
+        )  # fmt: skip
         axes.plot(
             sizes, at_range["predicted_excess"].sel(surface=surface), color=look["color"], lw=0.7
         )
     axes.axvline(at_range.attrs["scan_size"] / 1e3, **OF_SCAN)
     axes.set(xscale="log", yscale="log", xlabel="edge of the scan (µm)",
              ylabel="force over that on a large surface")  # fmt: skip
+
+
+def _beside(dataset: xr.Dataset) -> Iterator[tuple[str, dict[str, Any], float]]:
+    """Yield each surface, its look, and by what its places are multiplied to be beside others."""
+    looks = style.looks(dataset["surface"].values)
+    factors = np.geomspace(0.88, 1 / 0.88, len(looks))
+    for (surface, look), factor in zip(looks.items(), factors, strict=True):
+        yield surface, look, float(factor)
 
 
 def _draw_rule(axes: Axes, scan_size: xr.Dataset) -> None:
@@ -162,9 +172,7 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
     ends = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
     in_micrometres = ends[["value", "low", "high"]] / 1e3
     edges, sizes = edges.assign(in_micrometres), edges["edge_size"] / 1e3
-    looks = style.looks(scan_size["surface"].values)
-    beside = np.geomspace(0.88, 1 / 0.88, len(looks))
-    for (surface, look), factor in zip(looks.items(), beside, strict=True):
+    for surface, look, factor in _beside(scan_size):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
             of_kind = edges["mirrored"] == mirrored
             one = edges.assign(place=factor * sizes).sel(surface=surface, edge_size=of_kind)
