@@ -64,7 +64,7 @@ rule compare_laws:
     params:
         canonical=canonical(
             {
-                "scans": INSIGHT_FILES.scans,
+                "scans": INSIGHT_FILES.realized_scans,
                 **NAMED_SURFACES,
                 "reference_surface": STUDY["reference_surface"],
                 "spacing": INSIGHT["spacing"],
