@@ -1,6 +1,5 @@
 """Fixtures: a copy of the repository, one of them with the finished quick study, and the tiers."""
 
-import fcntl
 import os
 import shutil
 import sys
@@ -9,6 +8,7 @@ import tempfile
 import pytest
 from hypothesis import configuration, settings
 from repository import ROOT, copy_repository, run_snakemake
+from shared_study import shared_study
 
 # Tests leave nothing in the repository.
 sys.dont_write_bytecode = True
@@ -65,14 +65,16 @@ def finished(tmp_path_factory):
     shared = tmp_path_factory.getbasetemp()
     if "PYTEST_XDIST_WORKER" in os.environ:
         shared = shared.parent
-    with open(shared / "lock", "w") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        if not (shared / "study").exists():
-            folder = copy_repository(shared / "running")
-            run = run_snakemake(folder)
-            assert run.returncode == 0, run.stdout[-3000:]
-            folder.rename(shared / "study")
-    return shutil.copytree(shared / "study", tmp_path_factory.mktemp("finished") / "study")
+    study = shared_study(shared, quick_study)
+    return shutil.copytree(study, tmp_path_factory.mktemp("finished") / "study")
+
+
+def quick_study(folder):
+    """Run the quick study in a copy of the repository inside a folder; return the copy."""
+    copy = copy_repository(folder / "study")
+    run = run_snakemake(copy)
+    assert run.returncode == 0, run.stdout[-3000:]
+    return copy
 
 
 @pytest.fixture

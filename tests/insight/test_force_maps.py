@@ -22,7 +22,7 @@ def test_map_is_the_single_contacts_at_common_positions(rms):
     pair = over(heights, None, 8.0, 600, 5)
     single = pull_off_of_pair(pair, LOAD, RHOS).variables["pull_off_force"][1][0]
     places = pair.geometry.positions
-    forces = rigid_pull_off(at_every_pixel(pair), RHOS)
+    forces = rigid_pull_off(at_every_pixel(pair, 192), RHOS)
     assert forces.shape == (4, 192, 192)
     np.testing.assert_allclose(forces[:, places[:, None], places], single, rtol=1e-12)
     np.testing.assert_allclose(rigid_pull_off(pair, RHOS), single, rtol=1e-12)
@@ -30,7 +30,7 @@ def test_map_is_the_single_contacts_at_common_positions(rms):
 
 @pytest.mark.parametrize("window", [60, 128, 320])
 def test_map_is_the_direct_sum_at_any_pixel(window):
-    pair = at_every_pixel(over(periodic_noise(128, 12.0, 2), None, 8.0, window, 1))
+    pair = at_every_pixel(over(periodic_noise(128, 12.0, 2), None, 8.0, window, 1), 128)
     forces = rigid_pull_off(pair, [2.0])
     for place in ((0, 0), (127, 3), (64, 64), (31, 100)):
         total = direct_total(gap_map(pair, place), 1, 2.0)
@@ -39,14 +39,14 @@ def test_map_is_the_direct_sum_at_any_pixel(window):
 
 
 def test_a_plane_has_the_force_of_a_smooth_sphere_everywhere():
-    pair = at_every_pixel(over(np.zeros((96, 96)), None, 40.0, 384, 1))
+    pair = at_every_pixel(over(np.zeros((96, 96)), None, 40.0, 384, 1), 96)
     np.testing.assert_allclose(rigid_pull_off(pair, [5.6]), 2 * np.pi * 250e-6, rtol=1e-6)
 
 
 def test_half_a_period_of_a_stitched_scan_holds_all_of_it():
     stitched = mirror_stitch(height_map(periodic_noise(64, 8.0, 4), 16.0))
     pair = over(stitched.heights, None, 16.0, 640, 1)
-    whole = rigid_pull_off(at_every_pixel(pair), [5.6])[0]
+    whole = rigid_pull_off(at_every_pixel(pair, 128), [5.6])[0]
     np.testing.assert_array_equal(
         rigid_pull_off(at_every_pixel(pair, 64), [5.6])[0].shape, (64,) * 2
     )

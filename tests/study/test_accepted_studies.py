@@ -14,9 +14,12 @@ from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.indents import indents
+from hardcontact.insight.contact_scaling import scaled_pull_off
+from hardcontact.insight.force_maps import at_every_pixel, rigid_pull_off
 from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
 from hardcontact.study import checks, configuration, surface_table
 from hardcontact.surfaces import spectral_models, synthesis
+from hardcontact.surfaces.masters import synthesized_master
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
 from hardcontact.surfaces.topography import level, mirror_stitch, subtract_sphere
@@ -94,7 +97,17 @@ def tiny(draw):
             "small": {"pixels": small, "cutoffs": cutoffs["small"]},
             "large": {"pixels": large, "cutoffs": cutoffs["large"]},
         },
-        "insight": {**of_insight, "scaling": of_insight},
+        "insight": {
+            **of_insight,
+            "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
+            "scaling": {
+                **of_insight,
+                "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
+                "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
+                "preloads": [load, f"{pick(2, 8) * contact_pixels * hardness * pixel**2:.6g} nN"],
+                "count": pick(1, 3),
+            },
+        },
         "robustness": {"preloads": [], "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"]},
     }
 
@@ -170,6 +183,24 @@ def check_masters(config, rng, stitched, sphere, section, side):
         assert_forces(mean_filtered_pull_off(master, probe, parameters))
 
 
+def check_scaled(config, rng, stitched, side):
+    """Compute forces of one master at all radii, ranges and loads of the scaling of edges."""
+    scaling, contact = config["insight"]["scaling"], config["contact"]
+    wanted = config["scales"][side] | scaling[side]
+    master = synthesized_master(side, rng, stitched, wanted, ROUGH)
+    contacts = {name: scaling[name] for name in ("radii", "ranges", "preloads", "count")}
+    contacts |= {name: contact[name] for name in ("window", "hardness")}
+    filters = {name: wanted[name] for name in ("pixels", "cutoffs")}
+    assert_forces(scaled_pull_off(master, {"side": side, **filters, **contacts}))
+
+
+def check_map(config, stitched):
+    """Compute the map of forces on a scan at all ranges of the chapter."""
+    pair = bodies(stitched, None, config["sphere"]["radius"], config["contact"])
+    forces = rigid_pull_off(at_every_pixel(pair, stitched.pixels // 2), config["insight"]["ranges"])
+    assert np.isfinite(forces).all() and (forces > 0).all()
+
+
 @pytest.mark.parametrize("examples", [10, pytest.param(40, marks=pytest.mark.study)])
 def test_what_is_accepted_can_be_computed(at_root, examples):
     seen = []
@@ -192,6 +223,9 @@ def test_what_is_accepted_can_be_computed(at_root, examples):
         check_pair(config, rng, stitched, sphere)
         for section, side in product(("scales", "sets"), ("small", "large")):
             check_masters(config, rng, stitched, sphere, section, side)
+        for side in ("small", "large"):
+            check_scaled(config, rng, stitched, side)
+        check_map(config, stitched)
 
     compute()
     assert sum(seen) >= examples and not all(seen)

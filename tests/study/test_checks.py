@@ -3,12 +3,15 @@
 import numpy as np
 import pytest
 import yaml
+from paper_numbers import SUBSTRATES
 from refusals import assert_says, refusal
 from repository import PAPER, QUICK, ROOT, SCHEMAS, merged
 from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
 from hardcontact.study import configuration
+from hardcontact.study.grid_checks import check_grids
+from hardcontact.study.grids import Grid
 
 
 @pytest.mark.parametrize(
@@ -105,6 +108,29 @@ from hardcontact.study import configuration
             ["insight.scaling.preloads", "found 1e-05 N after 8e-05 N"],
         ),
         (
+            ("insight.scaling.preloads", ["10 uN", "1 N"]),
+            ["insight.scaling.preloads", "a quarter of", "at most 156 mN", "found 1 N"],
+        ),
+        (
+            ("insight.scaling.preloads", ["10 uN", "50 mN"], "insight.scaling.count", 200),
+            [
+                *("insight.scaling.preloads", "2.441 nm", "insight.scaling.count = 200"),
+                *("at most 250 µN", "found 50 mN"),
+            ],
+        ),
+        (
+            ("insight.scaling.ranges", ["0.9 nm", "5.6 nm"]),
+            ["insight.scaling.ranges", "at least 1 nm on", "500 nm apart", "found 0.9 nm"],
+        ),
+        (
+            ("insight.scaling.radii", ["30 nm", "250 um"]),
+            ["insight.scaling.ranges", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
+        ),
+        (
+            ("insight.ranges", ["0.04 nm", "1 nm"]),
+            ["insight.ranges", "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"],
+        ),
+        (
             ("insight.scan_sizes.radii", ["250 um", "20 um"]),
             ["insight.scan_sizes.radii", "ascending"],
         ),
@@ -143,6 +169,29 @@ def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, ch
 def test_limits_of_other_keys_may_be_reached(tmp_path, at_root):
     config = numbers("elastic.contacts", 400, "asperities.contacts", 400, "indent.surface", "mcd")
     check(config, tmp_path)
+    insight = numbers(
+        *("insight.ranges", ["0.05 nm"], "insight.scaling.preloads", ["50 mN"]),
+        *("insight.scaling.ranges", ["1 nm"], "insight.scaling.radii", ["50 nm"]),
+    )
+    check(insight, tmp_path)
+
+
+def test_limits_of_insight_are_told_one_line_a_surface(tmp_path, at_root):
+    changes = [("insight.ranges", ["0.04 nm", "1 nm"]), ("insight.scaling.ranges", ["0.9 nm"])]
+    for key, values in changes:
+        lines = refusal(check, numbers(key, values), tmp_path).splitlines()
+        assert len(lines) == len(SUBSTRATES)
+        for surface, line in zip(SUBSTRATES, lines, strict=True):
+            start = f"config key {key}: expected at least"
+            assert line.startswith(start) and f" on {surface}, " in line
+
+
+def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(at_root):
+    grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
+    for key, value in (("insight.ranges", "0.04 nm"), ("insight.scaling.preloads", "1 N")):
+        config = numbers(key, [value])
+        assert_says(refusal(check_grids, config, grids), f"config key {key}: expected")
+        check_grids(config | {"published": "none"}, grids)
 
 
 def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):

@@ -26,13 +26,7 @@ rule compute_law_forces:
                 "contact": STUDY["contact"] | {"count": INSIGHT["count"]},
                 "radius": STUDY["sphere"]["radius"],
                 "reach": INSIGHT["reach"],
-                # The step gives the pressure of every law to 3e-4, these ends that of its tail.
-                "ranges": {
-                    "anchor": STUDY["scales"]["range"],
-                    "step": 0.6,
-                    "low": 0.02,
-                    "high": 1e5,
-                },
+                "anchor": STUDY["scales"]["range"],
                 "scales": {
                     side: {"transition": STUDY["scales"][side]["transition"]} | INSIGHT[side]
                     for side in SIDES
@@ -64,7 +58,7 @@ rule compare_laws:
     params:
         canonical=canonical(
             {
-                "scans": INSIGHT_FILES.scans,
+                "scans": INSIGHT_FILES.realized_scans,
                 **NAMED_SURFACES,
                 "reference_surface": STUDY["reference_surface"],
                 "spacing": INSIGHT["spacing"],

@@ -7,13 +7,14 @@ from hardcontact.insight.law_bands import stacked_law_forces
 from hardcontact.insight.law_comparison import LawChoices, compare_laws
 from hardcontact.records.dataset import read_all
 from hardcontact.study.job import job
+from hardcontact.surfaces.masters import SIDES
 
 with job(snakemake) as this:
     given = this.parameters
     constants = published.constants(this.input.published_constants)["value"]
     forces, masters = stacked_law_forces(
         read_all(given["scans"], this.input.scans),
-        {side: read_all(given["scans"], getattr(this.input, side)) for side in ("small", "large")},
+        {side: read_all(given["scans"], getattr(this.input, side)) for side in SIDES},
         {"labels": given["labels"], "basis": given["basis"]},
     )
     choices = LawChoices(

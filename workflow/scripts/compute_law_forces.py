@@ -1,6 +1,11 @@
 """Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
 
-from hardcontact.insight.law_forces import filtered_range_forces, range_grid, scan_range_forces
+from hardcontact.insight.law_forces import (
+    MIXED_RANGES,
+    filtered_range_forces,
+    range_grid,
+    scan_range_forces,
+)
 from hardcontact.random import generator
 from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map
@@ -13,7 +18,7 @@ with job(snakemake) as this:
     scan = read_height_map(this.input.scan)
     sphere = read_height_map(this.input.sphere) if this.input.sphere else None
     contacts = given["contact"] | {name: given[name] for name in ("radius", "reach")}
-    ranges = range_grid(**given["ranges"]).tolist()
+    ranges = range_grid(given["anchor"], **MIXED_RANGES).tolist()
     this.write_arrays(
         scan_range_forces(scan, sphere, contacts | {"ranges": ranges}),
         title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",

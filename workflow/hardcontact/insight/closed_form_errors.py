@@ -28,7 +28,6 @@ __all__ = ["Trial", "closed_form_errors", "spectrum_of_grid"]
 
 #: Where closest approach comes from.
 SOURCES = ["spectrum", "contacts"]
-DIMENSIONS = ("surface", "map_size", "rho")
 
 
 @dataclass(frozen=True)

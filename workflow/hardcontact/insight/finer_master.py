@@ -90,12 +90,12 @@ def on_several_pixels(master: HeightMap, given: FinerMaster) -> xr.Dataset:
             for pixels in progress(given.pixels, len(given.pixels), "pixels")
         ]
     )
-    joule, axes = {"units": "N"}, ("contact_y", "contact_x")
+    newton, axes = {"units": "N"}, ("contact_y", "contact_x")
     without = _without_blocks(forces)
     return xr.Dataset(
         {
-            "unfiltered_pull_off_force": (("pixels", *axes), forces[:, 0], joule),
-            "pull_off_force": (("pixels", "cutoff_wavelength", *axes), forces[:, 1:], joule),
+            "unfiltered_pull_off_force": (("pixels", *axes), forces[:, 0], newton),
+            "pull_off_force": (("pixels", "cutoff_wavelength", *axes), forces[:, 1:], newton),
             "pixel_size": ("pixels", master.size / np.array(given.pixels), NANOMETRES),
         }
         | _ratios(forces.mean(axis=(-2, -1)), without, given),

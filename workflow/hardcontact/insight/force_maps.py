@@ -25,24 +25,23 @@ Floats = NDArray[np.float64]
 STEEPEST = 600.0
 
 
-def at_every_pixel(bodies: Bodies, pixels: int | None = None) -> Bodies:
-    """Return bodies with a contact at every pixel of the substrate.
+def at_every_pixel(bodies: Bodies, pixels: int) -> Bodies:
+    """Return bodies with a contact at each of the first pixels of the substrate.
 
     Parameters
     ----------
     bodies : Bodies
         Substrate and sphere.
-    pixels : int or None
-        Only of the first pixels along either axis: half a period of a mirror-stitched surface is
-        its scan, and the other half its mirror image. None for the whole period.
+    pixels : int
+        Along either axis: half a period of a mirror-stitched surface is its scan, and the other
+        half its mirror image.
 
     Returns
     -------
     Bodies
         The same with other positions.
     """
-    positions = np.arange(bodies.substrate.pixels if pixels is None else pixels)
-    return replace(bodies, geometry=replace(bodies.geometry, positions=positions))
+    return replace(bodies, geometry=replace(bodies.geometry, positions=np.arange(pixels)))
 
 
 def rigid_pull_off(bodies: Bodies, ranges: Sequence[float]) -> Floats:

@@ -21,22 +21,17 @@ out of the sums beforehand and counted at g = 0, never subtracted afterwards.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy import constants, optimize, special
+from scipy import constants, special
 
 __all__ = [
     "EXPONENTIAL",
     "LAWS",
     "Law",
-    "Mixture",
-    "energy",
     "implied_over_known",
-    "mixture",
     "pressure",
-    "sum_of_terms",
     "work_shares",
 ]
 
@@ -96,37 +91,12 @@ LAWS = (
 )
 
 
-class Mixture(NamedTuple):
-    """Exponential laws that add up to a law.
-
-    Attributes
-    ----------
-    ranges : numpy.ndarray
-        (k,) nm, falling.
-    shares : numpy.ndarray
-        (k,) of the work of adhesion.
-    """
-
-    ranges: Floats
-    shares: Floats
-
-
-def energy(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
-    """Return u = -U/W of a law at gaps >= 0 and a range, both in nm; they broadcast."""
-    return _decay(law, gap, rho, 0)
-
-
 def pressure(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
     """Return v = -p rho/W of a law at gaps >= 0 and a range, both in nm; they broadcast."""
-    return _decay(law, gap, rho, 1)
-
-
-def _decay(law: Law, gap: ArrayLike, rho: ArrayLike, derivative: int) -> Floats:
-    """Return the energy (derivative 0) or the pressure (1), each 1 at the gap 0."""
     reduced = np.asarray(gap, float) / law.spacing(rho)
     if law.exponential:
         return np.asarray(np.exp(-reduced))
-    return np.asarray((1 + reduced) ** -(law.exponent + derivative))
+    return np.asarray((1 + reduced) ** -(law.exponent + 1))
 
 
 def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
@@ -150,56 +120,6 @@ def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
     step = abs(np.log(ranges[1] / ranges[0]))
     t = law.spacing(rho)[..., None] / ranges
     return np.asarray(step * np.exp(law.exponent * np.log(t) - t - special.gammaln(law.exponent)))
-
-
-def mixture(law: Law, rho: float, tolerance: float = 1e-5, reach: float = 1e3) -> Mixture:
-    """Return the mixture of exponential laws that is a law, for its pressure and its energy.
-
-    Parameters
-    ----------
-    law : Law
-        Any of the laws.
-    rho : float
-        Its range in nm.
-    tolerance : float
-        Largest relative error of pressure and energy at every gap up to `reach`.
-    reach : float
-        In nm.
-
-    Returns
-    -------
-    Mixture
-        The exponential law is a mixture of itself alone.
-    """
-    if law.exponential:
-        return Mixture(np.array([rho]), np.ones(1))
-    step = _step(law.exponent + 1, tolerance / 2)
-    spacing = float(law.spacing(rho))
-    first = special.gammaincinv(law.exponent, tolerance / 8) / (1 + reach / spacing)
-    last = special.gammainccinv(law.exponent + 1, tolerance / 8)
-    count = int(np.ceil(np.log(last / first) / step)) + 1
-    ranges = spacing / (first * np.exp(step * np.arange(count)))
-    return Mixture(ranges, work_shares(law, rho, ranges))
-
-
-def _step(exponent: float, error: float) -> float:
-    """Return the step in log t at which the trapezoidal rule has a relative error.
-
-    By Poisson's summation the error is 2 |Gamma(n + 2 pi i/step)|/Gamma(n), n the exponent, at
-    every gap alike; it grows with n.
-    """
-
-    def excess(step: float) -> float:
-        of_step = special.loggamma(exponent + 2j * np.pi / step).real
-        return float(np.log(2) + of_step - special.gammaln(exponent) - np.log(error))
-
-    return float(optimize.brentq(excess, 0.05, 1.5))
-
-
-def sum_of_terms(terms: Mixture, rho: float, gap: ArrayLike) -> tuple[Floats, Floats]:
-    """Return energy u and pressure v (...) of a mixture at gaps (...) in nm; rho of the law."""
-    decay = np.exp(-np.asarray(gap, float)[..., None] / terms.ranges)
-    return decay @ terms.shares, decay @ (terms.shares * rho / terms.ranges)
 
 
 def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:

@@ -81,19 +81,20 @@ def repeated_contact_of_pair(
     places = np.stack(np.meshgrid(positions, positions, indexing="ij"), -1).reshape(-1, 2)
     contact_pixels = contact_pixel_count(load, bodies.geometry.pixel_size)
     (single,) = plastic_totals(bodies, [contact_pixels], adhesion.rho)
-    parts, maps = {}, []
+    parts, indentation = {}, xr.Dataset()
     for order in range(orders):
         drawn = rng.permutation(len(places))
-        parts[(order,)], depth = _one_order(bodies, places[drawn], contact_pixels, adhesion)
+        parts[(order,)], about_deepest = _one_order(bodies, places[drawn], contact_pixels, adhesion)
         parts[(order,)]["single_pull_off_force"] = (
             "contact",
             _force(single.ravel()[drawn], bodies, adhesion),
             {"units": "N"},
         )
-        maps.append(depth)
+        if order == 0:
+            indentation = about_deepest
     return (
         stack(parts, ["order"])
-        .merge(_map_about_deepest(maps[0], bodies.geometry.pixel_size))
+        .merge(indentation)
         .assign_attrs(load, rho=adhesion.rho, work_of_adhesion=adhesion.work)
     )
 
@@ -105,8 +106,8 @@ def _force(total: ArrayLike, bodies: Bodies, adhesion: Adhesion) -> Floats:
 
 def _one_order(
     bodies: Bodies, positions: NDArray[np.int_], contact_pixels: int, adhesion: Adhesion
-) -> tuple[xr.Dataset, Floats]:
-    """Return forces and indents of one order of contacts, and the last map of depths (nm)."""
+) -> tuple[xr.Dataset, xr.Dataset]:
+    """Return forces and indents of one order of contacts, and their map about the deepest."""
     contacts, pixel_size = len(positions), bodies.geometry.pixel_size
     stages = np.unique(np.geomspace(1, contacts, STAGES).round().astype(int))
     totals, penetration, sizes = [], [], []
@@ -133,7 +134,7 @@ def _one_order(
         "stage": stages,
         "indent": np.arange(len(last.depth)),
     }
-    return xr.Dataset(variables, coordinates), one.depth
+    return xr.Dataset(variables, coordinates), _map_about_deepest(one.depth, pixel_size)
 
 
 def _summary(indents: IndentSizes) -> tuple[float, ...]:

@@ -60,9 +60,11 @@ def window_edges(
     xarray.Dataset
         Over surface, edge_size and cutoff_wavelength ``long_ratio``, the mean over realizations of
         the force without longer waves over that with all, with its interval; over surface and
-        edge_size ``long_edge`` in nm with interval, bound, status and text as of `described_edge`,
-        and ``force_over_largest``, the force over that on the larger whole surface, with its
-        interval; ``period`` and ``mirrored`` (edge_size).
+        edge_size what `described_edge` says: ``long_edge``, ``long_edge_interval`` and
+        ``long_edge_bound`` in nm, ``long_edge_at_least``, ``long_edge_status``,
+        ``long_interval_status`` and ``long_edge_text``; and ``force_over_largest``, the force over
+        that on the larger whole surface, with its interval; ``period`` and ``mirrored``
+        (edge_size).
     """
     given = next(iter(forces.values()))[["period", "mirrored"]]
     measured = {(name,): one[["ratio", "pull_off_force"]] for name, one in forces.items()}

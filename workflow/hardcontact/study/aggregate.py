@@ -74,10 +74,6 @@ class Files(SingleFiles):
         """The measured topography of every scan."""
         return [self._topography(surface, scan) for surface, scan in self.scans]
 
-    def topographies_of(self, surface: str) -> list[str]:
-        """Return the measured topography of every scan of a surface."""
-        return [self._topography(surface, scan) for scan in self._scans(surface)]
-
     @property
     def spectra(self) -> list[str]:
         """The spectrum of every surface."""

@@ -2,9 +2,11 @@
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from functools import reduce
+from operator import getitem
+from typing import Any, NamedTuple
 
-from hardcontact.answer.quantities import print_quantity
+from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.study.grids import Grid
 from hardcontact.study.stages import PAPER
@@ -12,6 +14,7 @@ from hardcontact.study.stages import PAPER
 __all__ = [
     "CONTACT_PIXELS",
     "MAP_PIXELS",
+    "Attraction",
     "least_range",
     "loads",
     "refuse_contact_pixels",
@@ -19,6 +22,8 @@ __all__ = [
     "refuse_load",
     "refuse_short_range",
     "sections_of_contacts",
+    "sections_of_loads",
+    "settings_of",
 ]
 
 #: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
@@ -28,11 +33,32 @@ MAP_PIXELS = 16384
 CONTACT_PIXELS = 2**26
 #: Largest difference in height over the range of adhesion: exponentials overflow beyond 700.
 RELIEF_OVER_RANGE = 500.0
+#: Sections whose contacts are as many as those of another.
+COUNTED = {"scales": "contact"}
+
+
+class Attraction(NamedTuple):
+    """A range of adhesion and the radius of the sphere, both in nm."""
+
+    rho: float
+    radius: float
+
+
+def settings_of(config: dict[str, Any], section: str) -> dict[str, Any]:
+    """Return the keys of a section, with dots between the parts of its name."""
+    found: dict[str, Any] = reduce(getitem, section.split("."), config)
+    return found
 
 
 def sections_of_contacts(config: dict[str, Any]) -> list[str]:
     """Return the sections that contacts on scans come from; own surfaces have no sets."""
     return ["contact", "sets"] if config["published"] == PAPER else ["contact"]
+
+
+def sections_of_loads(config: dict[str, Any]) -> list[str]:
+    """Return the sections that name loads; own surfaces have no sets and no insight."""
+    of_paper = ["insight.scaling"] if config["published"] == PAPER else []
+    return [*sections_of_contacts(config), *of_paper]
 
 
 def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
@@ -42,15 +68,20 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"contact", "scales", "sets"}
+    section : {"contact", "scales", "sets", "insight", "insight.scaling"}
         The section; robustness is computed at the size of the sets, at loads of its own.
 
     Yields
     ------
     key, load : str, Load
-        First those of the study itself.
+        First those of the study itself, unless all loads are the section's own; the largest of
+        several.
     """
     preload, hardness = (config["contact"][key] for key in ("preload", "hardness"))
+    if section == "insight.scaling":
+        largest = max(settings_of(config, section)["preloads"])
+        yield "insight.scaling.preloads", Load(preload=largest, hardness=hardness)
+        return
     yield "contact.preload", Load(preload=preload, hardness=hardness)
     if section == "contact" and config["published"] == PAPER:
         largest = max(config["indent"]["preloads"])
@@ -89,18 +120,17 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     relief = grid.relief
     if window >= 2 * grid.size:
         relief = min(relief, grid.size**2 / radius)
+    two_pixels = "an interaction radius sqrt(2 R rho) of two pixels needs it"
     reasons = {
         f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
-        "an interaction radius sqrt(2 R rho) of two pixels needs it": 2
-        * grid.pixel_size**2
-        / radius,
+        f"{two_pixels} at R = {print_length(radius)}": 2 * grid.pixel_size**2 / radius,
     }
     reason, least = max(reasons.items(), key=lambda item: item[1])
     return _rounded_up(least), reason
 
 
 def refuse_short_range(
-    config: dict[str, Any], key: str, rho: float, surface: str, grid: Grid
+    config: dict[str, Any], key: str, attraction: Attraction, surface: str, grid: Grid
 ) -> None:
     """Refuse a range of adhesion too short for the pixels or for the relief of a surface.
 
@@ -110,8 +140,8 @@ def refuse_short_range(
         Numbers, as `configuration.configuration` returns it.
     key : str
         Key of the range, for the message.
-    rho : float
-        Range of adhesion in nm.
+    attraction : Attraction
+        The shortest range, on the smallest sphere.
     surface : str
         Id of the surface, for the message.
     grid : Grid
@@ -122,12 +152,11 @@ def refuse_short_range(
     ValueError
         In one line, naming the key and the least range that the surface permits.
     """
-    radius, window = config["sphere"]["radius"], config["contact"]["window"]
-    least, reason = least_range(radius, window, grid)
-    if rho < least:
+    least, reason = least_range(attraction.radius, config["contact"]["window"], grid)
+    if attraction.rho < least:
         raise ValueError(
             f"config key {key}: expected at least {least:g} nm on {surface}, "
-            f"where {reason}, found {rho:.4g} nm"
+            f"where {reason}, found {attraction.rho:.4g} nm"
         )
 
 
@@ -171,8 +200,8 @@ def refuse_contact_pixels(
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    section : {"contact", "scales", "sets"}
-        The section whose loads are checked.
+    section : {"contact", "scales", "sets", "insight", "insight.scaling"}
+        The section whose loads are checked, at its own number of contacts.
     surface : str
         Id of the substrate, for the message.
     pixel_size : float
@@ -185,8 +214,8 @@ def refuse_contact_pixels(
     ValueError
         In one line, naming the key.
     """
-    counted = "sets" if section == "sets" else "contact"
-    count = config[counted]["count"]
+    counted = COUNTED.get(section, section)
+    count = settings_of(config, counted)["count"]
     most = int(CONTACT_PIXELS / count**2 / images)
     window = config["contact"]["window"]
     why = (

@@ -39,7 +39,7 @@ class InsightFiles(Files):
         ]
 
     @property
-    def scans(self) -> list[tuple[str, int]]:
+    def realized_scans(self) -> list[tuple[str, int]]:
         """Surface and number of the first scans of every substrate, one a realization."""
         return self._first_scans(self._realizations)
 
@@ -47,7 +47,7 @@ class InsightFiles(Files):
         """Return the files of a pattern, one a scan."""
         return [
             self._of_surface(pattern, surface, STUDY_VARIANT, scan=scan)
-            for surface, scan in self.scans
+            for surface, scan in self.realized_scans
         ]
 
     @property
@@ -96,6 +96,6 @@ class InsightFiles(Files):
             ): Repeated(pair.surface, load["preload"], pair.scan)
             for load in (of_study, of_image)
             for pair in self.pairs_in_turn
-            if (pair.surface, pair.scan) in self.scans
+            if (pair.surface, pair.scan) in self.realized_scans
             and (load is of_study or pair.surface == self._indented)
         }

@@ -1,18 +1,18 @@
 """What the scans of a surface permit of the masters that are built on them."""
 
 import math
-from functools import reduce
-from operator import getitem
 from typing import Any
 
 import numpy as np
 
 from hardcontact.study.grid_limits import (
     MAP_PIXELS,
+    Attraction,
     loads,
     refuse_contact_pixels,
     refuse_large_map,
     refuse_short_range,
+    settings_of,
 )
 from hardcontact.study.grids import Grid
 from hardcontact.study.memory import machine_megabytes, master_megabytes
@@ -48,7 +48,7 @@ def refuse_on_master(
     ValueError
         In one line, naming the key.
     """
-    own: dict[str, Any] = reduce(getitem, section.split("."), config)[side]
+    own: dict[str, Any] = settings_of(config, section)[side]
     of_side = config["scales"][side] | own
     pixels, tiles = of_side["pixels"], of_side.get("tiles", 1)
     size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
@@ -58,9 +58,10 @@ def refuse_on_master(
             f"{tiles} x {tiles} stitched scans of {surface}, found {pixels}"
         )
     refuse_beyond_memory(f"{section}.{side}.pixels", pixels, machine_megabytes())
-    rho = config["scales"]["range"]
-    refuse_short_range(config, "scales.range", rho, surface, grid._replace(size=size / 2))
-    _refuse_deep_contacts(config, section, rho, grid)
+    key, attraction = _shortest_attraction(config, section)
+    refuse_short_range(config, key, attraction, surface, grid._replace(size=size / 2))
+    if section in ("scales", "sets"):  # those that are computed at `scales.range` alone
+        _refuse_deep_contacts(config, section, attraction.rho, grid)
     finest = size / pixels
     cutoff_pixel_size = finest if side == "small" else grid.pixel_size
     for name, limit in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
@@ -73,6 +74,14 @@ def refuse_on_master(
         what = f"the {side}-scale masters of {surface} and the sphere"
         refuse_large_map(what, finest, master, sphere)
     refuse_contact_pixels(config, section, surface, finest)
+
+
+def _shortest_attraction(config: dict[str, Any], section: str) -> tuple[str, Attraction]:
+    """Return the shortest range of a section, with its key, and the smallest sphere."""
+    if section == "insight.scaling":
+        scaling = settings_of(config, section)
+        return f"{section}.ranges", Attraction(min(scaling["ranges"]), min(scaling["radii"]))
+    return "scales.range", Attraction(config["scales"]["range"], config["sphere"]["radius"])
 
 
 def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:

@@ -9,14 +9,17 @@ from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.hertz import effective_modulus
 from hardcontact.study.grid_limits import (
     MAP_PIXELS,
+    Attraction,
     loads,
     refuse_contact_pixels,
     refuse_large_map,
     refuse_load,
     refuse_short_range,
     sections_of_contacts,
+    sections_of_loads,
 )
 from hardcontact.study.grids import Grid
+from hardcontact.study.stages import PAPER
 
 __all__ = [
     "refuse_on_elastic_pair",
@@ -58,11 +61,13 @@ def refuse_on_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
                 f"config key {section}.count: expected at most the {2 * grid.pixels} pixels along "
                 f"the stitched scan of {surface}, found {config[section]['count']}"
             )
-    for key, rho in (
-        ("adhesion.ranges", config["adhesion"]["ranges"][0]),
-        ("scales.range", config["scales"]["range"]),
-    ):
-        refuse_short_range(config, key, rho, surface, grid)
+    ranges = {"adhesion.ranges": config["adhesion"]["ranges"][0]}
+    if config["published"] == PAPER:
+        ranges["insight.ranges"] = config["insight"]["ranges"][0]
+    ranges["scales.range"] = config["scales"]["range"]
+    for key, rho in ranges.items():
+        attraction = Attraction(rho, config["sphere"]["radius"])
+        refuse_short_range(config, key, attraction, surface, grid)
 
 
 def refuse_on_elastic_scan(config: dict[str, Any], surface: str, grid: Grid) -> None:
@@ -79,7 +84,7 @@ def _refuse_loads(config: dict[str, Any], surface: str, grid: Grid) -> None:
     """Refuse loads that need more than a quarter of the pixels in the window."""
     window = window_pixels(config["contact"]["window"], grid.pixel_size)
     available = min(window, 2 * grid.pixels) ** 2 // 4
-    sections = sections_of_contacts(config)
+    sections = sections_of_loads(config)
     for key, load in chain.from_iterable(loads(config, section) for section in sections):
         why = f"which a quarter of the {4 * available} pixels of {surface} can carry"
         refuse_load(key, load, available, grid.pixel_size, why)
