@@ -18,7 +18,7 @@ class ScanForces(NamedTuple):
     Attributes
     ----------
     mean : numpy.ndarray
-        (rho,) in N at 1 J/m².
+        (rho,) in N, at the work of adhesion of the forces given.
     left_out : numpy.ndarray
         (part, rho) logarithms of the mean of all parts but one.
     parts : list of Parts
@@ -36,7 +36,7 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanFor
     Parameters
     ----------
     forces : xarray.DataArray (scan, sphere_scan, rho, contact_y, contact_x)
-        In N at 1 J/m², NaN where a scan is missing.
+        In N at any work of adhesion, NaN where a scan is missing.
     size : float
         Edge of a scan in nm.
     radius : float
