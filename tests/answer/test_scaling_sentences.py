@@ -1,5 +1,6 @@
 """Sentences on the scaling of edges: what they follow, in the words of the dataset."""
 
+import numpy as np
 from figure_inputs.scaling import scaling
 from refusals import assert_says
 
@@ -49,15 +50,29 @@ def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
         "the force on UNCD is a",
         "Gaussian average over many points, since σ/ρ = 3.04 < m/σ = 3.53",
         "short edge is set by ρ: the contact 2√(F/πH) = 23 nm is narrower than the 40 nm",
-        "stopped by the roll-off at 1 µm, shorter than the reach √(2Rρ) = 1.7 µm (computed:",
+        "Of the roll-off at 1 µm and the reach √(2Rρ) = 1.7 µm the first is shorter; ",
     )
     assert_says(
         mcd,
         "frozen to single peaks, since σ/ρ = 18 > m/σ = 3.27",
         "is set by the size of the contact: the contact 2√(F/πH) = 23 nm is wider than the 20 nm",
-        "stopped by the reach √(2Rρ) = 1.7 µm, shorter than the roll-off at 2.7 µm",
+        "Of the reach √(2Rρ) = 1.7 µm and the roll-off at 2.7 µm the first is shorter; ",
     )
     assert_says(polished, "The closed form has no short edge (computed: ")
+
+
+def test_whether_a_length_stops_the_long_edge_is_what_the_interval_says():
+    data = scaling()
+    of_uncd = {"side": "large", "surface": "uncd", "radius": 250e3, "area": 400.0, "rho": 5.6}
+    for low, high, expected in (
+        (1100.0, 2e3, "lies wholly above, so that this length does not stop it."),
+        (500.0, 900.0, "lies wholly below, so that the edge ends before this length."),
+        (900.0, 1100.0, "does not exclude that this length stops it."),
+        (np.nan, np.nan, "does not exclude that this length stops it."),
+    ):
+        data["edge_interval"].loc[of_uncd] = [low, high]
+        (said,) = (one for one in scaling_sentences(data) if "the force on UNCD is" in one)
+        assert said.endswith(expected)
 
 
 def test_a_smooth_surface_has_no_peaks_to_compare():

@@ -13,6 +13,7 @@ from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
 from hardcontact.insight.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
 from hardcontact.insight.edge_scaling import DEPENDENCE, LENGTHS, PARTS
+from hardcontact.statistics import bounds
 
 __all__ = ["scaling_sentences"]
 
@@ -25,6 +26,11 @@ FORCE = {
     MANY_POINTS: "is a Gaussian average over many points",
     SINGLE_PEAKS: "is frozen to single peaks",
 }
+
+REACH_IS_NO_END = (
+    "The reach √(2Rρ) is where the attraction of a smooth sphere has fallen to 1/e of that at the "
+    "middle, not where it ends: longer waves may count."
+)
 
 
 def scaling_sentences(scaling: xr.Dataset) -> list[str]:
@@ -49,6 +55,7 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
         *exponents,
         *(_of_reach(scaling, part) for part in PARTS[1:]),
         *_regimes(scaling),
+        REACH_IS_NO_END,
         _causes(scaling),
         _found(scaling),
     ]
@@ -167,14 +174,25 @@ def _short_edge(of_surface: xr.Dataset) -> str:
 
 
 def _long_edge(of_surface: xr.Dataset) -> str:
-    reach = f"the reach √(2Rρ) = {_nm(of_surface, 'attraction_reach')}"
-    reasons = {
-        ROLL_OFF: f"by the roll-off at {_nm(of_surface, 'roll_off')}, shorter than {reach}",
-        REACH: f"by {reach}, shorter than the roll-off at {_nm(of_surface, 'roll_off')}",
+    """Return whether the interval says that the shorter of roll-off and reach stops the edge."""
+    lengths = {
+        ROLL_OFF: f"the roll-off at {_nm(of_surface, 'roll_off')}",
+        REACH: f"the reach √(2Rρ) = {_nm(of_surface, 'attraction_reach')}",
     }
-    reason = reasons[of_surface["long_edge_from"].item()]
-    computed = _computed(of_surface, "large")
-    return f"By these lengths its long edge should be stopped {reason} (computed: {computed})"
+    shorter = of_surface["long_edge_from"].item()
+    (longer,) = lengths.keys() - {shorter}
+    stop = min(of_surface["roll_off"].item(), of_surface["attraction_reach"].item())
+    low, high = (end.item() for end in bounds(of_surface.sel(side="large"), "edge"))
+    if low > stop:
+        follows = "its interval lies wholly above, so that this length does not stop it"
+    elif high < stop:
+        follows = "its interval lies wholly below, so that the edge ends before this length"
+    else:
+        follows = "its interval does not exclude that this length stops it"
+    return (
+        f"Of {lengths[shorter]} and {lengths[longer]} the first is shorter; the computed long edge "
+        f"is {_computed(of_surface, 'large')}: {follows}"
+    )
 
 
 def _found(scaling: xr.Dataset) -> str:
