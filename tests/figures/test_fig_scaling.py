@@ -30,7 +30,7 @@ def test_table_holds_every_edge_but_the_open_one_and_every_exponent():
     assert row["value"] == data["edge"].sel(chosen).item()
     assert row["high"] == data["edge_interval"].sel({**chosen, "bound": "high"}).item()
     assert row["reach"] == pytest.approx(np.sqrt(2 * 1e6 * 5.6))
-    assert len(select(rows, quantity="exponent", dependence="no")) == 2 * 4 * 3 * 3
+    assert len(select(rows, quantity="exponent", dependence="independent")) == 2 * 4 * 3 * 3
     assert select(rows, origin="published")["value"].tolist() == [43.0, 1800.0]
     assert select(rows, quantity="roll_off", surface="uncd")["value"].item() == 1000.0
     assert rows["unit"].notna().all()

@@ -12,7 +12,17 @@ from hardcontact.answer.part_text import (
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
 from hardcontact.insight.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
-from hardcontact.insight.edge_scaling import DEPENDENCE, LENGTHS, PARTS
+from hardcontact.insight.edge_scaling import (
+    DEPENDENCE,
+    FALLING,
+    INDEPENDENT,
+    LENGTHS,
+    PARTLY,
+    PARTS,
+    PROPORTIONAL,
+    STEEPER,
+    UNDECIDED,
+)
 from hardcontact.statistics import bounds
 
 __all__ = ["scaling_sentences"]
@@ -20,6 +30,21 @@ __all__ = ["scaling_sentences"]
 EDGES = {"small": "short", "large": "long"}
 #: Lengths as they are printed.
 NAMES = dict(zip(LENGTHS, ("√R", "√ρ", "√(F/H)"), strict=True))
+#: What `edge_scaling.dependence` says, in the words of the page.
+WORDS = {
+    PROPORTIONAL: "proportional",
+    PARTLY: "partly",
+    INDEPENDENT: "independent",
+    STEEPER: "more than proportional",
+    FALLING: "against it",
+    UNDECIDED: "undecided",
+}
+RULE = (
+    "An edge is called proportional to a length where the interval of the exponent holds 1 and not "
+    "0, independent of it where it holds 0 and not 1, undecided where it holds both; where it "
+    "holds neither, the edge follows partly (between 0 and 1), more than in proportion (above 1) "
+    "or against the length (below 0)."
+)
 #: What a regime means for the force.
 FORCE = {
     SMOOTH: "hardly depends on the roughness",
@@ -52,6 +77,7 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
     exponents = (_exponents(scaling, side, length) for side in EDGES for length in LENGTHS)
     return [
         f"{' '.join(of_sides)} Varied were {_varied(scaling)}.",
+        RULE,
         *exponents,
         *(_of_reach(scaling, part) for part in PARTS[1:]),
         *_regimes(scaling),
@@ -75,12 +101,12 @@ def _followed(scaling: xr.Dataset, side: str) -> str:
     for length, name in NAMES.items():
         verdicts = of_side["dependence"].sel(length=length).values
         said = [
-            f"{verdict} on {listed(of_side['label'].values[verdicts == verdict].tolist())}"
+            f"{WORDS[verdict]} on {listed(of_side['label'].values[verdicts == verdict].tolist())}"
             for verdict in DEPENDENCE
             if (verdicts == verdict).any()
         ]
         lengths.append(f"{name} {', '.join(said)}")
-    return f"Whether the {EDGES[side]} edge of the band follows: {'; '.join(lengths)}."
+    return f"How the {EDGES[side]} edge of the band follows: {'; '.join(lengths)}."
 
 
 def _varied(scaling: xr.Dataset) -> str:

@@ -175,8 +175,8 @@ def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
             known = np.nan_to_num(reach(one))[:, None]
             axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
             drawn.append(one["value"].item())
-    for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
-        axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
+    for value in (0.0, 1.0):
+        axes.axvline(value, color="0.7", lw=0.6, zorder=0)
     for name, place in (("short edge", 0.5), ("long edge", -2.5)):
         axes.text(0.98, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic",
                   transform=axes.get_yaxis_transform())  # fmt: skip
