@@ -49,13 +49,13 @@ def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
         uncd,
         "the force on UNCD is a",
         "Gaussian average over many points, since σ/ρ = 3.04 < m/σ = 3.53",
-        "short edge is set by ρ: the contact 2√(F/πH) = 23 nm is narrower than the 40 nm",
+        "The contact 2√(F/πH) = 23 nm is narrower than its short edge of 40 nm in the closed form",
         "Of the roll-off at 1 µm and the reach √(2Rρ) = 1.7 µm the first is shorter; ",
     )
     assert_says(
         mcd,
         "frozen to single peaks, since σ/ρ = 18 > m/σ = 3.27",
-        "is set by the size of the contact: the contact 2√(F/πH) = 23 nm is wider than the 20 nm",
+        "The contact 2√(F/πH) = 23 nm is wider than its short edge of 20 nm in the closed form",
         "Of the reach √(2Rρ) = 1.7 µm and the roll-off at 2.7 µm the first is shorter; ",
     )
     assert_says(polished, "The closed form has no short edge (computed: ")
@@ -78,13 +78,25 @@ def test_whether_a_length_stops_the_long_edge_is_what_the_interval_says():
 def test_a_smooth_surface_has_no_peaks_to_compare():
     data = scaling()
     data["regime"] = data["regime"].where(data["surface"] != "ncd", SMOOTH)
-    assert "the force on NCD hardly depends on the roughness. Its" in " ".join(
+    assert "the force on NCD hardly depends on the roughness. The contact" in " ".join(
         scaling_sentences(data)
     )
 
 
-def test_exponents_stand_by_what_should_set_the_edge():
-    (said,) = (one for one in scaling_sentences(scaling()) if "should set the edge" in one)
-    wider, narrower = said.split(": ")[1].split("; ")
-    assert "1 [0.8, 1.2] where it is wider (20 edges)" in wider
-    assert "0.9 [0.72, 1.1] and 0.3 [0.24, 0.36] where it is narrower (70 edges)" in narrower
+def test_exponents_of_all_surfaces_are_judged_by_their_intervals():
+    data = scaling()
+    data["cause_exponent_interval"].loc[{"cause": "range", "length": "radius"}] = [-0.2, -0.1]
+    texts = scaling_sentences(data)
+    (said,) = (one for one in texts if "where the contact is wider" in one)
+    wider, narrower = said.split("Where it is ")[1:]
+    assert wider.startswith("wider (20 edges), √R: partly, 0.1 [0.08, 0.12], √ρ: partly,")
+    assert wider.endswith("and √(F/H): proportional, 1 [0.8, 1.2]: not √(F/H) alone. ")
+    assert narrower.startswith("narrower (70 edges), √R: against it, 0.1 [-0.2, -0.1], ")
+    assert narrower.endswith("[0.72, 1.1] and √(F/H): partly, 0.3 [0.24, 0.36]: not √ρ alone.")
+    data["cause_exponent_interval"].loc[{"cause": "range", "length": ["radius", "contact"]}] = [
+        -0.1,
+        0.1,
+    ]
+    (said,) = (one for one in scaling_sentences(data) if "where the contact is wider" in one)
+    assert said.endswith("and √(F/H): independent, 0.3 [-0.1, 0.1].")
+    assert any("a jackknife over 4 surfaces" in one for one in texts)

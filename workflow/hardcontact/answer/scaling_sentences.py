@@ -1,5 +1,6 @@
 """What decides the edges of the critical band, in sentences of plain text."""
 
+import numpy as np
 import xarray as xr
 
 from hardcontact.answer.part_text import (
@@ -22,6 +23,7 @@ from hardcontact.insight.edge_scaling import (
     PROPORTIONAL,
     STEEPER,
     UNDECIDED,
+    dependence,
 )
 from hardcontact.statistics import bounds
 
@@ -82,7 +84,7 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
         *(_of_reach(scaling, part) for part in PARTS[1:]),
         *_regimes(scaling),
         REACH_IS_NO_END,
-        _causes(scaling),
+        *_causes(scaling),
         _found(scaling),
     ]
 
@@ -148,21 +150,32 @@ def _regimes(scaling: xr.Dataset) -> list[str]:
     ]
 
 
-def _causes(scaling: xr.Dataset) -> str:
-    """Return whether the short edge scales as what should set it."""
+def _causes(scaling: xr.Dataset) -> list[str]:
+    """Return how the short edge scales where the contact is wider than it, and where not."""
     said = []
-    for cause, where in ((CONTACT, "wider"), (RANGE, "narrower")):
+    for cause, where, alone in ((CONTACT, "wider", "contact"), (RANGE, "narrower", "rho")):
         of_cause = scaling.sel(cause=cause)
-        numbers = listed(
-            print_bounded_as_paper(of_cause.sel(length=length), "cause_exponent", "1")
-            for length in LENGTHS
-        )
-        said.append(f"{numbers} where it is {where} ({of_cause['cause_edges'].item()} edges)")
-    return (
-        "A contact that is wider than the short edge of the closed form should set the edge, which "
-        "then follows √(F/H) alone; where it is narrower the edge should follow √ρ alone. "
-        f"Exponents against {listed(NAMES.values())} over all surfaces: {'; '.join(said)}."
-    )
+        follows = listed(_follows(of_cause.sel(length=length)) for length in LENGTHS)
+        low, high = bounds(of_cause.drop_sel(length=alone), "cause_exponent")
+        refuted = ~np.isin(dependence(low, high), [INDEPENDENT, UNDECIDED])
+        so = f": not {NAMES[alone]} alone" if refuted.any() else ""
+        said.append(f"Where it is {where} ({of_cause['cause_edges'].item()} edges), {follows}{so}.")
+    return [
+        "The closed form knows the range of adhesion, but not that a contact flattens what is "
+        "smaller than itself. If only the wider of its short edge and the contact set the edge, "
+        "this would follow √(F/H) alone where the contact is wider, and √ρ alone where it is "
+        f"narrower. {' '.join(said)}",
+        f"These intervals are a jackknife over {scaling.sizes['surface']} surfaces, and edges of "
+        "one surface share its masters, so that they are no independent numbers.",
+    ]
+
+
+def _follows(of_length: xr.Dataset) -> str:
+    """Return what an exponent of all surfaces says, in words and numbers."""
+    low, high = bounds(of_length, "cause_exponent")
+    verdict = WORDS[str(dependence(low, high))]
+    exponent = print_bounded_as_paper(of_length, "cause_exponent", "1")
+    return f"{NAMES[of_length['length'].item()]}: {verdict}, {exponent}"
 
 
 def _nm(of_surface: xr.Dataset, name: str) -> str:
@@ -189,14 +202,14 @@ def _short_edge(of_surface: xr.Dataset) -> str:
     computed = _computed(of_surface, "small")
     cause = of_surface["short_edge_from"].item()
     predicted = _nm(of_surface.sel(side="small"), "predicted_edge")
-    diameter = f"the contact 2√(F/πH) = {_nm(of_surface, 'contact_diameter')}"
-    reasons = {
-        CONTACT: f"is set by the size of the contact: {diameter} is wider than the {predicted} ",
-        RANGE: f"is set by ρ: {diameter} is narrower than the {predicted} ",
-    }
-    if cause not in reasons:
+    diameter = f"The contact 2√(F/πH) = {_nm(of_surface, 'contact_diameter')}"
+    if not cause:
         return f"The closed form has no short edge (computed: {computed})"
-    return f"Its short edge {reasons[cause]}of the closed form (computed: {computed})"
+    compared = {CONTACT: "wider", RANGE: "narrower"}[cause]
+    return (
+        f"{diameter} is {compared} than its short edge of {predicted} in the closed form "
+        f"(computed: {computed})"
+    )
 
 
 def _long_edge(of_surface: xr.Dataset) -> str:

@@ -4,8 +4,9 @@ Three comparisons of lengths, all of the closed form (`closed_form`) at one sphe
 
 - sigma/rho against m/sigma: the attraction comes from many points, or is frozen to single peaks.
 - The diameter 2 sqrt(F/(pi H)) of the contact against the short edge. The closed form knows the
-  range of adhesion, but not that a contact flattens what is smaller than itself: where its edge is
-  shorter than the contact, the contact sets the edge, otherwise the range.
+  range of adhesion, but not that a contact flattens what is smaller than itself. If the longer of
+  both set the edge, this would follow the contact alone where that is wider, otherwise the range
+  alone; exponents of computed edges say how far that holds (`cause_exponents`).
 - The reach sqrt(2 R rho) of the attraction against the roll-off of the spectrum. Roughness much
   longer than the reach lifts sphere and attraction alike, and far beyond the roll-off there is
   none: if one length stops the long edge, it is the shorter of the two. Neither is a sharp end: at
@@ -27,7 +28,7 @@ from hardcontact.surfaces.spectrum import Spectrum, roll_off
 
 __all__ = ["CONTACT", "RANGE", "REACH", "ROLL_OFF", "cause_exponents", "edge_regimes"]
 
-#: What sets the short edge.
+#: The longer of two lengths that may set the short edge.
 CONTACT, RANGE = "contact", "range"
 #: The shorter of two lengths that may stop the long edge.
 ROLL_OFF, REACH = "roll-off", "reach"
