@@ -125,9 +125,32 @@ def test_widths_beside_the_image_follow_from_value_and_interval():
 
 def test_the_bearing_area_is_wrong_by_the_largest_ratios():
     data = elastic_limit()
-    shares, largest, larger, recovered, areas = elastic_limit_sentences(data)
+    answer, shares, largest, larger, recovered, left_open, areas = elastic_limit_sentences(data)
+    assert answer.startswith("No. ")
+    assert answer.endswith(
+        "none on polished UNCD; some on UNCD and NCD; not decided on MCD, where both disagree."
+    )
     assert_says(shares, "polished UNCD 0 [0, 0]", "MCD 1 [")
-    assert_says(largest, "200 % up or 100 % down")
+    assert_says(largest, "at most 200 [140, 260] % above (on polished UNCD)")
+    assert_says(largest, "at most 100 [100, 100] % below (on polished UNCD)")
     assert_says(larger, "larger, elastic area", "UNCD 2 [")
     assert_says(recovered, "recovered before pull-off", "UNCD 0.5 [")
+    most = data["solved_area"].sel(surface="mcd").max().item() / 405
+    assert_says(
+        left_open, "On MCD, where", "fall to MCD 0.5 [0.4, 0.6], where", f"reach {most:.2g} times"
+    )
     assert_says(areas, "0.5 times the solved one", "24 contacts")
+
+
+def test_whether_all_contacts_yield_is_what_index_and_solved_pressures_say():
+    data = elastic_limit()
+    for by_index, solved, expected in (
+        ([1, 1, 1, 1], [1, 1, 1, 1], "Yes."),
+        ([1, 1, 1, 1], [1, 1, 1, 0.5], "Not decided."),
+        ([0, 1, 1, 1], [0, 1, 1, 0.5], "No."),
+        ([1, 1, 1, 1], [np.nan, 1, 1, 1], "Yes."),
+    ):
+        data["plastic_share"][:], data["solved_plastic_share"][:] = by_index, solved
+        texts = elastic_limit_sentences(data)
+        assert texts[0].startswith(expected)
+        assert any("contradict" in one for one in texts) == (0.5 in solved)
