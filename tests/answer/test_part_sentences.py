@@ -79,6 +79,35 @@ def test_laws_are_ranked_by_their_error_to_measured_forces():
     assert places == sorted(places)
 
 
+def test_edges_of_laws_keep_their_direction_and_cutoffs_are_named():
+    data = laws()
+    data["edge_factor"].loc[{"law": "retarded", "side": "small", "group": "pooled"}] = 0.8
+    assert_says(
+        law_sentences(data)[2],
+        "over those of Eq. 1: van der Waals 1.2 [",
+        "retarded (Casimir) 0.8 [",
+        "3 at the short edge, neighbours factors of 2 to 2.5 apart",
+        "3 at the long edge, neighbours factors of 2 to 3 apart",
+    )
+
+
+def test_strengths_are_said_in_terms_of_what_is_known():
+    data = laws()
+    data["implied_over_known"].loc[{"law": "van_der_waals"}] = 20.0
+    data["implied_over_known"].loc[{"law": "electrostatic"}] = 4.0
+    assert_says(
+        law_sentences(data)[3],
+        "20 times that for a Hamaker constant of 5e-19 J",
+        "one of 1e-17 J",
+        "between perfect conductors",
+        "electrostatic 4 times that for a contact potential of 1 V: one of 2 V.",
+    )
+
+
+def test_laws_say_which_contacts_they_stand_on():
+    assert "3 scans a surface with 64 contacts each" in law_sentences(laws())[4]
+
+
 def test_maps_say_what_a_mean_needs():
     data = maps()
     contacts, array, scans, *_ = map_sentences(data)

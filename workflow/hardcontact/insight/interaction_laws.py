@@ -29,7 +29,9 @@ from scipy import constants, optimize, special
 
 __all__ = [
     "EXPONENTIAL",
+    "HAMAKER",
     "LAWS",
+    "POTENTIAL",
     "Law",
     "Mixture",
     "energy",
