@@ -135,8 +135,9 @@ def test_repeated_contact_is_judged_by_the_sizes_in_the_image():
     data = repeated_contact()
     force, depth, width, growth, _ = repeated_contact_sentences(data)
     assert_says(force, "of 400 contacts", *data["label"].values)
-    assert_says(depth, "20 µN on NCD", "8 [6.4, 9.6] nm deep", "2 nm to 10 nm", "reaches them")
-    assert_says(width, "120 [96, 140] nm wide", "does not reach them")
+    assert_says(depth, "20 µN on NCD", "8 [6.4, 9.6] nm deep", "2 nm to 10 nm")
+    assert_says(depth, "the first contact reaches them already (2 [1.6, 2.4] nm)")
+    assert_says(width, "120 [96, 140] nm wide", "is not decided", "lattice", "hardly overlap")
     assert_says(growth, "from 2 nm deep and 30 nm wide", "to 8 nm deep and 120 nm wide")
 
 
@@ -150,6 +151,12 @@ def test_widths_beside_the_image_follow_from_value_and_interval():
         for name in ("lateral_size", "lateral_size_interval"):
             data[name] = factor * data[name]
         assert expected in repeated_contact_sentences(data)[2]
+
+
+def test_depths_that_the_first_contact_does_not_have_are_those_of_repeated_contact():
+    data = repeated_contact()
+    data["depth"].loc[{"stage": 1}] = 1.5
+    assert repeated_contact_sentences(data)[1].endswith("deep: repeated contact reaches them.")
 
 
 def test_the_bearing_area_is_wrong_by_the_largest_ratios():
