@@ -55,9 +55,10 @@ def test_what_parts_say_is_text_not_markup():
 
 
 @pytest.mark.parametrize("name", PARTS)
-def test_a_part_answers_in_sentences_from_its_dataset_alone(name):
+def test_a_part_answers_in_sentences_from_its_datasets(name):
     (dataset,) = OF_INSIGHT[name].datasets
-    sentences = PARTS[name].sentences(INPUTS[dataset]())
+    beside = (INPUTS[one]() for one in PARTS[name].beside)
+    sentences = PARTS[name].sentences(INPUTS[dataset](), *beside)
     assert len(sentences) >= 3
     for sentence in sentences:
         assert sentence[0].isupper() and sentence.endswith(".")

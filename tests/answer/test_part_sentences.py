@@ -6,6 +6,7 @@ from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
 from figure_inputs.repeated_contact import repeated_contact
+from figure_inputs.scales import band
 from refusals import assert_says
 
 from hardcontact.answer.closed_form_sentences import closed_form_sentences
@@ -14,7 +15,7 @@ from hardcontact.answer.law_sentences import law_sentences
 from hardcontact.answer.map_sentences import map_sentences
 from hardcontact.answer.part_text import listed, print_percent, print_within
 from hardcontact.answer.repeated_contact_sentences import repeated_contact_sentences
-from hardcontact.insight.closed_form import SINGLE_PEAKS
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
 
 
 def test_lists_and_shares():
@@ -26,13 +27,13 @@ def test_lists_and_shares():
     assert print_percent(0.16, 0.12, 0.67) == "16 [12, 67] %" and print_percent(0.05) == "5 %"
 
 
-def test_the_closed_form_says_its_largest_factor_and_where():
+def test_the_closed_form_says_half_of_its_factors_and_the_largest():
     data = closed_form()
     data["error"] = xr_ones(data["error"])
     data["error"].loc[{"surface": "ncd", "map_size": 20000.0, "rho": 5.6}] = 0.4
-    accuracy, worst, *_ = closed_form_sentences(data)
-    assert_says(accuracy, "within a factor of 2.5", "in half of all cases within 1,", "20 µm")
-    assert_says(worst, "farthest off on NCD at 5.6 nm: 0.4 [")
+    accuracy, *_ = closed_form_sentences(data, band())
+    assert_says(accuracy, "within a factor of 1 of", "in half of 12 cases", "20 µm")
+    assert_says(accuracy, "farthest off on NCD at 5.6 nm: 0.4 [", "no bound")
 
 
 def xr_ones(values):
@@ -43,13 +44,27 @@ def xr_ones(values):
 def test_the_closed_form_names_every_surface_in_its_regime():
     data = closed_form()
     data["regime"] = data["regime"].copy(data=np.full(data["regime"].shape, SINGLE_PEAKS))
-    regimes = [one for one in closed_form_sentences(data) if "single peaks decide" in one]
+    data["whole_freezing"] = 2 * xr_ones(data["whole_freezing"])
+    regimes = [one for one in closed_form_sentences(data, band()) if "single peaks decide" in one]
     assert len(regimes) == 1
     assert_says(regimes[0], "summits carry the force on", *data["label"].values)
 
 
-def test_an_edge_that_is_not_there_is_said():
-    assert "UNCD no edge and 1.8 µm" in closed_form_sentences(closed_form())[-1]
+def test_a_surface_whose_ratio_is_near_one_is_at_the_transition():
+    """The largest maps have m/sigma = sqrt(90 / (0.9 * 5.6)) = 4.2."""
+    data = closed_form()
+    data["whole_freezing"].loc[{"rho": 5.6}] = [0.7, 0.8, 1.2, 1.3]
+    data["regime"].loc[{"rho": 5.6}] = [MANY_POINTS, MANY_POINTS, SINGLE_PEAKS, SINGLE_PEAKS]
+    many, between, single = closed_form_sentences(data, band())[2:-1]
+    assert_says(many, "the whole surface attracts", "on polished UNCD ((σ/ρ)/(m/σ) = 0.7; single")
+    assert_says(between, "is at the transition", "on UNCD and NCD ((σ/ρ)/(m/σ) = 0.8 and 1.2;")
+    assert_says(single, "summits carry the force on MCD")
+
+
+def test_predicted_edges_stand_beside_computed_ones_and_missing_ones_are_said():
+    edges = closed_form_sentences(closed_form(), band())[-1]
+    assert_says(edges, "UNCD no edge (computed: 32 [", "and 1.8 µm (computed: 1.9 [")
+    assert_says(edges, "polished UNCD 40 nm (computed: 160 [", "and 1.5 µm (computed: no edge)")
 
 
 def of_error(value, low, high):

@@ -48,7 +48,7 @@ def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
     assert_says(
         uncd,
         "the force on UNCD is a",
-        "Gaussian average over many points, since σ/ρ = 3.04 < m/σ = 3.53",
+        "at the transition from many points to single peaks, since σ/ρ = 3.04 and m/σ = 3.53",
         "The contact 2√(F/πH) = 23 nm is narrower than its short edge of 40 nm in the closed form",
         "Of the roll-off at 1 µm and the reach √(2Rρ) = 1.7 µm the first is shorter; ",
     )
@@ -58,6 +58,7 @@ def test_every_surface_has_a_regime_and_the_lengths_that_decide_it():
         "The contact 2√(F/πH) = 23 nm is wider than its short edge of 20 nm in the closed form",
         "Of the reach √(2Rρ) = 1.7 µm and the roll-off at 2.7 µm the first is shorter; ",
     )
+    assert_says(polished, "Gaussian average over many points, since σ/ρ = 0.714 < m/σ = 2.5")
     assert_says(polished, "The closed form has no short edge (computed: ")
 
 

@@ -14,12 +14,13 @@ WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each o
 
 with job(snakemake) as this:
     parts, substitutes, confidences = {}, {}, set()
+    others = {"band": read(this.input.band)}
     files = zip(this.input.datasets, this.input.figures, this.input.captions, strict=True)
     for dataset, figure, template in files:
         made, name = read(dataset), Path(figure).stem
         parts[name] = AnsweredPart(
             PARTS[name].question,
-            PARTS[name].sentences(made),
+            PARTS[name].sentences(made, *(others[one] for one in PARTS[name].beside)),
             web_png(Path(figure).read_bytes(), WIDTH),
             caption(Path(template).read_text("utf-8"), this.parameters),
         )

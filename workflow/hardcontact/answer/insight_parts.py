@@ -7,8 +7,6 @@ makes the dataset of that figure, and an entry here.
 from collections.abc import Callable
 from typing import NamedTuple
 
-import xarray as xr
-
 from hardcontact.answer.closed_form_sentences import closed_form_sentences
 from hardcontact.answer.elastic_limit_sentences import elastic_limit_sentences
 from hardcontact.answer.law_sentences import law_sentences
@@ -28,18 +26,23 @@ class Part(NamedTuple):
     question : str
         Its heading.
     sentences : callable
-        Takes the dataset of the figure and returns the answer in sentences, the first of which
-        says most.
+        Takes the dataset of the figure, then those of `beside`, and returns the answer in
+        sentences, the first of which says most.
+    beside : tuple of str
+        Names of other final datasets of the study that the sentences take.
     """
 
     question: str
-    sentences: Callable[[xr.Dataset], list[str]]
+    sentences: Callable[..., list[str]]
+    beside: tuple[str, ...] = ()
 
 
 #: The parts by their figures.
 PARTS = {
     "fig_closed_form": Part(
-        "Does the force follow from a spectrum, without a simulation?", closed_form_sentences
+        "Does the force follow from a spectrum, without a simulation?",
+        closed_form_sentences,
+        ("band",),
     ),
     "fig_laws": Part("Would another law of attraction give similar results?", law_sentences),
     "fig_maps": Part("How many contacts and scans does a mean force need?", map_sentences),

@@ -3,6 +3,7 @@
 import numpy as np
 import xarray as xr
 
+from hardcontact.answer.closed_form_sentences import TRANSITION
 from hardcontact.answer.part_text import (
     DIGITS,
     NEAR_ONE,
@@ -193,6 +194,12 @@ def _force(of_surface: xr.Dataset) -> str:
     sigma, m = (of_surface[name].item() for name in ("rough_height", "approach"))
     over_range, level = sigma / of_surface.attrs["rho"], m / sigma
     sign = ">" if over_range > level else "<"
+    if abs(level - over_range) < TRANSITION:
+        return (
+            "is at the transition from many points to single peaks, since σ/ρ = "
+            f"{over_range:.{NEAR_ONE}g} and m/σ = {level:.{NEAR_ONE}g} differ by less than "
+            f"{TRANSITION:g}, a standard deviation of the heights that attract"
+        )
     return (
         f"{FORCE[regime]}, since σ/ρ = {over_range:.{NEAR_ONE}g} {sign} m/σ = {level:.{NEAR_ONE}g}"
     )
