@@ -18,9 +18,11 @@ with job(snakemake) as this:
     files = zip(this.input.datasets, this.input.figures, this.input.captions, strict=True)
     for dataset, figure, template in files:
         made, name = read(dataset), Path(figure).stem
+        given = made, *(others[one] for one in PARTS[name].beside)
         parts[name] = AnsweredPart(
             PARTS[name].question,
-            PARTS[name].sentences(made, *(others[one] for one in PARTS[name].beside)),
+            PARTS[name].sentences(*given),
+            PARTS[name].of_band(*given),
             web_png(Path(figure).read_bytes(), WIDTH),
             caption(Path(template).read_text("utf-8"), this.parameters),
         )
@@ -28,5 +30,6 @@ with job(snakemake) as this:
         confidences.add(float(made.attrs["confidence"]))
     (confidence,) = confidences
     constants = published.constants(this.input.published_constants)
-    this.write_text(insight_page(parts, list(substitutes), confidence, constants), "page")
+    made_page = insight_page(parts, list(substitutes), confidence, constants, others["band"])
+    this.write_text(made_page, "page")
     this.record("page")

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from hardcontact.answer.part_text import DIGITS, NEAR_ONE, listed, print_each, print_percent
 from hardcontact.statistics import bounds
 
-__all__ = ["elastic_limit_sentences"]
+__all__ = ["amounts", "disputed", "elastic_limit_sentences"]
 
 #: Of contacts that yield: by the index of all, and by the pressure of those that were solved.
 SHARES = ["plastic_share", "solved_plastic_share"]
@@ -38,32 +38,32 @@ def elastic_limit_sentences(elastic_limit: xr.Dataset) -> list[str]:
     ]
 
 
-def _amounts(share: xr.DataArray) -> NDArray[np.str_]:
+def amounts(share: xr.DataArray) -> NDArray[np.str_]:
     """Return how many contacts of every surface yield: "none", "all", "some", or not known."""
     words = np.where(share == 0, "none", np.where(share == 1, "all", "some"))
     return np.where(np.isnan(share), "", words)
 
 
-def _disputed(limit: xr.Dataset) -> NDArray[np.bool_]:
+def disputed(limit: xr.Dataset) -> NDArray[np.bool_]:
     """Return for every surface whether index and solved pressure say different things."""
-    by_index, solved = (_amounts(limit[name]) for name in SHARES)
+    by_index, solved = (amounts(limit[name]) for name in SHARES)
     return np.asarray((by_index != solved) & (solved != ""))
 
 
 def _answer(limit: xr.Dataset) -> str:
-    disputed, amounts = _disputed(limit), _amounts(limit["plastic_share"])
+    open_, yielding = disputed(limit), amounts(limit["plastic_share"])
     names = limit["label"].values
     said = {
         f"{amount} on {listed(names[chosen])}": amount
         for amount in ("none", "some", "all")
-        if (chosen := (amounts == amount) & ~disputed).any()
+        if (chosen := (yielding == amount) & ~open_).any()
     }
-    if disputed.any():
-        said[f"not decided on {listed(names[disputed])}, where both disagree"] = ""
+    if open_.any():
+        said[f"not decided on {listed(names[open_])}, where both disagree"] = ""
     if set(said.values()) & {"none", "some"}:
         answer = "No"
     else:
-        answer = "Not decided" if disputed.any() else "Yes"
+        answer = "Not decided" if open_.any() else "Yes"
     return (
         f"{answer}. By the rms slope of the gap and by solved elastic pressures these contacts "
         f"yield: {'; '.join(said)}."
@@ -109,9 +109,9 @@ def _forces(limit: xr.Dataset) -> list[str]:
 
 def _left_open(limit: xr.Dataset) -> Iterator[str]:
     """Yield what forces may be where the solved pressures contradict the index."""
-    disputed = _disputed(limit)
-    if disputed.any():
-        where = limit.isel(surface=disputed)
+    open_ = disputed(limit)
+    if open_.any():
+        where = limit.isel(surface=open_)
         rigid = print_each(where.sel(variant="rigid"), "force_ratio", NEAR_ONE)
         areas = where["solved_area"].max(["scan", "contact"]).values / limit.attrs["bearing_area"]
         larger = listed(f"{area:.{DIGITS}g}" for area in areas)
