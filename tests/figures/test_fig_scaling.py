@@ -69,6 +69,17 @@ def test_no_exponent_lies_outside_of_the_axes():
     assert max(marks) == 2.5 < most and least <= -1
 
 
+def test_intervals_that_leave_the_panel_end_in_arrows():
+    data = scaling()
+    place = {"side": "small", "surface": "uncd", "part": "all", "length": "rho"}
+    data["exponent_interval"].loc[place] = [-7.0, 9.0]
+    exponents = fig_scaling.draw(data, PUBLISHED).axes[3]
+    arrows = [line for line in exponents.lines if line.get_marker() in ("<", ">")]
+    assert [line.get_xdata()[0] for line in arrows] == list(exponents.get_xlim())
+    assert {line.get_color() for line in arrows} == {style.colours(SUBSTRATES)["uncd"]}
+    assert not [line for line in drawn().axes[3].lines if line.get_marker() in ("<", ">")]
+
+
 def test_substitutes_are_named_and_measured_surfaces_are_not():
     (note,) = [text.get_text() for text in drawn().texts]
     assert note.startswith("substitute surfaces: ")
