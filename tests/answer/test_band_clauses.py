@@ -18,8 +18,9 @@ def test_edges_that_change_with_a_length_are_counted():
     data = scaling()
     assert clauses.clause_of_scaling(data).endswith("a band of the surface alone.")
     of_ncd = {"surface": "ncd", "part": "all"}
-    data["dependence"].loc[{"side": "small", "length": "rho", **of_ncd}] = "partly"
     data["dependence"].loc[{"side": "large", "length": "radius", **of_ncd}] = "undecided"
+    assert clauses.clause_of_scaling(data).endswith("to the surface alone is not decided.")
+    data["dependence"].loc[{"side": "small", "length": "rho", **of_ncd}] = "partly"
     assert_says(
         clauses.clause_of_scaling(data),
         "√R, √ρ and √(F/H) on 0, 1 and 0 of 4 surfaces, the long edge on 0, 0 and 0: the band does",
@@ -32,6 +33,8 @@ def test_a_long_edge_differs_where_intervals_do_not_meet():
     data["long_edge_interval"].loc[{"surface": "uncd", "edge_size": 2500.0}] = [9e3, 27e3]
     said = clauses.clause_of_scan_size(data)
     assert_says(said, "scans of 2.5 µm differs", "whole surfaces on UNCD,", "factors of up to 3.")
+    data["long_edge_interval"].loc[{"bound": "high"}] = np.nan
+    assert clauses.clause_of_scan_size(data).endswith("but no such interval is closed.")
 
 
 def test_predicted_edges_are_compared_with_intervals_of_computed_ones():

@@ -104,6 +104,8 @@ def test_edges_of_laws_keep_their_direction_and_cutoffs_are_named():
         "3 at the short edge, neighbours factors of 2 to 2.5 apart",
         "3 at the long edge, neighbours factors of 2 to 3 apart",
     )
+    one = data.sel(cutoff_wavelength=[40.0, 1000.0])
+    assert "(1 at the short edge; 1 at the long edge)" in law_sentences(one)[2]
 
 
 def test_strengths_are_said_in_terms_of_what_is_known():

@@ -37,11 +37,12 @@ def clause_of_scaling(scaling: xr.Dataset) -> str:
     short, long = (
         listed(str(count) for count in changes.sel(side=side).values.tolist()) for side in SIDES
     )
-    follows = (
-        "the band does not belong to the surface alone"
-        if changes.any()
-        else "nothing speaks against a band of the surface alone"
-    )
+    if changes.any():
+        follows = "the band does not belong to the surface alone"
+    elif (of_all == UNDECIDED).any():
+        follows = "whether the band belongs to the surface alone is not decided"
+    else:
+        follows = "nothing speaks against a band of the surface alone"
     return (
         f"The short edge is seen to change with √R, √ρ and √(F/H) on {short} of {number} surfaces, "
         f"the long edge on {long}: {follows}."
@@ -55,11 +56,16 @@ def clause_of_scan_size(scan_size: xr.Dataset) -> str:
     low, high = bounds(of_scan, "long_edge")
     whole_low, whole_high = bounds(scan_size.isel(edge_size=-1), "long_edge")
     where = _where(scan_size, (low > whole_high) | (high < whole_low))
-    widest = float((high / low).max())
+    spans = (high / low).values
+    widest = spans[np.isfinite(spans)]
+    so = (
+        f"where its interval is closed this spans factors of up to {widest.max():.{DIGITS}g}"
+        if widest.size
+        else "no such interval is closed"
+    )
     return (
         f"The long edge from mirrored scans of {print_as_paper(of_scan['edge_size'].item(), 'nm')} "
-        f"differs beyond its interval from that of whole surfaces on {where}, but where its "
-        f"interval is closed this spans factors of up to {widest:.{DIGITS}g}."
+        f"differs beyond its interval from that of whole surfaces on {where}, but {so}."
     )
 
 

@@ -104,15 +104,17 @@ def _cutoffs(laws: xr.Dataset) -> str:
         known = laws["scale_ratio"].sel(side=side).notnull()
         computed = known.any([one for one in known.dims if one != "cutoff_wavelength"])
         cutoffs = np.sort(laws["cutoff_wavelength"].values[computed.values])
-        steps = cutoffs[1:] / cutoffs[:-1]
-        said.append(
-            f"{len(cutoffs)} at the {name} edge, neighbours factors of {steps.min():.{DIGITS}g} to "
-            f"{steps.max():.{DIGITS}g} apart"
-        )
+        apart = "" if len(cutoffs) < 2 else f", neighbours {_steps(cutoffs)} apart"
+        said.append(f"{len(cutoffs)} at the {name} edge{apart}")
     return (
         f"Cutoffs are few ({'; '.join(said)}), and edges are interpolated between them, so that "
         "small changes of an edge may be those of the interpolation."
     )
+
+
+def _steps(cutoffs: np.ndarray) -> str:
+    steps = cutoffs[1:] / cutoffs[:-1]
+    return f"factors of {steps.min():.{DIGITS}g} to {steps.max():.{DIGITS}g}"
 
 
 def _strengths(laws: xr.Dataset, others: list[str]) -> str:
