@@ -6,6 +6,7 @@ from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
 from figure_inputs.repeated_contact import repeated_contact
+from figure_inputs.scales import band
 from refusals import assert_says
 
 from hardcontact.answer.closed_form_sentences import closed_form_sentences
@@ -14,7 +15,7 @@ from hardcontact.answer.law_sentences import law_sentences
 from hardcontact.answer.map_sentences import map_sentences
 from hardcontact.answer.part_text import listed, print_percent, print_within
 from hardcontact.answer.repeated_contact_sentences import repeated_contact_sentences
-from hardcontact.insight.closed_form import SINGLE_PEAKS
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
 
 
 def test_lists_and_shares():
@@ -26,13 +27,13 @@ def test_lists_and_shares():
     assert print_percent(0.16, 0.12, 0.67) == "16 [12, 67] %" and print_percent(0.05) == "5 %"
 
 
-def test_the_closed_form_says_its_largest_factor_and_where():
+def test_the_closed_form_says_half_of_its_factors_and_the_largest():
     data = closed_form()
     data["error"] = xr_ones(data["error"])
     data["error"].loc[{"surface": "ncd", "map_size": 20000.0, "rho": 5.6}] = 0.4
-    accuracy, worst, *_ = closed_form_sentences(data)
-    assert_says(accuracy, "within a factor of 2.5", "in half of all cases within 1,", "20 µm")
-    assert_says(worst, "farthest off on NCD at 5.6 nm: 0.4 [")
+    accuracy, *_ = closed_form_sentences(data, band())
+    assert_says(accuracy, "within a factor of 1 of", "in half of 12 cases", "20 µm")
+    assert_says(accuracy, "farthest off on NCD at 5.6 nm: 0.4 [", "no bound")
 
 
 def xr_ones(values):
@@ -43,13 +44,27 @@ def xr_ones(values):
 def test_the_closed_form_names_every_surface_in_its_regime():
     data = closed_form()
     data["regime"] = data["regime"].copy(data=np.full(data["regime"].shape, SINGLE_PEAKS))
-    regimes = [one for one in closed_form_sentences(data) if "single peaks decide" in one]
+    data["whole_freezing"] = 2 * xr_ones(data["whole_freezing"])
+    regimes = [one for one in closed_form_sentences(data, band()) if "single peaks decide" in one]
     assert len(regimes) == 1
     assert_says(regimes[0], "summits carry the force on", *data["label"].values)
 
 
-def test_an_edge_that_is_not_there_is_said():
-    assert "UNCD no edge and 1.8 µm" in closed_form_sentences(closed_form())[-1]
+def test_a_surface_whose_ratio_is_near_one_is_at_the_transition():
+    """The largest maps have m/sigma = sqrt(90 / (0.9 * 5.6)) = 4.2."""
+    data = closed_form()
+    data["whole_freezing"].loc[{"rho": 5.6}] = [0.7, 0.8, 1.2, 1.3]
+    data["regime"].loc[{"rho": 5.6}] = [MANY_POINTS, MANY_POINTS, SINGLE_PEAKS, SINGLE_PEAKS]
+    many, between, single = closed_form_sentences(data, band())[2:-1]
+    assert_says(many, "the whole surface attracts", "on polished UNCD ((σ/ρ)/(m/σ) = 0.7; single")
+    assert_says(between, "is at the transition", "on UNCD and NCD ((σ/ρ)/(m/σ) = 0.8 and 1.2;")
+    assert_says(single, "summits carry the force on MCD")
+
+
+def test_predicted_edges_stand_beside_computed_ones_and_missing_ones_are_said():
+    edges = closed_form_sentences(closed_form(), band())[-1]
+    assert_says(edges, "UNCD no edge (computed: 32 [", "and 1.8 µm (computed: 1.9 [")
+    assert_says(edges, "polished UNCD 40 nm (computed: 160 [", "and 1.5 µm (computed: no edge)")
 
 
 def of_error(value, low, high):
@@ -79,6 +94,37 @@ def test_laws_are_ranked_by_their_error_to_measured_forces():
     assert places == sorted(places)
 
 
+def test_edges_of_laws_keep_their_direction_and_cutoffs_are_named():
+    data = laws()
+    data["edge_factor"].loc[{"law": "retarded", "side": "small", "group": "pooled"}] = 0.8
+    assert_says(
+        law_sentences(data)[2],
+        "over those of Eq. 1: van der Waals 1.2 [",
+        "retarded (Casimir) 0.8 [",
+        "3 at the short edge, neighbours factors of 2 to 2.5 apart",
+        "3 at the long edge, neighbours factors of 2 to 3 apart",
+    )
+    one = data.sel(cutoff_wavelength=[40.0, 1000.0])
+    assert "(1 at the short edge; 1 at the long edge)" in law_sentences(one)[2]
+
+
+def test_strengths_are_said_in_terms_of_what_is_known():
+    data = laws()
+    data["implied_over_known"].loc[{"law": "van_der_waals"}] = 20.0
+    data["implied_over_known"].loc[{"law": "electrostatic"}] = 4.0
+    assert_says(
+        law_sentences(data)[3],
+        "20 times that for a Hamaker constant of 5e-19 J",
+        "one of 1e-17 J",
+        "between perfect conductors",
+        "electrostatic 4 times that for a contact potential of 1 V: one of 2 V.",
+    )
+
+
+def test_laws_say_which_contacts_they_stand_on():
+    assert "3 scans a surface with 64 contacts each" in law_sentences(laws())[4]
+
+
 def test_maps_say_what_a_mean_needs():
     data = maps()
     contacts, array, scans, *_ = map_sentences(data)
@@ -106,8 +152,9 @@ def test_repeated_contact_is_judged_by_the_sizes_in_the_image():
     data = repeated_contact()
     force, depth, width, growth, _ = repeated_contact_sentences(data)
     assert_says(force, "of 400 contacts", *data["label"].values)
-    assert_says(depth, "20 µN on NCD", "8 [6.4, 9.6] nm deep", "2 nm to 10 nm", "reaches them")
-    assert_says(width, "120 [96, 140] nm wide", "does not reach them")
+    assert_says(depth, "20 µN on NCD", "8 [6.4, 9.6] nm deep", "2 nm to 10 nm")
+    assert_says(depth, "the first contact reaches them already (2 [1.6, 2.4] nm)")
+    assert_says(width, "120 [96, 140] nm wide", "is not decided", "lattice", "hardly overlap")
     assert_says(growth, "from 2 nm deep and 30 nm wide", "to 8 nm deep and 120 nm wide")
 
 
@@ -123,11 +170,40 @@ def test_widths_beside_the_image_follow_from_value_and_interval():
         assert expected in repeated_contact_sentences(data)[2]
 
 
+def test_depths_that_the_first_contact_does_not_have_are_those_of_repeated_contact():
+    data = repeated_contact()
+    data["depth"].loc[{"stage": 1}] = 1.5
+    assert repeated_contact_sentences(data)[1].endswith("deep: repeated contact reaches them.")
+
+
 def test_the_bearing_area_is_wrong_by_the_largest_ratios():
     data = elastic_limit()
-    shares, largest, larger, recovered, areas = elastic_limit_sentences(data)
+    answer, shares, largest, larger, recovered, left_open, areas = elastic_limit_sentences(data)
+    assert answer.startswith("No. ")
+    assert answer.endswith(
+        "none on polished UNCD; some on UNCD and NCD; not decided on MCD, where both disagree."
+    )
     assert_says(shares, "polished UNCD 0 [0, 0]", "MCD 1 [")
-    assert_says(largest, "200 % up or 100 % down")
+    assert_says(largest, "at most 200 [140, 260] % above (on polished UNCD)")
+    assert_says(largest, "at most 100 [100, 100] % below (on polished UNCD)")
     assert_says(larger, "larger, elastic area", "UNCD 2 [")
     assert_says(recovered, "recovered before pull-off", "UNCD 0.5 [")
+    most = data["solved_area"].sel(surface="mcd").max().item() / 405
+    assert_says(
+        left_open, "On MCD, where", "fall to MCD 0.5 [0.4, 0.6], where", f"reach {most:.2g} times"
+    )
     assert_says(areas, "0.5 times the solved one", "24 contacts")
+
+
+def test_whether_all_contacts_yield_is_what_index_and_solved_pressures_say():
+    data = elastic_limit()
+    for by_index, solved, expected in (
+        ([1, 1, 1, 1], [1, 1, 1, 1], "Yes."),
+        ([1, 1, 1, 1], [1, 1, 1, 0.5], "Not decided."),
+        ([0, 1, 1, 1], [0, 1, 1, 0.5], "No."),
+        ([1, 1, 1, 1], [np.nan, 1, 1, 1], "Yes."),
+    ):
+        data["plastic_share"][:], data["solved_plastic_share"][:] = by_index, solved
+        texts = elastic_limit_sentences(data)
+        assert texts[0].startswith(expected)
+        assert any("contradict" in one for one in texts) == (0.5 in solved)

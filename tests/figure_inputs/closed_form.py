@@ -30,6 +30,8 @@ def closed_form() -> xr.Dataset:
             "first_term_force": ((*dims, "source"), predicted / 2, newton),
             "error": ((*dims, "source"), predicted / force[..., None], {"units": "1"}),
             "whole_freezing": (("surface", "rho"), freezing, {"units": "1"}),
+            "freezing": ((*dims, "source"), np.full((*SHAPE, 2), 0.9), {"units": "1"}),
+            "predicted_approach": (dims[:2], np.full(SHAPE[:2], 90.0), {"units": "nm"}),
             "filtered_ratio": (("surface", "side", "cutoff_wavelength"), FILTERED),
             "regime": (("surface", "rho"), np.where(freezing > 1, SINGLE_PEAKS, MANY_POINTS)),
             "edge": (

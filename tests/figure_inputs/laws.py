@@ -11,6 +11,7 @@ from hardcontact.insight.law_comparison import CASES
 
 BY_LAW = ("law", "case")
 WORK = 0.05
+CUTOFFS = [20.0, 40.0, 100.0, 500.0, 1000.0, 3000.0]
 LENGTHS = np.geomspace(0.1, 40, 50)
 
 
@@ -20,6 +21,8 @@ def laws() -> xr.Dataset:
     ratio = factor[..., None] * np.array([22, 1, 0.4, 0.275])
     edges = factor[..., None, None] * CRITICAL
     error = 0.2 + abs(np.log(LENGTHS / 5.6)) * np.ones((4, 2, 1))
+    nan = [np.nan] * 3
+    filtered = [[0.9, 1, 1.3, *nan], [*nan, 1.3, 1, 0.9]]
     named_laws = {"law": [law.name for law in LAWS], "case": CASES, "side": SIDES}
     return (
         named()
@@ -28,6 +31,7 @@ def laws() -> xr.Dataset:
             group=[*SUBSTRATES, "pooled"],
             length=LENGTHS,
             target=["Eq. 1", "published"],
+            cutoff_wavelength=CUTOFFS,
         )
         .assign(
             bounded("range_of_law", BY_LAW, 5.6 * factor, unit="nm")
@@ -42,6 +46,7 @@ def laws() -> xr.Dataset:
             error=(("law", "target", "length"), error),
             published_ratio=("surface", [22.0, 1, 0.4, 0.275]),
             law_label=("law", [law.label for law in LAWS]),
+            scale_ratio=(("side", "cutoff_wavelength"), filtered),
             window_growth=(("law", "surface"), 0.01 * np.arange(16.0).reshape(4, 4)),
         )
         .assign_attrs(
@@ -51,5 +56,7 @@ def laws() -> xr.Dataset:
             published_work=WORK,
             atomic_spacing=0.3,
             confidence=0.9,
+            scans=3,
+            contacts=64,
         )
     )

@@ -35,7 +35,7 @@ def scaling() -> xr.Dataset:
         | bounded("cause_exponent", ("cause", "length"), np.array([[0.1, 0.2, 1], [0.1, 0.9, 0.3]]))
     )
     return data.assign(
-        dependence=((*fits, "length"), np.full(exponent.shape, "no", "<U9")),
+        dependence=((*fits, "length"), np.full(exponent.shape, "independent", "<U12")),
         edges_found=(fits, np.full(exponent.shape[:3], 27)),
         reach=np.sqrt(2 * data["radius"] * data["rho"]),
         contact_area=(("side", "area"), [AREAS, AREAS]),

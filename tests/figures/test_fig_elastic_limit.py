@@ -40,6 +40,21 @@ def test_contacts_yield_from_one_on():
         assert abs(1 - yields - (below.max() if below.size else 0)) < 0.03
 
 
+def test_no_mark_lies_behind_a_legend_or_on_the_frame():
+    data = elastic_limit()
+    for name in fig_elastic_limit.SHARES:
+        data[f"{name}_interval"] = data[f"{name}_interval"].clip(0, 1)
+    figure = fig_elastic_limit.draw(data)
+    figure.canvas.draw()
+    _, shares, _, forces = figure.axes
+    for axes in (shares, forces):
+        within = axes.transData.inverted()
+        legend = axes.get_legend().get_window_extent().transformed(within)
+        bars = [one.lines[2][0].get_segments()[0] for one in axes.containers]
+        assert max(bar[:, 1].max() for bar in bars) < legend.y0
+        assert min(bar[:, 1].min() for bar in bars) > axes.get_ylim()[0]
+
+
 def test_substitutes_are_named():
     (note,) = [text.get_text() for text in drawn().texts]
     assert note.startswith(f"substitute surfaces: {', '.join(LABELS)}")

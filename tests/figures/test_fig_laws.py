@@ -54,6 +54,12 @@ def test_pressure_drawn_is_that_of_each_law():
         assert line.get_label() == law.label
 
 
+def test_the_legend_shows_line_and_mark_of_each_law():
+    handles = drawn().axes[0].get_legend().legend_handles
+    assert [handle.get_marker() for handle in handles] == list(fig_laws.MARKERS)
+    assert [handle.get_linestyle() for handle in handles] == list(fig_laws.DASHES)
+
+
 def test_laws_are_told_apart_without_colour():
     marks = {line.get_marker() for line in drawn().axes[2].lines} - {"None", "_", "|", ""}
     assert marks == set(fig_laws.MARKERS)

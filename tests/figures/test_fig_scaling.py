@@ -30,7 +30,7 @@ def test_table_holds_every_edge_but_the_open_one_and_every_exponent():
     assert row["value"] == data["edge"].sel(chosen).item()
     assert row["high"] == data["edge_interval"].sel({**chosen, "bound": "high"}).item()
     assert row["reach"] == pytest.approx(np.sqrt(2 * 1e6 * 5.6))
-    assert len(select(rows, quantity="exponent", dependence="no")) == 2 * 4 * 3 * 3
+    assert len(select(rows, quantity="exponent", dependence="independent")) == 2 * 4 * 3 * 3
     assert select(rows, origin="published")["value"].tolist() == [43.0, 1800.0]
     assert select(rows, quantity="roll_off", surface="uncd")["value"].item() == 1000.0
     assert rows["unit"].notna().all()
@@ -67,6 +67,17 @@ def test_no_exponent_lies_outside_of_the_axes():
     least, most = exponents.get_xlim()
     marks = [container.lines[0].get_xdata().item() for container in exponents.containers]
     assert max(marks) == 2.5 < most and least <= -1
+
+
+def test_intervals_that_leave_the_panel_end_in_arrows():
+    data = scaling()
+    place = {"side": "small", "surface": "uncd", "part": "all", "length": "rho"}
+    data["exponent_interval"].loc[place] = [-7.0, 9.0]
+    exponents = fig_scaling.draw(data, PUBLISHED).axes[3]
+    arrows = [line for line in exponents.lines if line.get_marker() in ("<", ">")]
+    assert [line.get_xdata()[0] for line in arrows] == list(exponents.get_xlim())
+    assert {line.get_color() for line in arrows} == {style.colours(SUBSTRATES)["uncd"]}
+    assert not [line for line in drawn().axes[3].lines if line.get_marker() in ("<", ">")]
 
 
 def test_substitutes_are_named_and_measured_surfaces_are_not():

@@ -75,21 +75,29 @@ RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 1
 CUTOFFS = np.geomspace(10, 2e4, 60)
 
 
-def curves(radius_exponent, rho_exponent, contact_exponent, scatter=0.0):
-    """Return ratios of three realizations whose long edge is a known power law, and that edge."""
+def power_law(radius_exponent, rho_exponent, contact_exponent):
+    """Return edges in nm over RADII, AREAS and RANGES; exponents may differ by realization."""
     radius, area, rho = (
         xr.DataArray(values, {name: values}, name)
         for name, values in {"radius": RADII, "area": AREAS, "rho": RANGES}.items()
     )
     contact = np.sqrt(area / 400) ** contact_exponent
-    edge = (
+    return (
         600 * np.sqrt(radius / 1e5) ** radius_exponent * np.sqrt(rho / 4) ** rho_exponent * contact
     )
+
+
+def curves(*exponents, scatter=0.0):
+    """Return ratios of three realizations whose long edge is a known power law, and that edge.
+
+    Exponents of the realizations scatter about those given, each edge about that of its exponents.
+    """
     cutoff = xr.DataArray(CUTOFFS, {"cutoff_wavelength": CUTOFFS}, "cutoff_wavelength")
     noise = np.random.default_rng(5).standard_normal(3)
-    noise = xr.DataArray(np.exp(scatter * (noise - noise.mean())), dims="realization")
+    noise = xr.DataArray(scatter * (noise - noise.mean()), dims="realization")
+    edge, own = power_law(*exponents), power_law(*(one + noise for one in exponents))
     # ln(ratio) is linear in ln(cutoff) and ln(1.1) at the edge.
-    steep = np.log(1.1) * (1 + 2 * np.log(edge * noise / cutoff))
+    steep = np.log(1.1) * (1 + 2 * np.log(own * np.exp(noise) / cutoff))
     ratio = np.exp(np.maximum(steep, 0)).expand_dims(surface=["a"])
     ratio = xr.concat([1 / ratio, ratio], "side").assign_coords(side=["small", "large"])
     return xr.Dataset(
@@ -108,9 +116,9 @@ def curves(radius_exponent, rho_exponent, contact_exponent, scatter=0.0):
 @pytest.mark.parametrize(
     ("exponents", "follows"),
     [
-        ((1.0, 1.0, 0.0), ["yes", "yes", "no"]),
-        ((0.0, 0.2, 0.9), ["no", "no", "yes"]),
-        ((0.0, 0.0, -0.8), ["no", "no", "undecided"]),
+        ((1.0, 1.0, 0.0), ["proportional", "proportional", "independent"]),
+        ((0.0, 0.2, 0.9), ["independent", "partly", "partly"]),
+        ((0.0, 0.0, -0.8), ["independent", "independent", "falling"]),
     ],
 )
 def test_exponents_are_those_of_a_known_power_law(exponents, follows):
@@ -149,9 +157,18 @@ def test_open_edges_are_left_out_and_few_give_no_exponent():
 
 
 def test_dependence_is_what_intervals_say():
-    low, high = [0.6, -0.2, 0.3, -0.7, np.nan], [1.2, 0.4, 0.7, 0.1, np.nan]
-    expected = ["yes", "no", "undecided", "undecided", "undecided"]
-    assert scaling.dependence(low, high).tolist() == expected
+    cases = {
+        (0.1, 1.2): scaling.PROPORTIONAL,
+        (-0.2, 0.9): scaling.INDEPENDENT,
+        (0.27, 0.42): scaling.PARTLY,
+        (1.1, 1.4): scaling.STEEPER,
+        (-0.7, -0.1): scaling.FALLING,
+        (-0.1, 1.1): scaling.UNDECIDED,
+        (np.nan, np.nan): scaling.UNDECIDED,
+    }
+    low, high = zip(*cases, strict=True)
+    assert scaling.dependence(low, high).tolist() == list(cases.values())
+    assert set(cases.values()) == set(scaling.DEPENDENCE)
 
 
 def test_roll_off_is_where_an_octave_holds_most_of_the_heights():

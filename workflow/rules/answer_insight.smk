@@ -7,6 +7,7 @@ rule answer_insight:
     """Write the page on what decides the band."""
     input:
         datasets=[PATTERNS.dataset(figure.datasets[0]) for figure in OF_INSIGHT.values()],
+        band=PATTERNS.dataset("band"),
         figures=[PATTERNS.figure(name, "png") for name in OF_INSIGHT],
         captions=[f"workflow/report/{name}.rst" for name in OF_INSIGHT],
         published_constants=PUBLISHED["published_constants"],

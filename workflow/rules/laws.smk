@@ -62,6 +62,7 @@ rule compare_laws:
                 **NAMED_SURFACES,
                 "reference_surface": STUDY["reference_surface"],
                 "spacing": INSIGHT["spacing"],
+                "contacts": INSIGHT["count"] ** 2,
                 "tolerance": STUDY["scales"]["tolerance"],
                 "seed": STUDY["seed"],
                 **{key: STUDY["inference"][key] for key in ("samples", "confidence")},

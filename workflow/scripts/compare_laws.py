@@ -24,7 +24,9 @@ with job(snakemake) as this:
         given["tolerance"],
         Sampling(given["seed"], given["samples"], given["confidence"]),
     )
+    compared = compare_laws(
+        forces, masters, published.pull_off(this.input.published_pull_off), choices
+    )
     this.write(
-        compare_laws(forces, masters, published.pull_off(this.input.published_pull_off), choices),
-        title="laws of attraction compared",
+        compared.assign_attrs(contacts=given["contacts"]), title="laws of attraction compared"
     )

@@ -5,12 +5,15 @@ from html import escape
 from typing import NamedTuple
 
 import pandas as pd
+import xarray as xr
 
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.html import figure_html, page, text_html
-from hardcontact.answer.part_text import listed, print_percent
+from hardcontact.answer.part_text import listed, print_bounded_as_paper, print_percent
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.figures.catalogue import OF_INSIGHT
+from hardcontact.scales.critical_band import POOLED
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = ["AnsweredPart", "insight_page"]
 
@@ -26,6 +29,8 @@ class AnsweredPart(NamedTuple):
         Its heading.
     sentences : sequence of str
         Its answer, the first of which says most.
+    of_band : str
+        What the answer means for the critical band.
     figure : bytes
         PNG.
     caption : Caption
@@ -34,6 +39,7 @@ class AnsweredPart(NamedTuple):
 
     question: str
     sentences: Sequence[str]
+    of_band: str
     figure: bytes
     caption: Caption
 
@@ -43,6 +49,7 @@ def insight_page(
     substitutes: Sequence[str],
     confidence: float,
     constants: pd.DataFrame,
+    band: xr.Dataset,
 ) -> str:
     """Write the page.
 
@@ -56,28 +63,39 @@ def insight_page(
         Of the intervals.
     constants : pandas.DataFrame
         As from `published.constants`.
+    band : xarray.Dataset
+        Computed edges, as from `critical_band.critical_band`, with `label(surface)`.
 
     Returns
     -------
     str
         HTML.
     """
-    sections = (_opening(substitutes, confidence, constants), _contents(parts), *_parts(parts))
+    opening = _opening(substitutes, confidence, constants, band)
+    sections = (opening, _contents(parts), *_parts(parts))
     return page(TITLE, "".join(sections))
 
 
-def _opening(substitutes: Sequence[str], confidence: float, constants: pd.DataFrame) -> str:
-    """Return what the paper found, what is asked here, and what the answers stand on."""
+def _opening(
+    substitutes: Sequence[str], confidence: float, constants: pd.DataFrame, band: xr.Dataset
+) -> str:
+    """Return the band, computed and published, what is asked, and what the answers stand on."""
     short, long, reach = (
         print_as_paper(constants["value"][name], "nm")
         for name in ("critical_wavelength_small", "critical_wavelength_large", "range_of_adhesion")
     )
+    each = "; ".join(
+        f"{label} {_edges(band, surface)}"
+        for surface, label in zip(band["surface"].values, band["label"].values, strict=True)
+    )
     question = (
-        f"The paper finds that roughness with wavelengths between {short} and {long} decides how "
-        f"weakly hard bodies stick, at a range of adhesion of {reach}. Do these numbers belong to "
-        "the surface, to the attraction or to the sphere? And how far can the method be trusted? "
-        "Each part below asks one question, answers it in numbers and shows the figure that they "
-        f"are read from. Brackets: intervals of {print_percent(confidence)}."
+        "Which wavelengths of the roughness decide how weakly hard bodies stick? Computed here, in "
+        f"the mean of all substrates, those from {_edges(band, POOLED)}; of each, {each}. The "
+        f"paper finds those from {short} to {long}, at a range of adhesion of {reach}. Do these "
+        "numbers belong to the surface, to the attraction or to the sphere? And how far can the "
+        "method be trusted? Each part below asks one question, answers it in numbers and shows "
+        "the figure that they are read from; what it says of the band stands behind its question "
+        f"here. Brackets: intervals of {print_percent(confidence)}."
     )
     basis = "All surfaces are measured."
     if substitutes:
@@ -89,10 +107,20 @@ def _opening(substitutes: Sequence[str], confidence: float, constants: pd.DataFr
     return f'<p>{text_html(question)}</p>\n<div class="notice"><p>{text_html(basis)}</p></div>\n'
 
 
+def _edges(band: xr.Dataset, group: str) -> str:
+    """Return both edges of a group with their intervals."""
+    short, long = (
+        print_bounded_as_paper(band.sel(side=side, group=group), "critical_wavelength", "nm", 3)
+        for side in SIDES
+    )
+    return f"{short} to {long}".replace("no number", "no edge")
+
+
 def _contents(parts: Mapping[str, AnsweredPart]) -> str:
-    """Return links to the parts, by their questions."""
+    """Return links to the parts, by their questions, and what they mean for the band."""
     links = (
-        f'<li><a href="#{name}">{escape(part.question)}</a></li>' for name, part in parts.items()
+        f'<li><a href="#{name}">{escape(part.question)}</a> {text_html(part.of_band)}</li>'
+        for name, part in parts.items()
     )
     return f"<ol>{''.join(links)}</ol>\n"
 
@@ -106,6 +134,7 @@ def _parts(parts: Mapping[str, AnsweredPart]) -> Iterator[str]:
         yield (
             f'<h2 id="{name}">{escape(part.question)}</h2>\n'
             f'<div class="answer"><p><strong>{first}</strong></p></div>\n<ul>{items}</ul>\n'
+            f"<p><em>For the band.</em> {text_html(part.of_band)}</p>\n"
             f"<h3>{escape(part.caption.title)}</h3>\n"
             f'<div class="print">{figure_html(part.figure, alt, part.caption.text)}</div>\n'
         )

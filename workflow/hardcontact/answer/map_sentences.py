@@ -59,4 +59,7 @@ def _scans(maps: xr.Dataset) -> list[str]:
 
 def _touched(maps: xr.Dataset) -> str:
     touched = print_each(maps, "touched_pixels")
-    return f"Wherever it comes down on a scan, the sphere touches few of its pixels: {touched}."
+    return (
+        "At each position a rigid sphere rests on one pixel of the scan. The different pixels that "
+        f"it rests on at any of the positions are few: {touched}."
+    )

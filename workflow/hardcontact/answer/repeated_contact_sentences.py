@@ -12,6 +12,12 @@ __all__ = ["repeated_contact_sentences"]
 #: Largest sizes of the indents, as in the image and in the dataset, and what they are called.
 SIZES = {"depth": "deep", "lateral_size": "wide"}
 
+#: Why small indents do not speak against repeated contact.
+LATTICE = (
+    "the places lie at equal distances on one mirrored scan: the indents of a summit stand in a "
+    "lattice on the sphere and hardly overlap, while the places of the experiment are independent"
+)
+
 
 def repeated_contact_sentences(repeated_contact: xr.Dataset) -> list[str]:
     """Return what repeated contact does to the force, and whether it explains imaged indents.
@@ -34,7 +40,7 @@ def repeated_contact_sentences(repeated_contact: xr.Dataset) -> list[str]:
     first = repeated_contact.isel(stage=0).sel(preload=image["preload"], surface=image["surface"])
     return [
         _force(of_study),
-        *(_size(image, name) for name in SIZES),
+        *(_size(first, image, name) for name in SIZES),
         _growth(first, image),
         "The sphere yields at its hardness and the substrate keeps its shape; recovery, hardening, "
         "wear and any shift of the sphere between contacts are left out.",
@@ -49,18 +55,21 @@ def _force(of_study: xr.Dataset) -> str:
     )
 
 
-def _size(image: xr.Dataset, name: str) -> str:
+def _size(first: xr.Dataset, image: xr.Dataset, name: str) -> str:
     """Return one size of the largest indent beside those of the image, and what follows."""
     preload = print_as_paper(image["preload"].item(), "N")
     least, most = image.attrs[f"published_{name}"]
     value, high = image[name].item(), bounds(image, name)[1].item()
     published = " to ".join(print_as_paper(one, "nm") for one in (least, most))
     if high < least:
-        follows = "repeated contact does not reach them"
+        follows = f"whether repeated contact reaches them is not decided, as {LATTICE}"
     elif value < least:
         follows = "the largest is smaller, but its interval reaches them"
     elif value > most:
         follows = "repeated contact goes beyond them"
+    elif first[name].item() >= least:
+        alone = print_bounded_as_paper(first, name, "nm")
+        follows = f"the first contact reaches them already ({alone}), so that this decides nothing"
     else:
         follows = "repeated contact reaches them"
     word, contacts, label = SIZES[name], image["stage"].item(), image["label"].item()

@@ -1,7 +1,9 @@
 """What decides the edges of the critical band, in sentences of plain text."""
 
+import numpy as np
 import xarray as xr
 
+from hardcontact.answer.closed_form_sentences import TRANSITION
 from hardcontact.answer.part_text import (
     DIGITS,
     NEAR_ONE,
@@ -12,19 +14,51 @@ from hardcontact.answer.part_text import (
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
 from hardcontact.insight.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
-from hardcontact.insight.edge_scaling import DEPENDENCE, LENGTHS, PARTS
+from hardcontact.insight.edge_scaling import (
+    DEPENDENCE,
+    FALLING,
+    INDEPENDENT,
+    LENGTHS,
+    PARTLY,
+    PARTS,
+    PROPORTIONAL,
+    STEEPER,
+    UNDECIDED,
+    dependence,
+)
+from hardcontact.statistics import bounds
 
 __all__ = ["scaling_sentences"]
 
 EDGES = {"small": "short", "large": "long"}
 #: Lengths as they are printed.
 NAMES = dict(zip(LENGTHS, ("√R", "√ρ", "√(F/H)"), strict=True))
+#: What `edge_scaling.dependence` says, in the words of the page.
+WORDS = {
+    PROPORTIONAL: "proportional",
+    PARTLY: "partly",
+    INDEPENDENT: "independent",
+    STEEPER: "more than proportional",
+    FALLING: "against it",
+    UNDECIDED: "undecided",
+}
+RULE = (
+    "An edge is called proportional to a length where the interval of the exponent holds 1 and not "
+    "0, independent of it where it holds 0 and not 1, undecided where it holds both; where it "
+    "holds neither, the edge follows partly (between 0 and 1), more than in proportion (above 1) "
+    "or against the length (below 0)."
+)
 #: What a regime means for the force.
 FORCE = {
     SMOOTH: "hardly depends on the roughness",
     MANY_POINTS: "is a Gaussian average over many points",
     SINGLE_PEAKS: "is frozen to single peaks",
 }
+
+REACH_IS_NO_END = (
+    "The reach √(2Rρ) is where the attraction of a smooth sphere has fallen to 1/e of that at the "
+    "middle, not where it ends: longer waves may count."
+)
 
 
 def scaling_sentences(scaling: xr.Dataset) -> list[str]:
@@ -46,10 +80,12 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
     exponents = (_exponents(scaling, side, length) for side in EDGES for length in LENGTHS)
     return [
         f"{' '.join(of_sides)} Varied were {_varied(scaling)}.",
+        RULE,
         *exponents,
         *(_of_reach(scaling, part) for part in PARTS[1:]),
         *_regimes(scaling),
-        _causes(scaling),
+        REACH_IS_NO_END,
+        *_causes(scaling),
         _found(scaling),
     ]
 
@@ -68,12 +104,12 @@ def _followed(scaling: xr.Dataset, side: str) -> str:
     for length, name in NAMES.items():
         verdicts = of_side["dependence"].sel(length=length).values
         said = [
-            f"{verdict} on {listed(of_side['label'].values[verdicts == verdict].tolist())}"
+            f"{WORDS[verdict]} on {listed(of_side['label'].values[verdicts == verdict].tolist())}"
             for verdict in DEPENDENCE
             if (verdicts == verdict).any()
         ]
         lengths.append(f"{name} {', '.join(said)}")
-    return f"Whether the {EDGES[side]} edge of the band follows: {'; '.join(lengths)}."
+    return f"How the {EDGES[side]} edge of the band follows: {'; '.join(lengths)}."
 
 
 def _varied(scaling: xr.Dataset) -> str:
@@ -115,21 +151,32 @@ def _regimes(scaling: xr.Dataset) -> list[str]:
     ]
 
 
-def _causes(scaling: xr.Dataset) -> str:
-    """Return whether the short edge scales as what should set it."""
+def _causes(scaling: xr.Dataset) -> list[str]:
+    """Return how the short edge scales where the contact is wider than it, and where not."""
     said = []
-    for cause, where in ((CONTACT, "wider"), (RANGE, "narrower")):
+    for cause, where, alone in ((CONTACT, "wider", "contact"), (RANGE, "narrower", "rho")):
         of_cause = scaling.sel(cause=cause)
-        numbers = listed(
-            print_bounded_as_paper(of_cause.sel(length=length), "cause_exponent", "1")
-            for length in LENGTHS
-        )
-        said.append(f"{numbers} where it is {where} ({of_cause['cause_edges'].item()} edges)")
-    return (
-        "A contact that is wider than the short edge of the closed form should set the edge, which "
-        "then follows √(F/H) alone; where it is narrower the edge should follow √ρ alone. "
-        f"Exponents against {listed(NAMES.values())} over all surfaces: {'; '.join(said)}."
-    )
+        follows = listed(_follows(of_cause.sel(length=length)) for length in LENGTHS)
+        low, high = bounds(of_cause.drop_sel(length=alone), "cause_exponent")
+        refuted = ~np.isin(dependence(low, high), [INDEPENDENT, UNDECIDED])
+        so = f": not {NAMES[alone]} alone" if refuted.any() else ""
+        said.append(f"Where it is {where} ({of_cause['cause_edges'].item()} edges), {follows}{so}.")
+    return [
+        "The closed form knows the range of adhesion, but not that a contact flattens what is "
+        "smaller than itself. If only the wider of its short edge and the contact set the edge, "
+        "this would follow √(F/H) alone where the contact is wider, and √ρ alone where it is "
+        f"narrower. {' '.join(said)}",
+        f"These intervals are a jackknife over {scaling.sizes['surface']} surfaces, and edges of "
+        "one surface share its masters, so that they are no independent numbers.",
+    ]
+
+
+def _follows(of_length: xr.Dataset) -> str:
+    """Return what an exponent of all surfaces says, in words and numbers."""
+    low, high = bounds(of_length, "cause_exponent")
+    verdict = WORDS[str(dependence(low, high))]
+    exponent = print_bounded_as_paper(of_length, "cause_exponent", "1")
+    return f"{NAMES[of_length['length'].item()]}: {verdict}, {exponent}"
 
 
 def _nm(of_surface: xr.Dataset, name: str) -> str:
@@ -147,6 +194,12 @@ def _force(of_surface: xr.Dataset) -> str:
     sigma, m = (of_surface[name].item() for name in ("rough_height", "approach"))
     over_range, level = sigma / of_surface.attrs["rho"], m / sigma
     sign = ">" if over_range > level else "<"
+    if abs(level - over_range) < TRANSITION:
+        return (
+            "is at the transition from many points to single peaks, since σ/ρ = "
+            f"{over_range:.{NEAR_ONE}g} and m/σ = {level:.{NEAR_ONE}g} differ by less than "
+            f"{TRANSITION:g}, a standard deviation of the heights that attract"
+        )
     return (
         f"{FORCE[regime]}, since σ/ρ = {over_range:.{NEAR_ONE}g} {sign} m/σ = {level:.{NEAR_ONE}g}"
     )
@@ -156,25 +209,36 @@ def _short_edge(of_surface: xr.Dataset) -> str:
     computed = _computed(of_surface, "small")
     cause = of_surface["short_edge_from"].item()
     predicted = _nm(of_surface.sel(side="small"), "predicted_edge")
-    diameter = f"the contact 2√(F/πH) = {_nm(of_surface, 'contact_diameter')}"
-    reasons = {
-        CONTACT: f"is set by the size of the contact: {diameter} is wider than the {predicted} ",
-        RANGE: f"is set by ρ: {diameter} is narrower than the {predicted} ",
-    }
-    if cause not in reasons:
+    diameter = f"The contact 2√(F/πH) = {_nm(of_surface, 'contact_diameter')}"
+    if not cause:
         return f"The closed form has no short edge (computed: {computed})"
-    return f"Its short edge {reasons[cause]}of the closed form (computed: {computed})"
+    compared = {CONTACT: "wider", RANGE: "narrower"}[cause]
+    return (
+        f"{diameter} is {compared} than its short edge of {predicted} in the closed form "
+        f"(computed: {computed})"
+    )
 
 
 def _long_edge(of_surface: xr.Dataset) -> str:
-    reach = f"the reach √(2Rρ) = {_nm(of_surface, 'attraction_reach')}"
-    reasons = {
-        ROLL_OFF: f"by the roll-off at {_nm(of_surface, 'roll_off')}, shorter than {reach}",
-        REACH: f"by {reach}, shorter than the roll-off at {_nm(of_surface, 'roll_off')}",
+    """Return whether the interval says that the shorter of roll-off and reach stops the edge."""
+    lengths = {
+        ROLL_OFF: f"the roll-off at {_nm(of_surface, 'roll_off')}",
+        REACH: f"the reach √(2Rρ) = {_nm(of_surface, 'attraction_reach')}",
     }
-    reason = reasons[of_surface["long_edge_from"].item()]
-    computed = _computed(of_surface, "large")
-    return f"By these lengths its long edge should be stopped {reason} (computed: {computed})"
+    shorter = of_surface["long_edge_from"].item()
+    (longer,) = lengths.keys() - {shorter}
+    stop = min(of_surface["roll_off"].item(), of_surface["attraction_reach"].item())
+    low, high = (end.item() for end in bounds(of_surface.sel(side="large"), "edge"))
+    if low > stop:
+        follows = "its interval lies wholly above, so that this length does not stop it"
+    elif high < stop:
+        follows = "its interval lies wholly below, so that the edge ends before this length"
+    else:
+        follows = "its interval does not exclude that this length stops it"
+    return (
+        f"Of {lengths[shorter]} and {lengths[longer]} the first is shorter; the computed long edge "
+        f"is {_computed(of_surface, 'large')}: {follows}"
+    )
 
 
 def _found(scaling: xr.Dataset) -> str:

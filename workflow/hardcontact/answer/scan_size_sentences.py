@@ -40,13 +40,15 @@ def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
     """
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
     return [
+        _forces(scan_size),
         _excess(at_range),
         _edges(scan_size),
         *_edges_of_others(scan_size),
         OTHER_EDGES,
-        _forces(scan_size),
         _needed(at_range),
+        *_of_windows(at_range),
         _rule(scan_size),
+        *_trend(scan_size),
         _error(scan_size),
     ]
 
@@ -93,15 +95,25 @@ def force_on_scans_sentence(scan_size: xr.Dataset) -> str:
 
 def _excess(at_range: xr.Dataset) -> str:
     at_size = at_range.sel(scan_size=at_range.attrs["scan_size"], method="nearest")
-    said = []
-    for surface in at_size["surface"].values:
-        one = at_size.sel(surface=surface)
-        said.append(f"{one['label'].item()} {print_bounded_as_paper(one, 'excess', '1')}")
     return (
-        f"On mirrored scans of {print_as_paper(at_size['scan_size'].item(), 'nm')} the mean force "
-        f"is larger than on surfaces of {print_as_paper(at_size.attrs['surface_size'], 'nm')} with "
-        f"the same spectrum, by the factor {'; '.join(said)} at a range of "
-        f"{print_as_paper(at_size['rho'].item(), 'nm')}."
+        f"Where mirrored scans of {print_as_paper(at_size['scan_size'].item(), 'nm')} are cut out "
+        f"of surfaces of {print_as_paper(at_size.attrs['surface_size'], 'nm')}, the force on them "
+        f"over that on these is, at a range of {print_as_paper(at_size['rho'].item(), 'nm')}: "
+        f"{print_each(at_size, 'excess')}; {_compared(at_size, 'excess')}."
+    )
+
+
+def _compared(ratios: xr.Dataset, name: str) -> str:
+    """Return where intervals of ratios (surface,) lie above one, below one, or hold it."""
+    low, high = (end.values for end in bounds(ratios, name))
+    of_kinds = {
+        "larger": low > 1,
+        "smaller": high < 1,
+        "not decided": ~((low > 1) | (high < 1)),
+    }
+    names = ratios["label"].values
+    return ", ".join(
+        f"{kind} on {listed(names[chosen])}" for kind, chosen in of_kinds.items() if chosen.any()
     )
 
 
@@ -141,17 +153,20 @@ def _forces(scan_size: xr.Dataset) -> str:
     """Return forces over those on the larger whole surfaces, and whether the smaller are enough."""
     of_scan = on_scans(scan_size)
     smaller, larger = scan_size.isel(edge_size=-2), scan_size.isel(edge_size=-1)
-    low, high = bounds(smaller, "force_over_largest")
+    name = "force_over_largest"
+    low, high = bounds(smaller, name)
     differ = smaller["surface"].values[((low > 1) | (high < 1)).values]
     said = (
-        f"these are too small for {labels(scan_size, differ)}"
+        f"whole surfaces of {_size(smaller)} are too small for {labels(scan_size, differ)}"
         if len(differ)
-        else f"all intervals hold 1 and leave open up to {_farthest(low, high)}"
+        else f"all intervals of whole surfaces of {_size(smaller)} hold 1 and leave open up to "
+        f"{_farthest(low, high)}"
     )
     return (
-        f"Force over that on whole surfaces of {_size(larger)}: on mirrored scans of "
-        f"{_size(of_scan)} {print_each(of_scan, 'force_over_largest')}; on whole surfaces of "
-        f"{_size(smaller)} {print_each(smaller, 'force_over_largest', NEAR_ONE)}; {said}."
+        f"Mean force over that on whole surfaces of {_size(larger)} with the same spectrum: on "
+        f"mirrored scans of {_size(of_scan)} {print_each(of_scan, name, NEAR_ONE)}; "
+        f"{_compared(of_scan, name)}. On whole surfaces of {_size(smaller)} "
+        f"{print_each(smaller, name, NEAR_ONE)}; {said}."
     )
 
 
@@ -170,8 +185,37 @@ def _needed(at_range: xr.Dataset) -> str:
     said = "; ".join(
         f"{label} {print_as_paper(size, 'nm', digits=DIGITS)}" for label, size in sizes
     )
-    allowed = print_percent(at_range.attrs["allowed_excess"] - 1)
-    return f"By the rule, a force that is too large by {allowed} takes scans of: {said}."
+    excess = at_range.attrs["allowed_excess"] - 1
+    error = np.exp(_error_of_rule(at_range, "surfaces", "corrected"))
+    follows = "more than this, so that sizes are rough" if error - 1 > excess else "less than this"
+    return (
+        f"By the rule, a force that is too large by {print_percent(excess)} takes scans of: "
+        f"{said}. On these surfaces the rule is off by a factor of {error:.3g}, {follows}."
+    )
+
+
+def _of_windows(at_range: xr.Dataset) -> Iterator[str]:
+    """Yield what the forces on windows alone say of the sizes needed, and where they refute these.
+
+    A window whose interval lies above the allowed excess is too small; one below it is enough.
+    """
+    windows = at_range.sel(edge_size=at_range["mirrored"] == 1)
+    low, high = bounds(windows, "force_over_largest")
+    allowed, sizes = at_range.attrs["allowed_excess"], windows["edge_size"]
+    above = sizes.where(low > allowed).max("edge_size")
+    enough = sizes.where(high < allowed).min("edge_size")
+    said = []
+    for surface in at_range["surface"].values:
+        least, most = (print_as_paper(one.sel(surface=surface).item(), "nm") for one in
+                       (above, enough))  # fmt: skip
+        limits = [f"more than {least}"] * bool(least) + [f"at most {most}"] * bool(most)
+        if limits:
+            said.append(f"{labels(at_range, [surface])} {' and '.join(limits)}")
+    if said:
+        needed = at_range["size_needed"]
+        refuted = at_range["surface"].values[((needed <= above) | (needed > enough)).values]
+        follows = f", against the rule on {labels(at_range, refuted)}" if len(refuted) else ""
+        yield f"The intervals of forces on windows alone ask for: {'; '.join(said)}{follows}."
 
 
 def _rule(scan_size: xr.Dataset) -> str:
@@ -187,6 +231,32 @@ def _rule(scan_size: xr.Dataset) -> str:
     )
 
 
+def _trend(scan_size: xr.Dataset) -> Iterator[str]:
+    """Yield where the factor changes with the range against what the rule says."""
+    smallest = scan_size.isel(scan_size=0)
+    first, last = (smallest.isel(rho=end) for end in (0, -1))
+    changes = (last[name] - first[name] for name in ("excess", "predicted_excess"))
+    computed, by_rule = (change.values for change in changes)
+    against = scan_size["surface"].values[computed * by_rule < 0]
+    if len(against):
+        ranges = " to ".join(print_as_paper(one["rho"].item(), "nm") for one in (first, last))
+        said = []
+        for surface in against:
+            ends = [one.sel(surface=surface) for one in (first, last)]
+            found = " to ".join(print_bounded_as_paper(one, "excess", "1") for one in ends)
+            rule = " to ".join(f"{one['predicted_excess'].item():.{DIGITS}g}" for one in ends)
+            said.append(f"{labels(scan_size, [surface])} {found}, by the rule {rule}")
+        yield (
+            f"Against the rule the factor on scans of "
+            f"{print_as_paper(smallest['scan_size'].item(), 'nm')} changes with ranges from "
+            f"{ranges} the other way: {'; '.join(said)}."
+        )
+
+
+def _error_of_rule(scan_size: xr.Dataset, tested: str, kind: str) -> float:
+    return float(scan_size["error"].sel(tested=tested, kind=kind).item())
+
+
 def _error(scan_size: xr.Dataset) -> str:
     said = []
     for tested, name in (
@@ -194,7 +264,7 @@ def _error(scan_size: xr.Dataset) -> str:
         ("surfaces", "the surfaces of the study"),
     ):
         corrected, uncorrected = (
-            f"{np.exp(scan_size['error'].sel(tested=tested, kind=kind).item()):.3g}"
+            f"{np.exp(_error_of_rule(scan_size, tested, kind)):.3g}"
             for kind in ("corrected", "uncorrected")
         )
         said.append(f"{uncorrected} to {corrected} on {name}")

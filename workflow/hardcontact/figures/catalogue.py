@@ -120,6 +120,19 @@ OF_PAPER = {
 INSIGHT = "8. What decides the band"
 #: The figures of that chapter by name, in the order of its page: one a part, from its dataset.
 OF_INSIGHT = {
+    "fig_scaling": Figure(
+        INSIGHT,
+        "scaling of the band",
+        "edges of the band over radius, range and contact area",
+        ("scaling",),
+        ("published_constants",),
+    ),
+    "fig_scan_size": Figure(
+        INSIGHT,
+        "size of scans",
+        "how large a scan must be",
+        ("scan_size",),
+    ),
     "fig_closed_form": Figure(
         INSIGHT,
         "force from a spectrum",
@@ -150,19 +163,6 @@ OF_INSIGHT = {
         "limit of the bearing area",
         "contacts that do not yield, and their force",
         ("elastic_limit",),
-    ),
-    "fig_scaling": Figure(
-        INSIGHT,
-        "scaling of the band",
-        "edges of the band over radius, range and contact area",
-        ("scaling",),
-        ("published_constants",),
-    ),
-    "fig_scan_size": Figure(
-        INSIGHT,
-        "size of scans",
-        "how large a scan must be",
-        ("scan_size",),
     ),
 }
 

@@ -114,10 +114,10 @@ def _draw_indices(axes: Axes, limit: xr.Dataset) -> None:
         label = str(limit["label"].sel(surface=surface).item())
         axes.plot(of_surface, STEPS, color=colour, drawstyle="steps-post", label=label)
     axes.axvline(1, color="black", lw=0.9)
-    axes.set(xscale="log", ylim=(0, 1), ylabel="cumulative share of contacts")
+    axes.set(xscale="log", ylim=(-0.03, 1.03), ylabel="cumulative share of contacts")
     axes.set_xlabel("elastic pressure on the bearing area / hardness")
     axes.legend(loc="best")
-    style.label_logarithmic(axes.xaxis)
+    style.label_logarithmic(axes.xaxis, at=(1, 3))
     style.label_panel(axes, "a", "plasticity index")
 
 
@@ -130,8 +130,8 @@ def _draw_shares(axes: Axes, limit: xr.Dataset) -> None:
             known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
             axes.errorbar(place + shift, one["value"], known, ls="none", **look, **OPEN[name])
         axes.plot([], [], "o", color="0.3", ls="none", label=label, **OPEN[name])
-    axes.set(ylim=(-0.03, 1.03), ylabel="share of contacts")
-    axes.legend(loc="best")
+    axes.set(ylim=(-0.06, 1.06), yticks=np.linspace(0, 1, 6), ylabel="share of contacts")
+    _draw_legend_within(axes)
     style.label_panel(axes, "b", "bearing area holds")
 
 
@@ -165,5 +165,13 @@ def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
         axes.plot([], [], marker, color="0.3", label=NAMES[variant])
     axes.axhline(1, color="0.7", lw=0.6, zorder=0)
     axes.set_ylabel("force / that of the bearing area")
-    axes.legend(loc="best")
+    _draw_legend_within(axes)
     style.label_panel(axes, "d", "pull-off force")
+
+
+def _draw_legend_within(axes: Axes) -> None:
+    """Write the legend in one line above all marks: the axis is made longer for it."""
+    low, high = axes.get_ylim()
+    axes.set_ylim(low, high + 0.15 * (high - low))
+    labels = axes.get_legend_handles_labels()[1]
+    axes.legend(loc="upper center", ncols=len(labels), columnspacing=1.0, handletextpad=0.2)

@@ -7,6 +7,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
@@ -114,9 +115,14 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
         rho, work = of_law["range_of_law"].item(), of_law["work_of_adhesion"].item()
         values = PRESSURE * work / rho * pressure(law, GAPS, rho)
         axes.plot(GAPS, values, color=colour, ls=dashes, label=law.label)
+    # Lines of (a) and (b) with the marks of the other panels.
+    handles = [
+        Line2D([], [], ls=dashes, ms=3.5, label=law.label, **look)
+        for law, dashes, look in zip(LAWS, DASHES, _looks(laws).values(), strict=True)
+    ]
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
     axes.set_ylim(bottom=1e-7)
-    axes.legend(loc="lower left", handlelength=1.5)
+    axes.legend(handles=handles, loc="lower left", handlelength=1.8, handletextpad=0.4)
     style.label_logarithmic(axes.xaxis, at=(1,))
     style.label_panel(axes, "a", "laws of like force")
 

@@ -165,6 +165,7 @@ def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
 def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
     """Draw EXPONENTS of all surfaces with their intervals, each surface a little lower."""
     exponents, drawn = _exponents(scaling), [-0.8, 1.8]
+    intervals: list[tuple[float, float, float, str]] = []
     looks = style.looks(scaling["surface"].values)
     places = -np.arange(len(EXPONENTS), dtype=float)
     beside = np.linspace(0.27, -0.27, len(looks))
@@ -175,12 +176,20 @@ def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
             known = np.nan_to_num(reach(one))[:, None]
             axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
             drawn.append(one["value"].item())
-    for value, dashes in ((0.0, "-"), (0.5, ":"), (1.0, "-")):
-        axes.axvline(value, color="0.7", lw=0.6, ls=dashes, zorder=0)
+            ends = (one[end].item() for end in ("low", "high"))
+            intervals.append((*ends, place + offset, look["color"]))
+    for value in (0.0, 1.0):
+        axes.axvline(value, color="0.7", lw=0.6, zorder=0)
     for name, place in (("short edge", 0.5), ("long edge", -2.5)):
         axes.text(0.98, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic",
                   transform=axes.get_yaxis_transform())  # fmt: skip
         axes.axhline(place, color="0.7", lw=0.4)
     axes.set_yticks(places, [name for *_, name in EXPONENTS])
     axes.set(xlabel="exponent", xlim=(np.nanmin(drawn) - 0.2, np.nanmax(drawn) + 0.2))
-    style.label_panel(axes, "d", "edge in proportion: 1")
+    left, right = axes.get_xlim()
+    # Arrows where intervals reach beyond the panel.
+    for low, high, height, colour in intervals:
+        for end, marker, cut in ((left, "<", low < left), (right, ">", high > right)):
+            if cut:
+                axes.plot(end, height, marker, color=colour, ms=4, clip_on=False)
+    style.label_panel(axes, "d", "1: in proportion, 0: independent")

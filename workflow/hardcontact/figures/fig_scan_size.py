@@ -132,7 +132,7 @@ def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> None:
             sizes, at_range["predicted_excess"].sel(surface=surface), color=look["color"], lw=0.7
         )
     axes.axvline(at_range.attrs["scan_size"] / 1e3, **OF_SCAN)
-    axes.set(xscale="log", yscale="log", xlabel="edge of the scan (µm)",
+    axes.set(xscale="log", yscale="log", xlabel="side of the scan (µm)",
              ylabel="force over that on a large surface")  # fmt: skip
 
 
@@ -184,7 +184,7 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
     of_windows = {"edge_size": scan_size["mirrored"] == 1}
     axes.plot(sizes.sel(of_windows), period.sel(of_windows) / 1e3, color="0.7", lw=0.8, zorder=0)
     axes.axvline(scan_size.attrs["scan_size"] / 1e3, **OF_SCAN)
-    axes.set(xscale="log", yscale="log", xlabel="edge of the scan (µm)",
+    axes.set(xscale="log", yscale="log", xlabel="side of the scan (µm)",
              ylabel="long edge of the band (µm)")  # fmt: skip
 
 

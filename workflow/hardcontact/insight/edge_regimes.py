@@ -4,11 +4,14 @@ Three comparisons of lengths, all of the closed form (`closed_form`) at one sphe
 
 - sigma/rho against m/sigma: the attraction comes from many points, or is frozen to single peaks.
 - The diameter 2 sqrt(F/(pi H)) of the contact against the short edge. The closed form knows the
-  range of adhesion, but not that a contact flattens what is smaller than itself: where its edge is
-  shorter than the contact, the contact sets the edge, otherwise the range.
-- The reach sqrt(2 R rho) of the attraction against the roll-off of the spectrum. Roughness that is
-  longer than the reach lifts sphere and attraction alike, and beyond the roll-off there is none:
-  the shorter of the two stops the long edge.
+  range of adhesion, but not that a contact flattens what is smaller than itself. If the longer of
+  both set the edge, this would follow the contact alone where that is wider, otherwise the range
+  alone; exponents of computed edges say how far that holds (`cause_exponents`).
+- The reach sqrt(2 R rho) of the attraction against the roll-off of the spectrum. Roughness much
+  longer than the reach lifts sphere and attraction alike, and far beyond the roll-off there is
+  none: if one length stops the long edge, it is the shorter of the two. Neither is a sharp end: at
+  the reach the attraction of a smooth sphere has fallen to 1/e, and the roll-off is the middle of
+  an octave. Whether the edge stops there is for computed edges to say.
 """
 
 from collections.abc import Mapping
@@ -25,9 +28,9 @@ from hardcontact.surfaces.spectrum import Spectrum, roll_off
 
 __all__ = ["CONTACT", "RANGE", "REACH", "ROLL_OFF", "cause_exponents", "edge_regimes"]
 
-#: What sets the short edge.
+#: The longer of two lengths that may set the short edge.
 CONTACT, RANGE = "contact", "range"
-#: What stops the long edge.
+#: The shorter of two lengths that may stop the long edge.
 ROLL_OFF, REACH = "roll-off", "reach"
 
 
@@ -48,7 +51,8 @@ def edge_regimes(spectra: Mapping[str, Spectrum], contact: Contact, tolerance: f
     xarray.Dataset
         Over surface, lengths in nm: ``rough_height`` (sigma), ``approach`` (m), ``freezing``,
         (sigma/rho)/(m/sigma), ``regime`` of `closed_form`, ``predicted_edge`` (surface, side), NaN
-        where there is none, ``short_edge_from``, empty there, and ``long_edge_from``. Of all:
+        where there is none, ``short_edge_from``, empty there, and ``long_edge_from``, ROLL_OFF or
+        REACH, the shorter of both. Of all:
         ``contact_diameter`` and ``attraction_reach``.
     """
     diameter = 2 * np.sqrt(contact.area / np.pi)

@@ -19,7 +19,20 @@ from hardcontact.scales.critical_band import POOLED, critical_band
 from hardcontact.statistics import bounds, jackknife_interval, with_interval
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 
-__all__ = ["DEPENDENCE", "LENGTHS", "PARTS", "dependence", "edge_scaling", "stacked_scaling"]
+__all__ = [
+    "DEPENDENCE",
+    "FALLING",
+    "INDEPENDENT",
+    "LENGTHS",
+    "PARTLY",
+    "PARTS",
+    "PROPORTIONAL",
+    "STEEPER",
+    "UNDECIDED",
+    "dependence",
+    "edge_scaling",
+    "stacked_scaling",
+]
 
 #: What an edge may follow: sqrt(R) and sqrt(rho), together the reach of the attraction, sqrt(F/H).
 LENGTHS = ["radius", "rho", "contact"]
@@ -27,8 +40,10 @@ LENGTHS = ["radius", "rho", "contact"]
 #: Combinations that an exponent is fitted to: all, and those of either side of the roll-off.
 PARTS = ["all", "reach below roll-off", "reach above roll-off"]
 
-#: What the interval of an exponent says of an edge and a length.
-DEPENDENCE = ["yes", "no", "undecided"]
+#: What the interval of an exponent says of an edge and a length: see `dependence`.
+PROPORTIONAL, INDEPENDENT, PARTLY = "proportional", "independent", "partly"
+STEEPER, FALLING, UNDECIDED = "steeper", "falling", "undecided"
+DEPENDENCE = [PROPORTIONAL, PARTLY, INDEPENDENT, STEEPER, FALLING, UNDECIDED]
 
 COMBINATION = ["radius", "area", "rho"]
 
@@ -141,8 +156,10 @@ def _with_interval(
 def dependence(low: ArrayLike, high: ArrayLike) -> NDArray[np.str_]:
     """Return what the intervals of exponents say.
 
-    An edge follows a length where the interval lies above 1/2, nearer to proportional than to
-    independent, and does not where it lies within -1/2 and 1/2.
+    An edge is PROPORTIONAL to a length where the interval holds 1 and not 0, INDEPENDENT of it
+    where it holds 0 and not 1, UNDECIDED where it holds both. An interval that holds neither lies
+    between 0 and 1 (PARTLY), above 1 (STEEPER) or below 0 (FALLING). Without an interval it is
+    UNDECIDED.
 
     Parameters
     ----------
@@ -155,7 +172,10 @@ def dependence(low: ArrayLike, high: ArrayLike) -> NDArray[np.str_]:
         One of DEPENDENCE each.
     """
     low, high = np.asarray(low), np.asarray(high)
-    return np.select([low > 0.5, (low > -0.5) & (high < 0.5)], DEPENDENCE[:2], DEPENDENCE[2])
+    known = np.isfinite(low) & np.isfinite(high)
+    zero, one = ((low <= number) & (number <= high) for number in (0, 1))
+    conditions = [~known | (zero & one), one, zero, low > 1, high < 0]
+    return np.select(conditions, [UNDECIDED, PROPORTIONAL, INDEPENDENT, STEEPER, FALLING], PARTLY)
 
 
 def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:

@@ -28,7 +28,9 @@ from scipy import constants, special
 
 __all__ = [
     "EXPONENTIAL",
+    "HAMAKER",
     "LAWS",
+    "POTENTIAL",
     "Law",
     "implied_over_known",
     "pressure",

@@ -16,7 +16,7 @@ from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.statistics import jackknife_interval, with_interval
 
-__all__ = ["bands_of_law", "edge_factors", "factor", "stacked_law_forces"]
+__all__ = ["bands_of_law", "edge_factors", "stacked_law_forces"]
 
 
 def stacked_law_forces(
@@ -100,7 +100,7 @@ def bands_of_law(
 def edge_factors(
     lengths: Mapping[str, float], masters: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> dict[str, Any]:
-    """Return the factor, at least one, between the edges of every law and those of Eq. 1.
+    """Return the edges of every law over those of Eq. 1.
 
     Parameters
     ----------
@@ -132,7 +132,7 @@ def edge_factors(
         [str(dimension) for dimension in factors.dims],
         factors.values,
         interval,
-        {"units": "1", "long_name": "edge of the band over that of Eq. 1, or its inverse"},
+        {"units": "1", "long_name": "edge of the band over that of Eq. 1"},
         sampling.confidence,
     )
 
@@ -147,7 +147,8 @@ def _edge_factors(
         band = critical_band(scales, tolerance, replace(sampling, samples=0))
         edges.append(band.critical_wavelength.fillna(_last_cutoffs(scales)))
     stacked = xr.concat(edges, pd.Index([law.name for law in LAWS], name="law"))
-    return factor(stacked / edges[0]).transpose("law", "side", "group")
+    ratio: xr.DataArray = stacked / edges[0]
+    return ratio.transpose("law", "side", "group")
 
 
 def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
@@ -157,8 +158,3 @@ def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
     small = (scales.unfiltered_wavelength < scales.cutoff_wavelength[0]).all("surface")
     shortest: xr.DataArray = cutoffs.min("cutoff_wavelength")
     return shortest.where(~small, cutoffs.max("cutoff_wavelength"))
-
-
-def factor(ratio: xr.DataArray) -> xr.DataArray:
-    """Return ratios as factors of at least one."""
-    return ratio.where(~(ratio < 1), 1 / ratio)

@@ -98,7 +98,8 @@ def compare_laws(
         and case, with intervals: `range_of_law`, `work_of_adhesion`, `fit_error`, `ratio`
         (surface), `scale_ratio` (side, surface, cutoff_wavelength) and `critical_wavelength` (side,
         group); `spacing` and `implied_over_known`. Over law, of the case "equivalent":
-        `edge_factor` (side, group), the edges over those of Eq. 1 or the inverse.
+        `edge_factor` (side, group), the edges over those of Eq. 1. The attribute `scans` is their
+        number on each surface.
     """
     surfaces = forces.surface.values.tolist()
     target = published.mean_force.reindex(surfaces)
@@ -130,6 +131,7 @@ def compare_laws(
         scale_tolerance=choices.tolerance,
         reference_label=str(forces.label.sel(surface=choices.reference_surface).item()),
         confidence=choices.sampling.confidence,
+        scans=forces.sizes["scan"],
     )
 
 

@@ -1,9 +1,10 @@
 """How large a scan must be: a rule for the excess of the force on small mirrored scans.
 
 A contact finds its peaks within 2 sqrt(2 R sigma) of each other (`finite_scan`). A smaller scan,
-mirrored, has fewer peaks, the fewer the longer its roll-off; that the sphere misses the highest of
-them counts the more, the higher peaks are against the range of adhesion. The rule is a power law of
-these three ratios. It is fitted to some surfaces, and its error is found on others.
+mirrored, has fewer peaks, so that the sphere misses the highest of them. How much that counts may
+depend on this draw size and on the roll-off, both over the size of the scan, and on the heights
+over the range of adhesion. The rule is a power law of these three ratios, with exponents of either
+sign as the fit finds them. It is fitted to some surfaces, and its error is found on others.
 """
 
 from typing import NamedTuple
@@ -22,7 +23,7 @@ class Case(NamedTuple):
     Attributes
     ----------
     size : array_like
-        Edge of the scan.
+        Side of the scan.
     rms_height, roll_off : array_like
         Of the surface.
     radius : array_like
@@ -65,7 +66,7 @@ class ScanSizeRule(NamedTuple):
         return np.asarray(np.exp(logarithm))
 
     def size_for(self, case: Case, excess: float) -> Floats:
-        """Return the edge (nm) of a scan whose force is too large by a given factor.
+        """Return the side (nm) of a scan whose force is too large by a given factor.
 
         The size of the case does not matter.
         """
