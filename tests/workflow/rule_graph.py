@@ -81,7 +81,7 @@ FOLLOWS = {
     "measure_indents": {"evaluate_claims"},
     "aggregate_asperities": {"evaluate_claims"},
     "aggregate_scales": {"answer_paper", "find_critical_band", "evaluate_claims"},
-    "find_critical_band": {"answer_paper", "describe_study", "evaluate_claims"},
+    "find_critical_band": {"answer_insight", "answer_paper", "describe_study", "evaluate_claims"},
     "infer": {"apply_classical_models", "evaluate_claims"},
     "apply_classical_models": {"evaluate_claims"},
     "evaluate_claims": {"describe_study", "answer_paper"},
