@@ -10,6 +10,13 @@ from hardcontact.answer.artificial import (
     share_inside,
 )
 from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.force_limits import (
+    OPPOSITE,
+    of_blind_scans,
+    of_pixels,
+    of_scan_size,
+    of_window,
+)
 from hardcontact.answer.quantities import print_length
 from hardcontact.answer.sentences import (
     continued_words,
@@ -22,7 +29,6 @@ from hardcontact.answer.sparse_cutoffs import EDGES, sparse_cutoffs
 
 __all__ = [
     "DESCRIPTION",
-    "FEW_PIXELS",
     "artificial_edges",
     "grave_limits",
     "limits",
@@ -32,21 +38,8 @@ __all__ = [
 #: Measurements that a sentence names.
 NAMED = 4
 
-#: Share of the force on a smooth sphere that a window holds as good as whole.
-WHOLE = 0.99
-
-#: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
-FEW_PIXELS = 10
-
 #: Kind of what stands for the measurements of a substitute.
 DESCRIPTION = "description"
-
-
-#: What errors of both signs leave of a force.
-OPPOSITE = (
-    "The window makes the force too low, the small scan too high; neither error is known well "
-    "enough to correct it, so the force is a rough guess."
-)
 
 
 def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
@@ -68,11 +61,11 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
         *_of_basis(basis),
         *(text for side in EDGES for text in _of_edge(side, edges)),
         *artificial_edges(spectra, edges),
-        *_of_blind_scans(spectra, force),
-        *_of_window(force),
-        *_of_scan_size(force),
+        *of_blind_scans(spectra, force),
+        *of_window(force),
+        *of_scan_size(force),
         *_of_continued_roughness(force),
-        *_of_pixels(force),
+        *of_pixels(force),
         *_of_intervals(edges, force),
         *sparse_cutoffs(edges),
         *_of_spectrum(spectra),
@@ -99,11 +92,11 @@ def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> l
     cut = at_range(force)["window_share"].item() < 1 - tolerance
     return [
         *artificial_edges(spectra, edges),
-        *_of_blind_scans(spectra, force),
-        *(_of_window(force) if cut else []),
-        *(_of_scan_size(force) if too_small else []),
+        *of_blind_scans(spectra, force),
+        *(of_window(force) if cut else []),
+        *(of_scan_size(force) if too_small else []),
         *([OPPOSITE] if cut and too_small else []),
-        *(_of_pixels(force) if force.attrs["contact_area"] < force["pixel_area"] else []),
+        *(of_pixels(force) if force.attrs["contact_area"] < force["pixel_area"] else []),
     ]
 
 
@@ -170,61 +163,6 @@ def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
         f"{name} may lie at {words} wavelengths than were computed: its interval is open there."
         for bound, words in ends.items()
         if status.sel(bound=bound).item() == "open" and np.isfinite(of_side["edge_interval"]).any()
-    ]
-
-
-def _of_blind_scans(spectra: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
-    known = measurements(spectra)
-    of_contact = (known["kind"].values.astype(str) == "map") & np.isclose(
-        known["pixel_size"].values ** 2, force["pixel_area"].item()
-    )
-    reliable = (known["reliable"].values == 1).any(axis=1)
-    if reliable[of_contact].any() or not of_contact.any():
-        return []
-    return [
-        "The scans that contacts are made on are reliable at no wavelength: the force on them says "
-        "little of that on the surface."
-    ]
-
-
-def _of_window(force: xr.Dataset) -> list[str]:
-    """Return that the window holds too little of the force, at the range asked for or others."""
-    rho, share = force["rho"].values, force["window_share"].values
-    here = at_range(force)
-    if here["window_share"] < WHOLE:
-        place, where = here["rho"].item(), "Forces"
-        held = here["window_share"].item()
-    elif (share < WHOLE).any():
-        place, held = rho.max(), share.min()
-        where = f"From a range of adhesion of {print_length(rho[share < WHOLE].min())} on forces"
-    else:
-        return []
-    return [
-        f"{where} come out too low: the window of {print_length(force.attrs['window'])} holds "
-        f"{held:.0%} of the force on a smooth sphere at a range of {print_length(place)}."
-    ]
-
-
-def _of_scan_size(force: xr.Dataset) -> list[str]:
-    note = str(force["finite_scan_note"].item())
-    return [note] if note else []
-
-
-def _of_pixels(force: xr.Dataset) -> list[str]:
-    """Return that few pixels carry the preload, or one that is larger than need be."""
-    area, pixel = force.attrs["contact_area"], force["pixel_area"].item()
-    if area >= FEW_PIXELS * pixel:
-        return []
-    if area >= pixel:
-        return [
-            f"The preload is carried by {area:.3g} nm², {area / pixel:.2g} pixels of the scans "
-            f"({pixel:.3g} nm²): the area in contact is known to half a pixel at best."
-        ]
-    return [
-        f"The preload is carried by {area:.3g} nm², less than a pixel of the scans "
-        f"({pixel:.3g} nm²): one pixel touches, hardness and preload do not matter, and the "
-        "shorter the range of adhesion, the more of the force is that of this pixel."
     ]
 
 
