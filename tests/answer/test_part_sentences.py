@@ -170,6 +170,12 @@ def test_widths_beside_the_image_follow_from_value_and_interval():
         assert expected in repeated_contact_sentences(data)[2]
 
 
+def test_sizes_without_an_interval_are_not_judged():
+    data = repeated_contact()
+    data["lateral_size_interval"] = data["lateral_size_interval"] * np.nan
+    assert_says(repeated_contact_sentences(data)[2], "wide: without an interval nothing is known")
+
+
 def test_depths_that_the_first_contact_does_not_have_are_those_of_repeated_contact():
     data = repeated_contact()
     data["depth"].loc[{"stage": 1}] = 1.5

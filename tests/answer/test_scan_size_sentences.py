@@ -41,6 +41,8 @@ def test_whole_surfaces_are_said_to_be_too_small_where_an_interval_says_so():
     said = scan_size_sentences(data)[0]
     assert_says(said, "scans of 2.5 µm polished UNCD 1.95 [", "up to 10 %")
     assert_says(said, "all intervals of whole surfaces of 20 µm hold 1")
+    interval.loc[{"surface": "mcd", "edge_size": 20e3}] = np.nan
+    assert_says(scan_size_sentences(data)[0], "surfaces of 20 µm are enough is not known of all")
     interval.loc[{"surface": "ncd", "edge_size": 20e3, "bound": "high"}] = 0.95
     assert_says(
         scan_size_sentences(data)[0],

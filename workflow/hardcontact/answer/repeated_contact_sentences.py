@@ -61,7 +61,9 @@ def _size(first: xr.Dataset, image: xr.Dataset, name: str) -> str:
     least, most = image.attrs[f"published_{name}"]
     value, high = image[name].item(), bounds(image, name)[1].item()
     published = " to ".join(print_as_paper(one, "nm") for one in (least, most))
-    if high < least:
+    if np.isnan(high):
+        follows = "without an interval nothing is known of whether repeated contact reaches them"
+    elif high < least:
         follows = f"whether repeated contact reaches them is not decided, as {LATTICE}"
     elif value < least:
         follows = "the largest is smaller, but its interval reaches them"

@@ -156,12 +156,15 @@ def _forces(scan_size: xr.Dataset) -> str:
     name = "force_over_largest"
     low, high = bounds(smaller, name)
     differ = smaller["surface"].values[((low > 1) | (high < 1)).values]
-    said = (
-        f"whole surfaces of {_size(smaller)} are too small for {labels(scan_size, differ)}"
-        if len(differ)
-        else f"all intervals of whole surfaces of {_size(smaller)} hold 1 and leave open up to "
-        f"{_farthest(low, high)}"
-    )
+    if len(differ):
+        said = f"whole surfaces of {_size(smaller)} are too small for {labels(scan_size, differ)}"
+    elif np.isnan([low, high]).any():
+        said = f"whether whole surfaces of {_size(smaller)} are enough is not known of all"
+    else:
+        said = (
+            f"all intervals of whole surfaces of {_size(smaller)} hold 1 and leave open up to "
+            f"{_farthest(low, high)}"
+        )
     return (
         f"Mean force over that on whole surfaces of {_size(larger)} with the same spectrum: on "
         f"mirrored scans of {_size(of_scan)} {print_each(of_scan, name, NEAR_ONE)}; "
