@@ -25,6 +25,19 @@ def test_the_wavelengths_between_short_edge_and_contact_scans_are_asked_for():
     assert "lies, and which of both forces holds." in said(force=differs)
 
 
+def test_an_edge_that_may_be_shorter_asks_for_shorter_waves():
+    wide = force().assign(transition=("side", [100.0, 1000.0]))
+    data = edges()
+    data["edge_interval"].loc[{"side": "small", "bound": "low"}] = np.nan
+    assert "reliable between 37 nm and 55 nm, and below: it" in said(force=wide, edges=data)
+
+
+def test_a_long_edge_where_no_scan_is_reliable_asks_for_a_larger_map():
+    data = edges()
+    data["edge_interval"].loc[{"side": "large", "bound": "high"}] = 60e3  # the scans end at 25 µm
+    assert "A larger map, or a long line scan" in said(edges=data)
+
+
 def test_a_map_is_to_be_as_large_as_contacts_need():
     needed = 2 * 2 * np.sqrt(2 * RADIUS * RMS_HEIGHT)  # two draw sizes: 7 µm
     assert needed == pytest.approx(2 * finite_scan(1.0, RMS_HEIGHT, RADIUS).draw_size)

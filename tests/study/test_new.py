@@ -75,7 +75,7 @@ def test_one_scan(folder, monkeypatch, capsys):
     assert table.path.tolist() == ["one.nc"] and table.surface.tolist() == ["a_test_of_new"]
     assert config["study"] == NAME and config["surfaces"] == f"config/{NAME}.tsv"
     quick, _ = accepted(folder, NAME, "quick")
-    assert quick["study"] == f"{NAME}-quick" and quick["store"] == config["store"]
+    assert quick["study"] == f"{NAME}-quick" and quick["store"] == f"{config['store']}-quick"
     # Reading the written files again makes the same study.
     assert accepted(folder, NAME)[0] == config
 
@@ -118,7 +118,9 @@ def test_a_name_that_is_no_name_is_told_once(folder, monkeypatch, capsys):
     done = run(monkeypatch, capsys, "my coat", "good.nc")
     assert done.code == 1
     (line,) = done.errors
-    assert_says(line, "NAME: expected a name", "'my coat'")
+    assert_says(line, "NAME: expected a name of up to 94 letters", "no blanks", "'my coat'")
+    done = run(monkeypatch, capsys, f"{NAME}-quick", "good.nc")
+    assert_says(done.errors[0], "NAME: expected another end than -quick")
 
 
 def test_paths_are_those_from_the_top_folder(folder, monkeypatch, capsys, tmp_path_factory):

@@ -181,6 +181,17 @@ def test_a_contact_that_is_wider_than_the_attraction_is_refused(table):
     assert_says(message, "--preload: expected less than 880 µN", "found 10mN", "smooth sphere")
 
 
+def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
+    """Of a surface that is all but smooth nothing is lost, whatever the contact."""
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(0.02, 1000, 0.8, 20)))
+    options = ["--radius", "5um", "--hardness", "100MPa"]
+    told = predict(predict_arguments([path, *options]))
+    assert_says(told, "1 of the 2.", "µN of a smooth surface", "regime: smooth")
+    rougher = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(4, 1000, 0.8, 20)))
+    wider = predict(predict_arguments([rougher, *options, "--preload", "15uN"]))
+    assert_says(wider, "no band: all roughness on")
+
+
 @pytest.mark.parametrize("factor", [1e-36, 1e36])
 def test_a_power_in_a_wrong_unit_is_refused(table, factor):
     spectrum = rough(17, 1000, 0.8, 20)

@@ -14,7 +14,7 @@ pytestmark = pytest.mark.study
 
 def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
     first = {name: (probe / name).read_bytes() for name in ("answer.json", "answer.html")}
-    for made_of_it in (probe, folder / "results/store-probe"):
+    for made_of_it in (probe, folder / "results/store-probe-quick"):
         made_of_it.rename(tmp_path / made_of_it.name)
     run = quick(folder, "probe")
     assert run.returncode == 0, run.stdout[-3000:]

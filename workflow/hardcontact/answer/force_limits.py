@@ -68,7 +68,7 @@ def of_pixels(force: xr.Dataset) -> list[str]:
         return []
     if area >= pixel:
         return [
-            f"The preload is carried by {area:.3g} nm², {area / pixel:.2g} pixels of the scans "
+            f"The preload is carried by {area:.3g} nm², {area / pixel:.3g} pixels of the scans "
             f"({pixel:.3g} nm²): the area in contact is known to half a pixel at best."
         ]
     return [

@@ -33,6 +33,7 @@ __all__ = [
     "grave_limits",
     "limits",
     "measurement_name",
+    "place_of_edge",
 ]
 
 #: Measurements that a sentence names.
@@ -114,7 +115,7 @@ def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
         A sentence each.
     """
     bands = artificial_bands(spectra)
-    places = {side: _place(edges.sel(side=side), bands) for side in EDGES}
+    places = {side: place_of_edge(edges.sel(side=side), bands) for side in EDGES}
     inside, partly = (
         [EDGES[side] for side, found in places.items() if found == place]
         for place in ("inside", "partly")
@@ -134,7 +135,7 @@ def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
     return texts
 
 
-def _place(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> str:
+def place_of_edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> str:
     """Return whether an edge or its bound lies inside artificial bands, its interval partly."""
     edge = float(of_side["edge"].fillna(of_side["edge_bound"]))
     if share_inside(edge, edge, bands):

@@ -9,7 +9,7 @@ from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan
 from hardcontact.answer.artificial import artificial_bands, artificial_words, reliable_measurements
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.force_limits import FEW_PIXELS
-from hardcontact.answer.limits import DESCRIPTION
+from hardcontact.answer.limits import DESCRIPTION, place_of_edge
 from hardcontact.answer.quantities import print_length
 from hardcontact.answer.sentences import differing_sides, is_open
 
@@ -33,7 +33,7 @@ def next_measurements(of_surface: Datasets) -> list[str]:
     return list(
         chain(
             _shorter_waves(edges, force, spectra),
-            _larger_scans(of_surface.topography, edges, force),
+            _larger_scans(of_surface.topography, edges, force, spectra),
             _finer_pixels(force),
             _more_places(force),
             _tips(spectra),
@@ -52,6 +52,7 @@ def _shorter_waves(edges: xr.Dataset, force: xr.Dataset, spectra: xr.Dataset) ->
     """Return the wavelengths between short edge and contact scans that no scan shows."""
     edge = edges.sel(side="small")
     shortest = float(np.nanmin([edge["edge_bound"], edge["edge"], *edge["edge_interval"].values]))
+    open_below = is_open(edges, "small") or np.isnan(edge["edge_interval"].sel(bound="low"))
     longest = float(force["transition"].sel(side="small"))
     gaps = [
         (max(low, shortest), min(high, longest))
@@ -61,7 +62,7 @@ def _shorter_waves(edges: xr.Dataset, force: xr.Dataset, spectra: xr.Dataset) ->
     told = "it tells where the short edge lies"
     if "small" in differing_sides(force):
         told += ", and which of both forces holds"
-    further = ", and below" if is_open(edges, "small") else ""
+    further = ", and below" if open_below else ""
     return (
         [
             "A map with a sharper tip on a smaller area, or a cross section in an electron "
@@ -72,7 +73,9 @@ def _shorter_waves(edges: xr.Dataset, force: xr.Dataset, spectra: xr.Dataset) ->
     )
 
 
-def _larger_scans(topography: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+def _larger_scans(
+    topography: xr.Dataset, edges: xr.Dataset, force: xr.Dataset, spectra: xr.Dataset
+) -> list[str]:
     """Return how wide a map must be to hold the peaks of a contact and the longest waves."""
     size, height = topography["scan_size"].item(), topography["all_scales_rms_height"].item()
     draw_size = finite_scan(size, height, force.attrs["sphere_radius"]).draw_size
@@ -83,8 +86,12 @@ def _larger_scans(topography: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) 
             f"A map of {print_length(needed)} or more: as large as contacts need to find their "
             "highest peaks."
         )
-    if is_open(edges, "large"):
-        texts.append("A larger map: it tells where the long edge lies.")
+    if is_open(edges, "large") or (
+        place_of_edge(edges.sel(side="large"), artificial_bands(spectra)) != "outside"
+    ):
+        texts.append(
+            "A larger map, or a long line scan by a stylus: it tells where the long edge lies."
+        )
     return texts
 
 

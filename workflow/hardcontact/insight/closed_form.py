@@ -65,7 +65,8 @@ Floats = NDArray[np.float64]
 
 #: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.
 SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
-#: Share of the force on a smooth surface beyond which a surface counts as smooth.
+#: Share of the force on a smooth surface, both without the area in contact, beyond which a surface
+#: counts as smooth.
 SMOOTH_SHARE = 0.9
 #: Generations of summits upon summits.
 GENERATIONS = 8
@@ -198,7 +199,7 @@ def closed_form(
         float(sigma),
         float(m),
         float(freezing),
-        SMOOTH if relative > SMOOTH_SHARE else regime,
+        SMOOTH if first + touching > SMOOTH_SHARE else regime,
     )
 
 

@@ -170,7 +170,13 @@ def _plan(arguments: Namespace, given: Mapping[str, Option], entries: Sequence[E
     choices = [*_named_choices(arguments, given), *proposal.choices]
     order = list(nested(choices, {}))
     choices.sort(key=lambda choice: order.index(choice.key.split(".")[0]))
-    quick = [Choice("study", arguments.name + QUICK_NAME, ""), *proposal.quick]
+    quick_name = arguments.name + QUICK_NAME
+    quick = [
+        Choice("study", quick_name, ""),
+        # Masters of other pixels would take the place of those of the full effort.
+        Choice("store", f"results/store-{quick_name}", ""),
+        *proposal.quick,
+    ]
     _check(proposal.contact, choices, quick)
     refuse_unreliable(entries)
     return Plan(proposal, choices, quick)

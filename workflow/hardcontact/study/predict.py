@@ -164,7 +164,8 @@ def _told(
     height, gradient, _ = all_scales_moments(spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     found = closed_form(spectrum, contact)
-    smooth = found.force / found.relative
+    share = contact_share(contact)
+    smooth = found.force / found.relative * (1 + share)
     cautions = [*_cautions(spectrum, contact, found), *_untried(contact, found)]
     yield (
         f"spectrum: {print_length(shortest)} to {print_length(longest)}, "
@@ -176,7 +177,8 @@ def _told(
         yield f"{name}: {given[name].text} ({meaning}: {source})"
     yield (
         f"pull-off force: {print_quantity(float(f'{found.force:.2g}'), 'N')}, "
-        f"{found.relative:.2g} of the {print_quantity(smooth, 'N')} of a smooth surface "
+        f"{found.relative / (1 + share):.2g} of the {print_quantity(smooth, 'N')} of a smooth "
+        "surface "
         f"({'less sure than a factor of two: see below' if cautions else TRIED})"
     )
     yield f"closest approach: {print_length(found.closest_approach)} above the mean plane"
@@ -186,12 +188,16 @@ def _told(
         f"{freezing if found.regime != SMOOTH else ''}"
     )
     sides = {"short": "below", "long": "above"}
-    for edge, (name, side) in zip(edges(spectrum, contact, tolerance), sides.items(), strict=True):
+    found_edges = edges(spectrum, contact, tolerance)
+    for edge, (name, side) in zip(found_edges, sides.items(), strict=True):
         shown = print_length(edge) if np.isfinite(edge) else "no wavelength"
         yield (
             f"{name} edge: {shown} (without all roughness {side} it the force changes by "
             f"{100 * tolerance:g} %)"
         )
+    short, long = found_edges
+    if short > long:
+        yield "no band: all roughness on either side of any wavelength between both can be removed"
     yield from cautions
 
 

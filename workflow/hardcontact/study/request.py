@@ -201,7 +201,11 @@ def name_faults(name: str, overwrite: bool) -> Iterator[str]:
         # The quick study beside it must have a name, too.
         refuse({"NAME": f"{name}{QUICK_NAME}"}, {"properties": {"NAME": schema}}, "")
     except ValueError:
-        yield f"NAME: expected {schema['expects']} (here {100 - len(QUICK_NAME)}), found {name!r}"
+        expected = schema["expects"].replace("100", str(100 - len(QUICK_NAME)))
+        yield f"NAME: expected {expected}, no blanks, found {name!r}"
+        return
+    if name.endswith(QUICK_NAME):
+        yield f"NAME: expected another end than {QUICK_NAME}, that of a first answer, found {name}"
         return
     if name in TAKEN:
         yield f"NAME: expected one of your own, found {name}, which is the project's"
