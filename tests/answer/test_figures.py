@@ -23,6 +23,7 @@ from matplotlib.text import Text
 
 from hardcontact.answer import canvas, fit_curve, force_curve, maps, psd, ratios
 from hardcontact.figures.style import ARTIFICIAL
+from hardcontact.scales.cutoffs import computed_cutoffs
 
 PHONE = 358  # pixels that a figure is wide on a screen of 390
 LEAST_TEXT = 9.0  # pixels, with letters of some 7: as small as footnotes on phones are
@@ -135,7 +136,7 @@ def test_an_open_end_of_an_interval_runs_to_the_last_cutoff():
 def test_ratios_are_those_of_the_cutoffs_of_their_side():
     data = of_first(edges())
     for side, cutoffs in CUTOFFS.items():
-        assert np.array_equal(ratios.computed_cutoffs(data.sel(side=side)), cutoffs)
+        assert np.array_equal(computed_cutoffs(data["scale_ratio"].sel(side=side)), cutoffs)
 
 
 def test_forces_of_every_model_are_drawn_in_the_unit_of_the_answer():

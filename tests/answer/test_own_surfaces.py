@@ -219,7 +219,7 @@ def test_open_edges_are_no_numbers():
     assert edge["edge"]["value"] is None and edge["bound"]["value"] == 2560.0
     assert edge["edge"]["interval"] == [None, None] and edge["status"] == "beyond the cell"
     assert edge["conditional"] is True and edge["text"].startswith("at least")
-    assert edge["longer_than_bound"] is True
+    assert edge["edge_at_least"] is True
 
 
 def test_fits_and_pooled_bands_are_among_the_numbers():

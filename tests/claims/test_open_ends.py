@@ -6,7 +6,8 @@ import pytest
 from figure_inputs.scales import band
 from figure_inputs.sets import sets
 
-from hardcontact.claims.open_ends import last_cutoff, with_open_ends
+from hardcontact.claims.open_ends import with_open_ends
+from hardcontact.scales.cutoffs import last_cutoff
 
 #: Cutoffs (nm) of the study go from 20 to 250 and from 500 to 3500, those of the sets to 120.
 BANDS = [band(), sets().sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=250)]
@@ -23,8 +24,9 @@ def marked(side, computed, low, high, group="mcd"):
 
 
 def test_the_last_cutoff_is_the_one_that_removes_most():
-    assert [last_cutoff(one, "small") for one in BANDS] == [250, 120]
-    assert [last_cutoff(one, "large") for one in BANDS] == [500, 500]
+    for side, last in {"small": [250, 120], "large": [500, 500]}.items():
+        changes = [one["scale_change"].sel(side=side) for one in BANDS]
+        assert [last_cutoff(one, side) for one in changes] == last
 
 
 @pytest.mark.parametrize("group", ["polished_uncd", "mcd", "pooled"])

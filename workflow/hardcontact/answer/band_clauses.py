@@ -7,7 +7,15 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.elastic_limit_sentences import amounts, disputed
-from hardcontact.answer.part_text import DIGITS, labels, listed, print_percent
+from hardcontact.answer.part_text import (
+    DIGITS,
+    EDGE_NAMES,
+    differs_from_one,
+    labels,
+    listed,
+    print_percent,
+)
+from hardcontact.answer.scan_size_sentences import on_scans
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.edge_scaling import INDEPENDENT, PARTS, UNDECIDED
 from hardcontact.insight.interaction_laws import EXPONENTIAL
@@ -24,9 +32,6 @@ __all__ = [
     "clause_of_scaling",
     "clause_of_scan_size",
 ]
-
-#: Sides as edges are called.
-EDGES = dict(zip(SIDES, ("short", "long"), strict=True))
 
 
 def clause_of_scaling(scaling: xr.Dataset) -> str:
@@ -51,8 +56,7 @@ def clause_of_scaling(scaling: xr.Dataset) -> str:
 
 def clause_of_scan_size(scan_size: xr.Dataset) -> str:
     """Return where long edges of small scans differ from those of whole surfaces."""
-    windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
-    of_scan = windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
+    of_scan = on_scans(scan_size)
     low, high = bounds(of_scan, "long_edge")
     whole_low, whole_high = bounds(scan_size.isel(edge_size=-1), "long_edge")
     where = _where(scan_size, (low > whole_high) | (high < whole_low))
@@ -88,12 +92,11 @@ def _where(named: xr.Dataset, chosen: xr.DataArray) -> str:
 
 def clause_of_laws(laws: xr.Dataset) -> str:
     """Return which laws move an edge of the mean band beyond its interval."""
-    low, high = bounds(laws.sel(group=POOLED), "edge_factor")
-    moved = (low > 1) | (high < 1)
+    moved = differs_from_one(laws.sel(group=POOLED), "edge_factor")
     said = [
         f"the {name} edge of {laws['law_label'].sel(law=law).item()}"
         for law in laws["law"].values
-        for side, name in EDGES.items()
+        for side, name in EDGE_NAMES.items()
         if law != EXPONENTIAL.name and moved.sel(law=law, side=side)
     ]
     which = f"{listed(said)} alone" if said else "none"
@@ -118,8 +121,7 @@ def clause_of_maps(maps: xr.Dataset) -> str:
 def clause_of_repeated_contact(repeated_contact: xr.Dataset) -> str:
     """Return where repeated contact changes the forces that the band compares."""
     of_study = repeated_contact.sel(preload=repeated_contact["preload"].min())
-    low, high = bounds(of_study, "mean_ratio")
-    changed = (low > 1) | (high < 1)
+    changed = differs_from_one(of_study, "mean_ratio")
     follows = "" if changed.any() else ": nothing speaks for another band"
     return (
         "Repeated contact changes the mean forces that the band compares, beyond their intervals, "

@@ -11,15 +11,12 @@ from hardcontact.answer.part_text import (
     print_within,
 )
 from hardcontact.claims.quantity_text import print_as_paper
-from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
 from hardcontact.statistics import bounds
 from hardcontact.surfaces.masters import SIDES
 
-__all__ = ["TRANSITION", "closed_form_sentences"]
+__all__ = ["closed_form_sentences"]
 
-#: Largest |m/σ - σ/ρ| of the transition between the regimes: the attraction comes from heights
-#: near σ²/ρ with the standard deviation σ, so that the highest point, at m, is within one of them.
-TRANSITION = 1.0
 AT_TRANSITION = "transition"
 
 #: What a regime means, before the names of the surfaces that are in it.
@@ -31,10 +28,10 @@ MEANING = {
 }
 #: What the ratio of a regime is compared with.
 LIMIT = "single peaks decide beyond 1"
-BEYOND = {
-    AT_TRANSITION: "near 1 m/σ and σ/ρ differ by less than one, and the highest point, at m, lies "
-    "within one standard deviation of the heights that attract most"
-}
+NEAR_LIMIT = (
+    "near 1 m/σ and σ/ρ differ by less than one, and the highest point, at m, lies within one "
+    "standard deviation of the heights that attract most"
+)
 
 
 def closed_form_sentences(closed_form: xr.Dataset, band: xr.Dataset) -> list[str]:
@@ -102,7 +99,7 @@ def _regimes(closed_form: xr.Dataset, largest: xr.Dataset) -> list[str]:
     at_range, of_map = closed_form.sel(rho=rho), largest.sel(rho=rho)
     # As freezing is σ²/(mρ).
     level = (of_map["predicted_approach"] / (of_map["freezing"] * rho)) ** 0.5
-    between = abs(level * (1 - at_range["whole_freezing"])) < TRANSITION
+    between = at_transition(level * at_range["whole_freezing"], level)
     regimes = at_range["regime"].where(~between | (at_range["regime"] == SMOOTH), AT_TRANSITION)
     said = []
     for regime, meaning in MEANING.items():
@@ -110,9 +107,10 @@ def _regimes(closed_form: xr.Dataset, largest: xr.Dataset) -> list[str]:
         if within.sizes["surface"]:
             names = labels(within, within["surface"].values.tolist())
             freezing = listed(f"{value:.{DIGITS}g}" for value in within["whole_freezing"].values)
+            limit = NEAR_LIMIT if regime == AT_TRANSITION else LIMIT
             said.append(
                 f"With all scales and at a range of {print_as_paper(rho, 'nm')}, {meaning} on "
-                f"{names} ((σ/ρ)/(m/σ) = {freezing}; {BEYOND.get(regime, LIMIT)})."
+                f"{names} ((σ/ρ)/(m/σ) = {freezing}; {limit})."
             )
     return said
 

@@ -5,6 +5,7 @@ import xarray as xr
 
 from hardcontact.answer.part_text import (
     DIGITS,
+    EDGE_NAMES,
     listed,
     print_bounded_as_paper,
     print_percent,
@@ -13,6 +14,7 @@ from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import verdict
 from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
 from hardcontact.scales.critical_band import POOLED
+from hardcontact.scales.cutoffs import computed_cutoffs
 from hardcontact.statistics import bounds
 from hardcontact.surfaces.masters import SIDES
 
@@ -100,10 +102,8 @@ def _edges(laws: xr.Dataset, others: list[str]) -> str:
 def _cutoffs(laws: xr.Dataset) -> str:
     """Return how far neighbouring cutoffs of either side lie apart."""
     said = []
-    for side, name in zip(SIDES, ("short", "long"), strict=True):
-        known = laws["scale_ratio"].sel(side=side).notnull()
-        computed = known.any([one for one in known.dims if one != "cutoff_wavelength"])
-        cutoffs = np.sort(laws["cutoff_wavelength"].values[computed.values])
+    for side, name in EDGE_NAMES.items():
+        cutoffs = computed_cutoffs(laws["scale_ratio"].sel(side=side))
         apart = "" if len(cutoffs) < 2 else f", neighbours {_steps(cutoffs)} apart"
         said.append(f"{len(cutoffs)} at the {name} edge{apart}")
     return (

@@ -11,7 +11,8 @@ from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.first_sentences import first_sentences
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
-from hardcontact.answer.ratios import computed_cutoffs
+from hardcontact.answer.next_measurements import next_measurements
+from hardcontact.scales.cutoffs import computed_cutoffs
 from hardcontact.statistics import bounds
 from hardcontact.surfaces.masters import SIDES
 
@@ -80,6 +81,7 @@ def _of_surface(given: Datasets) -> dict[str, Any]:
         "band": {side: _edge(given.edges.sel(side=side)) for side in SIDES},
         "force": _force(given.force),
         "limits": limits(basis, given.spectra, given.edges, given.force),
+        "next_measurements": next_measurements(given),
     }
 
 
@@ -116,13 +118,13 @@ def _spectrum(of_surface: xr.Dataset) -> dict[str, Any]:
 def _edge(of_side: xr.Dataset) -> dict[str, Any]:
     """Return one edge of a band, and the ratio curve that it follows from."""
     ends = (of_side["interval_status"].sel(bound=bound).item() for bound in ("low", "high"))
-    curve = of_side.sel(cutoff_wavelength=computed_cutoffs(of_side))
+    curve = of_side.sel(cutoff_wavelength=computed_cutoffs(of_side["scale_ratio"]))
     return {
         "text": str(of_side["edge_text"].item()),
         "status": str(of_side["edge_status"].item()),
         "edge": _of(of_side, "edge", "nm"),
         "bound": _of(of_side, "edge_bound", "nm"),
-        "longer_than_bound": bool(of_side["edge_at_least"].item()),
+        "edge_at_least": bool(of_side["edge_at_least"].item()),
         "interval_status": [str(end) for end in ends],
         "interval_note": str(of_side["interval_note"].item()),
         "conditional": bool(of_side["conditional"].item()),
@@ -140,7 +142,7 @@ def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
         | {
             "text": str(of_side["pooled_edge_text"].item()),
             "bound": _of(of_side, "pooled_edge_bound", "nm"),
-            "longer_than_bound": bool(of_side["pooled_edge_at_least"].item()),
+            "edge_at_least": bool(of_side["pooled_edge_at_least"].item()),
         }
         for side, of_side in ((side, edges.sel(side=side)) for side in SIDES)
     }

@@ -18,6 +18,7 @@ from hardcontact.answer.html import figure_html, list_html, page, table_html, te
 from hardcontact.answer.limits import grave_limits, limits
 from hardcontact.answer.next_measurements import next_measurements
 from hardcontact.answer.numbers import answer_numbers
+from hardcontact.answer.part_text import EDGE_NAMES
 from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.quartiles import quartile_sentences
 from hardcontact.answer.sentences import (
@@ -199,7 +200,7 @@ def _ratios(label: str, of: Datasets) -> str:
     )
     edges = "; ".join(
         f"{name}: {of.edges['edge_text'].sel(side=side).item()}"
-        for side, name in (("small", "short"), ("large", "long"))
+        for side, name in EDGE_NAMES.items()
     )
     return figure_html(
         png(ratios.draw(of.edges, of.spectra)),

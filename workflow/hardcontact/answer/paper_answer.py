@@ -8,9 +8,10 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.claims.open_ends import last_cutoff, with_open_ends
+from hardcontact.claims.open_ends import with_open_ends
 from hardcontact.claims.verdicts import summary
 from hardcontact.scales.critical_band import POOLED
+from hardcontact.scales.cutoffs import last_cutoff
 
 __all__ = ["ANSWERS", "EDGES", "PaperAnswer", "as_plain", "paper_answer"]
 
@@ -139,7 +140,10 @@ def paper_answer(
             {name: single.sel(side=side).values for name, (side, _) in EDGES.items()},
             index=band["label"].values,
         ),
-        {name: last_cutoff(band, side) for name, (side, _) in EDGES.items()},
+        {
+            name: last_cutoff(band["scale_change"].sel(side=side), side)
+            for name, (side, _) in EDGES.items()
+        },
         fits[list(FITTED)].to_dataframe()[list(FITTED)],
         datasets["scan_size"],
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],

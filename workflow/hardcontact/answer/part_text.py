@@ -7,10 +7,13 @@ import xarray as xr
 
 from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.statistics import bounds
+from hardcontact.surfaces.masters import SIDES
 
 __all__ = [
     "DIGITS",
+    "EDGE_NAMES",
     "NEAR_ONE",
+    "differs_from_one",
     "labels",
     "listed",
     "print_bounded_as_paper",
@@ -24,6 +27,9 @@ DIGITS = 2
 
 #: Of ratios that are near one.
 NEAR_ONE = 3
+
+#: The edge of the band at each side.
+EDGE_NAMES = dict(zip(SIDES, ("short", "long"), strict=True))
 
 #: An interval that reaches so many times beyond its value says only that there are too few scans.
 BOUNDLESS = 100
@@ -73,6 +79,12 @@ def print_each(dataset: xr.Dataset, name: str, digits: int = DIGITS) -> str:
         f"{of_surface['label'].item()} {print_bounded_as_paper(of_surface, name, '1', digits)}"
         for of_surface in (dataset.sel(surface=one) for one in dataset["surface"].values)
     )
+
+
+def differs_from_one(ratios: xr.Dataset, name: str) -> xr.DataArray:
+    """Return where the interval of a ratio lies above or below one; false without an interval."""
+    low, high = bounds(ratios, name)
+    return (low > 1) | (high < 1)
 
 
 def listed(items: Iterable[str]) -> str:

@@ -12,16 +12,12 @@ from matplotlib.patches import Patch
 from hardcontact.answer import canvas
 from hardcontact.answer.artificial import artificial_bands
 from hardcontact.figures import style
-from hardcontact.figures.marks import reach
+from hardcontact.figures.marks import REMOVED, reach
 from hardcontact.figures.tables import bounded
+from hardcontact.scales.cutoffs import computed_cutoffs
 
-__all__ = ["computed_cutoffs", "draw"]
+__all__ = ["draw"]
 
-#: What is removed at each side of the band.
-TITLES = {
-    "small": "roughness below the cutoff removed",
-    "large": "roughness above the cutoff removed",
-}
 CURVE: dict[str, Any] = {"color": "#0072B2", "marker": "o"}
 EDGE: dict[str, Any] = {"color": "#D55E00", "lw": 1.4}
 EDGE_INTERVAL: dict[str, Any] = {"color": "#D55E00", "alpha": 0.25, "lw": 0}
@@ -29,13 +25,6 @@ TOLERANCE: dict[str, Any] = {"color": "0.82", "lw": 0}
 FAR = 10.0  # factor beyond the ratios, where a panel ends if bars do not end before
 EDGE_ROOM = 1.3  # factor by which a panel goes beyond what it shows
 MARGIN = 2.0  # factor by which the wavelengths shown go beyond the cutoffs
-
-
-def computed_cutoffs(of_side: xr.Dataset) -> np.ndarray:
-    """Return the cutoffs (nm) at which one side of a surface was computed."""
-    known = of_side["scale_ratio"].dropna("cutoff_wavelength")
-    cutoffs: np.ndarray = known["cutoff_wavelength"].values
-    return cutoffs
 
 
 @canvas.canvas_style()
@@ -58,13 +47,15 @@ def draw(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
     """
     figure = canvas.create(5.2)
     panels = figure.subplots(2, 1, sharex=True)
-    for axes, (side, title) in zip(panels, TITLES.items(), strict=True):
+    for axes, (side, title) in zip(panels, REMOVED.items(), strict=True):
         of_side = edges.sel(side=side)
         _draw_ratio(axes, of_side, edges.attrs["tolerance"])
         _draw_edge(axes, of_side)
         axes.set_title(title, loc="left")
         axes.set_ylabel("force / unfiltered")
-    cutoffs = np.concatenate([computed_cutoffs(edges.sel(side=side)) for side in TITLES])
+    cutoffs = np.concatenate(
+        [computed_cutoffs(edges["scale_ratio"].sel(side=side)) for side in REMOVED]
+    )
     panels[1].set(xlim=(cutoffs.min() / MARGIN, cutoffs.max() * MARGIN), xlabel="cutoff wavelength")
     canvas.label_lengths(panels[1].xaxis)
     for axes in panels:
@@ -76,7 +67,9 @@ def draw(edges: xr.Dataset, spectra: xr.Dataset) -> Figure:
 def _draw_ratio(axes: Axes, of_side: xr.Dataset, tolerance: float) -> None:
     """Draw ratio and interval against cutoff (nm), and the change that counts as none."""
     axes.axhspan(1 - tolerance, 1 + tolerance, zorder=0.5, **TOLERANCE)
-    curve = bounded(of_side, "scale_ratio").sel(cutoff_wavelength=computed_cutoffs(of_side))
+    curve = bounded(of_side, "scale_ratio").sel(
+        cutoff_wavelength=computed_cutoffs(of_side["scale_ratio"])
+    )
     value = curve["value"]
     far = curve.assign(  # an interval without bounds leaves the panel
         low=np.maximum(curve["low"], value / FAR**2), high=np.minimum(curve["high"], value * FAR**2)
@@ -114,7 +107,7 @@ def _draw_interval(axes: Axes, of_side: xr.Dataset) -> None:
     """Draw the interval of an edge; an open end runs to the last cutoff on its side."""
     ends = of_side["edge_interval"].values
     if np.isfinite(ends).any():
-        cutoffs = computed_cutoffs(of_side)
+        cutoffs = computed_cutoffs(of_side["scale_ratio"])
         low, high = np.where(np.isfinite(ends), ends, (cutoffs.min(), cutoffs.max()))
         axes.axvspan(low, high, zorder=0.8, **EDGE_INTERVAL)
 

@@ -3,16 +3,22 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.closed_form_sentences import TRANSITION
 from hardcontact.answer.part_text import (
     DIGITS,
+    EDGE_NAMES,
     NEAR_ONE,
     listed,
     print_bounded_as_paper,
     print_percent,
 )
 from hardcontact.claims.quantity_text import print_as_paper
-from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH
+from hardcontact.insight.closed_form import (
+    MANY_POINTS,
+    SINGLE_PEAKS,
+    SMOOTH,
+    TRANSITION,
+    at_transition,
+)
 from hardcontact.insight.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
 from hardcontact.insight.edge_scaling import (
     DEPENDENCE,
@@ -30,7 +36,6 @@ from hardcontact.statistics import bounds
 
 __all__ = ["scaling_sentences"]
 
-EDGES = {"small": "short", "large": "long"}
 #: Lengths as they are printed.
 NAMES = dict(zip(LENGTHS, ("√R", "√ρ", "√(F/H)"), strict=True))
 #: What `edge_scaling.dependence` says, in the words of the page.
@@ -76,8 +81,8 @@ def scaling_sentences(scaling: xr.Dataset) -> list[str]:
     list of str
         The answer first.
     """
-    of_sides = (_followed(scaling, side) for side in EDGES)
-    exponents = (_exponents(scaling, side, length) for side in EDGES for length in LENGTHS)
+    of_sides = (_followed(scaling, side) for side in EDGE_NAMES)
+    exponents = (_exponents(scaling, side, length) for side in EDGE_NAMES for length in LENGTHS)
     return [
         f"{' '.join(of_sides)} Varied were {_varied(scaling)}.",
         RULE,
@@ -109,7 +114,7 @@ def _followed(scaling: xr.Dataset, side: str) -> str:
             if (verdicts == verdict).any()
         ]
         lengths.append(f"{name} {', '.join(said)}")
-    return f"How the {EDGES[side]} edge of the band follows: {'; '.join(lengths)}."
+    return f"How the {EDGE_NAMES[side]} edge of the band follows: {'; '.join(lengths)}."
 
 
 def _varied(scaling: xr.Dataset) -> str:
@@ -124,8 +129,8 @@ def _varied(scaling: xr.Dataset) -> str:
 def _exponents(scaling: xr.Dataset, side: str, length: str) -> str:
     of_length = scaling.sel(side=side, part=PARTS[0], length=length)
     return (
-        f"Exponent of the {EDGES[side]} edge against {NAMES[length]}, 1 if it is proportional and "
-        f"0 if independent: {_each(of_length, 'exponent')}."
+        f"Exponent of the {EDGE_NAMES[side]} edge against {NAMES[length]}, 1 if it is "
+        f"proportional and 0 if independent: {_each(of_length, 'exponent')}."
     )
 
 
@@ -194,7 +199,7 @@ def _force(of_surface: xr.Dataset) -> str:
     sigma, m = (of_surface[name].item() for name in ("rough_height", "approach"))
     over_range, level = sigma / of_surface.attrs["rho"], m / sigma
     sign = ">" if over_range > level else "<"
-    if abs(level - over_range) < TRANSITION:
+    if at_transition(over_range, level):
         return (
             "is at the transition from many points to single peaks, since σ/ρ = "
             f"{over_range:.{NEAR_ONE}g} and m/σ = {level:.{NEAR_ONE}g} differ by less than "
@@ -244,7 +249,7 @@ def _long_edge(of_surface: xr.Dataset) -> str:
 def _found(scaling: xr.Dataset) -> str:
     number = scaling["edge"].isel(side=0, surface=0).size
     said = []
-    for side, name in EDGES.items():
+    for side, name in EDGE_NAMES.items():
         found = scaling["edges_found"].sel(side=side, part=PARTS[0]).values
         shares = zip(scaling["label"].values, found / number, strict=True)
         fewer = [f"{label} {print_percent(share)}" for label, share in shares if share < 1]

@@ -8,6 +8,7 @@ import xarray as xr
 from hardcontact.answer.part_text import (
     DIGITS,
     NEAR_ONE,
+    differs_from_one,
     labels,
     listed,
     print_bounded_as_paper,
@@ -20,8 +21,8 @@ from hardcontact.statistics import bounds
 __all__ = ["force_on_scans_sentence", "on_scans", "scan_size_sentences"]
 
 OTHER_EDGES = (
-    "Fig. 6 and the scaling of the band have other long edges of the same surfaces, as their "
-    "masters, pixels, contacts and cutoffs are others. The intervals say how well each is known."
+    "Fig. 6 and the scaling of the band take the long edge of the same surfaces from other "
+    "masters, pixels, contacts and cutoffs, so that theirs need not be the same."
 )
 
 
@@ -109,7 +110,7 @@ def _compared(ratios: xr.Dataset, name: str) -> str:
     of_kinds = {
         "larger": low > 1,
         "smaller": high < 1,
-        "not decided": ~((low > 1) | (high < 1)),
+        "not decided": ~differs_from_one(ratios, name).values,
     }
     names = ratios["label"].values
     return ", ".join(
@@ -155,7 +156,7 @@ def _forces(scan_size: xr.Dataset) -> str:
     smaller, larger = scan_size.isel(edge_size=-2), scan_size.isel(edge_size=-1)
     name = "force_over_largest"
     low, high = bounds(smaller, name)
-    differ = smaller["surface"].values[((low > 1) | (high < 1)).values]
+    differ = smaller["surface"].values[differs_from_one(smaller, name).values]
     if len(differ):
         said = f"whole surfaces of {_size(smaller)} are too small for {labels(scan_size, differ)}"
     elif np.isnan([low, high]).any():

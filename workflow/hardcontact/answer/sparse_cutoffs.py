@@ -5,6 +5,7 @@ import xarray as xr
 
 from hardcontact.answer.quantities import print_length
 from hardcontact.figures.style import print_share
+from hardcontact.scales.cutoffs import computed_cutoffs
 
 __all__ = ["EDGES", "sparse_cutoffs"]
 
@@ -54,7 +55,7 @@ def _interval(of_side: xr.Dataset) -> str:
 def _neighbours(of_side: xr.Dataset) -> tuple[float, float]:
     """Return the cutoffs (nm) between which the edge of one side was found, NaN of an open one."""
     edge = of_side["edge"].item()
-    known = of_side["scale_ratio"].dropna("cutoff_wavelength")["cutoff_wavelength"].values
+    known = computed_cutoffs(of_side["scale_ratio"])
     if np.isnan(edge):
         return np.nan, np.nan
     return float(known[known <= edge].max()), float(known[known >= edge].min())

@@ -6,7 +6,9 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-__all__ = ["OPEN_END", "last_cutoff", "with_open_ends"]
+from hardcontact.scales.cutoffs import last_cutoff
+
+__all__ = ["with_open_ends"]
 
 #: The end of the interval of an edge that may lie beyond the cutoffs, by the side of the edge.
 OPEN_END = {"small": "high", "large": "low"}
@@ -33,7 +35,7 @@ def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.Data
     """
     marked = claims.assign(open_end="")
     for side, end in OPEN_END.items():
-        last = np.array([last_cutoff(band, side) for band in bands])
+        last = np.array([last_cutoff(band["scale_change"].sel(side=side), side) for band in bands])
         for group in bands[0]["group"].values:
             place = marked["id"] == f"critical_wavelength_{side}_{group}"
             for number, limit in marked.loc[place, ["computed", end]].values:
@@ -41,24 +43,3 @@ def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.Data
                 if np.isclose(limit, last).any() or (beyond.any() and np.isclose(limit, number)):
                     marked.loc[place, "open_end"] = end
     return marked
-
-
-def last_cutoff(band: xr.Dataset, side: str) -> float:
-    """Return the cutoff of a side that removes most, which stands for all beyond it.
-
-    Parameters
-    ----------
-    band : xarray.Dataset
-        With scale_change (..., side, group, cutoff_wavelength), NaN at cutoffs of the other side.
-    side : str
-        "small" or "large".
-
-    Returns
-    -------
-    float
-        In nm.
-    """
-    changes = band["scale_change"].sel(side=side)
-    others = [dim for dim in changes.dims if dim != "cutoff_wavelength"]
-    cutoffs = changes["cutoff_wavelength"][changes.notnull().any(others)]
-    return float(cutoffs.max() if side == "small" else cutoffs.min())

@@ -21,7 +21,7 @@ from hardcontact.figures.fig6_rows import (
     realization_rows,
     without_open_ends,
 )
-from hardcontact.figures.marks import BAND_OF_SETS, reach
+from hardcontact.figures.marks import BAND_OF_SETS, REMOVED, reach
 from hardcontact.figures.tables import (
     SHARE_OF_SETS,
     VALUE_COLUMNS,
@@ -34,10 +34,6 @@ from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
 
-TITLES = {
-    "small": "roughness below the cutoff removed",
-    "large": "roughness above the cutoff removed",
-}
 PUBLISHED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": "--"}
 CLOSED_FORM: dict[str, Any] = {"lw": 1.0, "ls": (0, (1, 1.2)), "zorder": 3}
 COLUMNS = [
@@ -71,7 +67,7 @@ def table(
     """
     rows = pd.concat(
         frame
-        for side in TITLES
+        for side in REMOVED
         for frame in (
             *curve_rows(band.sel(side=side), sets.sel(side=side)),
             *realization_rows(scales.sel(side=side)),
@@ -119,7 +115,7 @@ def draw(
     """
     figure = style.create(6.4)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
-    for letter, side, column in zip("ab", TITLES, grid.T, strict=True):
+    for letter, side, column in zip("ab", REMOVED, grid.T, strict=True):
         of_side, of_sets = band.sel(side=side), sets.sel(side=side)
         _draw_ratios(column[0], of_side, of_sets, scales.sel(side=side))
         _draw_closed_form(column[0], closed_form.sel(side=side))
@@ -129,13 +125,13 @@ def draw(
             axes.axvline(published_edge(published_constants, side), zorder=1, **PUBLISHED)
             axes.label_outer()
             style.shade_artificial(axes, [_artificial(scales.sel(side=side))])
-        style.label_panel(column[0], letter, TITLES[side])
+        style.label_panel(column[0], letter, REMOVED[side])
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
         for axes in row:
             style.label_logarithmic(axes.yaxis, at=digits)
     grid[0, 0].set_ylabel(f"pull-off force / unfiltered, at ρ = {scales.attrs['rho']:g} nm")
-    cutoffs = [published_edge(published_constants, side) for side in TITLES]
+    cutoffs = [published_edge(published_constants, side) for side in REMOVED]
     style.legend_above(figure, _legend_handles(band, cutoffs))
     figure.align_ylabels(grid[:2, 0])
     style.mark_basis(figure, band)

@@ -12,12 +12,18 @@ __all__ = [
     "FIT_STAR",
     "MILLIJOULE",
     "PUBLISHED_RANGE",
+    "REMOVED",
     "draw_fit",
     "draw_published_fit",
     "draw_published_range",
     "reach",
 ]
 
+#: What a cutoff of each side of the band does, above its panel.
+REMOVED = {
+    "small": "roughness below the cutoff removed",
+    "large": "roughness above the cutoff removed",
+}
 BAND_OF_SETS = 0.2  # opacity
 MILLIJOULE = 1e-3
 FIT = "#6A3D9A"  # of no surface

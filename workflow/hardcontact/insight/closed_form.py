@@ -51,20 +51,27 @@ __all__ = [
     "MANY_POINTS",
     "SINGLE_PEAKS",
     "SMOOTH",
+    "TRANSITION",
     "ClosedForm",
     "Contact",
+    "at_transition",
     "closed_form",
     "contact_area",
     "contact_share",
     "edges",
     "filtered_spectrum",
     "gaussian_share",
+    "smooth_force",
 ]
 
 Floats = NDArray[np.float64]
 
 #: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.
 SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"
+#: Largest |m/sigma - sigma/rho| of the transition between the last two: the attraction comes from
+#: heights near sigma²/rho with the standard deviation sigma, so that the highest point, at m, is
+#: within one of them.
+TRANSITION = 1.0
 #: Share of the force on a smooth surface, both without the area in contact, beyond which a surface
 #: counts as smooth.
 SMOOTH_SHARE = 0.9
@@ -137,6 +144,16 @@ def contact_share(contact: Contact) -> float:
     return contact.area / (2 * np.pi * contact.radius * contact.rho)
 
 
+def smooth_force(contact: Contact) -> float:
+    """Return the force (N) on a surface without roughness: 2 pi R W, and the area in contact."""
+    return float(dmt_pull_off(contact.work, contact.radius)) * (1 + contact_share(contact))
+
+
+def at_transition(over_range: ArrayLike, level: ArrayLike) -> NDArray[np.bool_]:
+    """Return whether sigma/rho and m/sigma are those of the transition between the regimes."""
+    return np.asarray(np.abs(np.subtract(level, over_range)) < TRANSITION)
+
+
 def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -> Floats:
     """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
 
@@ -178,8 +195,8 @@ def closed_form(
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
     if waves is None:  # The limit of a rms height of zero.
-        relative = 1 + contact_share(contact)
-        return ClosedForm(smooth * relative, relative, 1.0, 0.0, 0.0, 0.0, SMOOTH)
+        force = smooth_force(contact)
+        return ClosedForm(force, force / smooth, 1.0, 0.0, 0.0, 0.0, SMOOTH)
     sigma = np.sqrt(moment(waves, 0))
     if approaches is None:
         levels = closest_approaches(waves, contact.radius, contact.area)

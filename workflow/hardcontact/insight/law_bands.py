@@ -14,6 +14,7 @@ from hardcontact.insight.interaction_laws import LAWS, Law
 from hardcontact.insight.law_forces import law_forces
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band
+from hardcontact.scales.cutoffs import last_cutoff
 from hardcontact.statistics import jackknife_interval, with_interval
 
 __all__ = ["bands_of_law", "edge_factors", "stacked_law_forces"]
@@ -153,8 +154,6 @@ def _edge_factors(
 
 def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
     """Return the cutoff (side,) farthest from no filter."""
-    known = scales.ratio.notnull().any(["surface", "realization"])
-    cutoffs = scales.cutoff_wavelength.where(known)
-    small = (scales.unfiltered_wavelength < scales.cutoff_wavelength[0]).all("surface")
-    shortest: xr.DataArray = cutoffs.min("cutoff_wavelength")
-    return shortest.where(~small, cutoffs.max("cutoff_wavelength"))
+    sides = scales.side.values.tolist()
+    last = [last_cutoff(scales.ratio.sel(side=side), side) for side in sides]
+    return xr.DataArray(last, {"side": sides})

@@ -19,6 +19,7 @@ from hardcontact.insight.closed_form import (
     contact_area,
     contact_share,
     edges,
+    smooth_force,
 )
 from hardcontact.study.configuration import read_yaml
 from hardcontact.study.faults import refuse_all
@@ -164,8 +165,7 @@ def _told(
     height, gradient, _ = all_scales_moments(spectrum)
     longest, shortest = 2 * np.pi / spectrum.wavevector[[0, -1]]
     found = closed_form(spectrum, contact)
-    share = contact_share(contact)
-    smooth = found.force / found.relative * (1 + share)
+    smooth = smooth_force(contact)
     cautions = [*_cautions(spectrum, contact, found), *_untried(contact, found)]
     yield (
         f"spectrum: {print_length(shortest)} to {print_length(longest)}, "
@@ -177,7 +177,7 @@ def _told(
         yield f"{name}: {given[name].text} ({meaning}: {source})"
     yield (
         f"pull-off force: {print_quantity(float(f'{found.force:.2g}'), 'N')}, "
-        f"{found.relative / (1 + share):.2g} of the {print_quantity(smooth, 'N')} of a smooth "
+        f"{found.force / smooth:.2g} of the {print_quantity(smooth, 'N')} of a smooth "
         "surface "
         f"({'less sure than a factor of two: see below' if cautions else TRIED})"
     )
