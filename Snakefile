@@ -1,6 +1,6 @@
 """Which scales of roughness matter for the adhesion of hard contacts: the study, end to end."""
 
-from hardcontact.study import start
+from hardcontact.config import start
 
 start.prepare(workflow)
 

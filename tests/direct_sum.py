@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hardcontact.contact.gap_map import flattened_gaps
+from hardcontact.contact.geometry import flattened_gaps
 
 
 def direct_total(gap, contact_pixels, rho):

@@ -2,12 +2,12 @@
 
 from repository import PAPER, SCHEMAS
 
-from hardcontact.study.configuration import configuration
-from hardcontact.study.grid_checks import check_grids
-from hardcontact.study.inventory import Entry, Source
-from hardcontact.study.overlay import nested
-from hardcontact.study.proposal import Choice
-from hardcontact.study.proposed_contact import Probe
+from hardcontact.commands.inventory import Entry, Source
+from hardcontact.commands.overlay import nested
+from hardcontact.commands.proposal import Choice
+from hardcontact.commands.proposed_contact import Probe
+from hardcontact.config.configuration import configuration
+from hardcontact.config.scan_limits import check_grids
 from hardcontact.surfaces.reliable_band import ReliableBand
 
 

@@ -6,8 +6,8 @@ import numpy as np
 import xarray as xr
 from paper_datasets import CONFIDENCE
 
-from hardcontact import published
 from hardcontact.claims.evaluation import evaluate, read_statements, values
+from hardcontact.records import published
 
 TABLES = Path(__file__).parents[1] / "resources" / "paper"
 STATEMENTS = read_statements(TABLES / "claims.csv")

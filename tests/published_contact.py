@@ -3,8 +3,8 @@
 import numpy as np
 from paper_numbers import TABLE1
 
-from hardcontact.classical.classical_models import Contact, Roughness
 from hardcontact.contact import hertz
+from hardcontact.inference.classical_models import Contact, Roughness
 
 RADIUS, SPACING, WORK = 250e3, 0.3, 0.0463
 MODULUS = hertz.effective_modulus(365e9, 0.29, 1010e9, 0.22)

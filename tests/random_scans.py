@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import substitute_scan

@@ -4,9 +4,9 @@ from functools import cache
 
 from random_scans import uncd
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
-from hardcontact.surfaces.scan_targets import Targets
+from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level

@@ -5,10 +5,9 @@ import copy
 import pandas as pd
 from repository import PAPER, ROOT
 
-from hardcontact.study.aggregate import Files
-from hardcontact.study.patterns import Patterns
-from hardcontact.study.selection import Selection
-from hardcontact.study.surface_table import CONTACT
+from hardcontact.config.files import Files
+from hardcontact.config.patterns import Patterns
+from hardcontact.config.selection import CONTACT, Selection
 
 PATTERNS = Patterns("results/paper", "results/store", "ruby")
 

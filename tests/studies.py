@@ -5,7 +5,8 @@ from functools import reduce
 from paper_numbers import SUBSTRATES
 from repository import PAPER, ROWS, SCHEMAS
 
-from hardcontact.study import checks, configuration, surface_table
+from hardcontact.config import checks, configuration
+from hardcontact.config import selection as surface_table
 
 #: In the place of a value: the key is left out.
 MISSING = object()

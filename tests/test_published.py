@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from hardcontact import published
+from hardcontact.records import published
 
 PAPER = Path(__file__).parents[1] / "resources" / "paper"
 
@@ -55,7 +55,7 @@ def test_table1_has_a_row_a_number():
     assert table.index.is_unique
 
 
-@pytest.mark.parametrize("module", ["hardcontact.published"])
+@pytest.mark.parametrize("module", ["hardcontact.records.published"])
 def test_importing_does_not_load_xarray(module):
     code = f"import sys, {module}; sys.exit('xarray' in sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)

@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from scipy import stats
 
-from hardcontact import statistics
-from hardcontact.statistics import bounds
+from hardcontact.numbers import statistics
+from hardcontact.numbers.statistics import bounds
 
 
 def ends(dataset, name="value"):

@@ -1,7 +1,7 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
-from hardcontact.study import start
-from hardcontact.study.stages import made
+from hardcontact.config import start
+from hardcontact.config.configuration import made
 
 start.prepare(workflow)
 

@@ -16,7 +16,7 @@ from hardcontact.adhesion.finite_scan import (
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface

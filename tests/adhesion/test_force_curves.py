@@ -7,8 +7,7 @@ from known_forces import RHOS, power_curves, power_forces
 from repository import PAPER
 
 from hardcontact.adhesion import force_curves
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.statistics import percentile_interval, student_log_interval
+from hardcontact.numbers.statistics import Sampling, percentile_interval, student_log_interval
 
 
 def test_means_are_sampled_by_scans_that_know_their_contacts():

@@ -5,9 +5,8 @@ import pytest
 import xarray as xr
 from scipy.stats import lognorm
 
-from hardcontact.adhesion.force_distributions import STATISTICS, force_statistics
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.statistics import bounds, student_log_interval
+from hardcontact.adhesion.force_curves import STATISTICS, force_statistics
+from hardcontact.numbers.statistics import Sampling, bounds, student_log_interval
 
 KNOWN = lognorm(0.9, scale=6e-8)
 FORCES = KNOWN.rvs(size=(5, 4, 200), random_state=np.random.default_rng(0))

@@ -11,7 +11,7 @@ from scipy.special import ive
 from hardcontact.adhesion import force_sum
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
-from hardcontact.contact.gap_map import gap_map
+from hardcontact.contact.geometry import gap_map
 
 CASES = [
     # pixels, pixel size, rms, roughness pixels, window: tiles that fit and tiles that do not

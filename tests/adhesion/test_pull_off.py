@@ -13,8 +13,7 @@ from periodic_maps import RADIUS, height_map, over, periodic_noise
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair, pull_off_of_pair, window_change
 from hardcontact.adhesion.traced_contact import traced_contact
 from hardcontact.contact.bearing_area import contact_pixel_count
-from hardcontact.contact.gap_map import gap_map
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.records import dataset, netcdf
 from hardcontact.scales.filtered_pull_off import filtered_pull_off, mean_filtered_pull_off
 from hardcontact.surfaces.filters import filtered

@@ -3,8 +3,8 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import Sampling
 
 
 def test_numbers_are_drawn_for_a_purpose():

@@ -23,7 +23,7 @@ from matplotlib.text import Text
 
 from hardcontact.answer import canvas, fit_curve, force_curve, maps, psd, ratios
 from hardcontact.figures.style import ARTIFICIAL
-from hardcontact.scales.cutoffs import computed_cutoffs
+from hardcontact.scales.critical_band import computed_cutoffs
 
 PHONE = 358  # pixels that a figure is wide on a screen of 390
 LEAST_TEXT = 9.0  # pixels, with letters of some 7: as small as footnotes on phones are

@@ -6,8 +6,7 @@ from answer_inputs import datasets, fit
 from refusals import assert_says
 
 from hardcontact.answer import fit_curve
-from hardcontact.answer.first_sentences import first_sentences
-from hardcontact.answer.fit_sentences import fit_sentences
+from hardcontact.answer.first_sentences import first_sentences, fit_sentences
 
 FEW = ", too few to tell how they scatter: the upper end is uncertain"
 

@@ -9,8 +9,7 @@ from paper_study import png
 from refusals import assert_says
 
 from hardcontact.answer.captions import Caption
-from hardcontact.answer.insight_page import AnsweredPart, insight_page
-from hardcontact.answer.insight_parts import PARTS
+from hardcontact.answer.insight_page import PARTS, AnsweredPart, insight_page
 from hardcontact.figures.catalogue import OF_INSIGHT
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'

@@ -12,8 +12,8 @@ from refusals import assert_says
 
 from hardcontact.answer.paper_answer import ANSWERS, as_plain
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
-from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
+from hardcontact.numbers.printing import print_as_paper
 
 #: How many sentences there are not without a number of the answer.
 LOST = {

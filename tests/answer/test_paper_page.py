@@ -16,8 +16,8 @@ from repository import ROOT
 
 from hardcontact.answer.paper_page import STORY, paper_page
 from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
-from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.figures.catalogue import OF_PAPER
+from hardcontact.numbers.printing import print_as_paper
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 

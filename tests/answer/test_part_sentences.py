@@ -9,12 +9,13 @@ from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band
 from refusals import assert_says
 
-from hardcontact.answer.closed_form_sentences import closed_form_sentences
-from hardcontact.answer.elastic_limit_sentences import elastic_limit_sentences
-from hardcontact.answer.law_sentences import law_sentences
-from hardcontact.answer.map_sentences import map_sentences
+from hardcontact.answer.contact_sentences import (
+    elastic_limit_sentences,
+    map_sentences,
+    repeated_contact_sentences,
+)
+from hardcontact.answer.law_sentences import closed_form_sentences, law_sentences
 from hardcontact.answer.part_text import listed, print_percent, print_within
-from hardcontact.answer.repeated_contact_sentences import repeated_contact_sentences
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
 
 

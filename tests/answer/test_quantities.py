@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from intervals import between_multiples
 
-from hardcontact.answer.quantities import best_unit, print_bounded, print_length, print_quantity
+from hardcontact.numbers.printing import best_unit, print_bounded, print_length, print_quantity
 
 
 @pytest.mark.parametrize(

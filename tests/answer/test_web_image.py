@@ -5,7 +5,7 @@ from io import BytesIO
 import numpy as np
 from PIL import Image
 
-from hardcontact.answer.web_image import web_png
+from hardcontact.answer.captions import web_png
 
 
 def png(pixels):

@@ -31,11 +31,10 @@ from direct_sum import direct_total
 
 from hardcontact.adhesion.force_sum import plastic_totals
 from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.contact import elastic_solvers
+from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
-from hardcontact.contact.gap_map import gap_map, part_around_lowest
-from hardcontact.contact.geometry import bodies
-from hardcontact.random import generator
+from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces import spectral_models, topography
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.substitute_scans import substitute_scan

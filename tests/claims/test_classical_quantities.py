@@ -4,10 +4,7 @@ import numpy as np
 from paper_claims import near
 from paper_datasets import make_classical, make_inference
 
-from hardcontact.claims.classical_quantities import (
-    classical_over_numerical,
-    effective_work_decades,
-)
+from hardcontact.claims.contact_quantities import classical_over_numerical, effective_work_decades
 
 
 def test_classical():

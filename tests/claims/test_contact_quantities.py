@@ -15,7 +15,7 @@ from hardcontact.claims.contact_quantities import (
     plastic_contact_area,
     plastic_over_elastic_area,
 )
-from hardcontact.statistics import bounds
+from hardcontact.numbers.statistics import bounds
 
 
 def test_contact_height_is_taken_scan_by_scan():

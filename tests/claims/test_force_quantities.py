@@ -7,6 +7,7 @@ from paper_claims import judge_one, make_sets, near
 from paper_datasets import RADIUS, make_adhesion, make_datasets
 from scipy import stats
 
+from hardcontact.claims.evaluation import estimate
 from hardcontact.claims.force_quantities import (
     area_slope,
     force_decades,
@@ -16,7 +17,6 @@ from hardcontact.claims.force_quantities import (
     short_range_rise,
     smooth_sphere_change,
 )
-from hardcontact.claims.quantities import estimate
 
 
 def test_force_slope_is_the_exponent():

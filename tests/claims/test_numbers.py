@@ -7,7 +7,7 @@ from scipy import stats
 
 from hardcontact.claims import numbers
 from hardcontact.claims.numbers import number
-from hardcontact.statistics import bounds, with_interval
+from hardcontact.numbers.statistics import bounds, with_interval
 
 
 def scalar(value, low=np.nan, high=np.nan):

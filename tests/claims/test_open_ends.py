@@ -6,8 +6,8 @@ import pytest
 from figure_inputs.scales import band
 from figure_inputs.sets import sets
 
-from hardcontact.claims.open_ends import with_open_ends
-from hardcontact.scales.cutoffs import last_cutoff
+from hardcontact.claims.verdicts import with_open_ends
+from hardcontact.scales.critical_band import last_cutoff
 
 #: Cutoffs (nm) of the study go from 20 to 250 and from 500 to 3500, those of the sets to 120.
 BANDS = [band(), sets().sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=250)]

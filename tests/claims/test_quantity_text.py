@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from hardcontact.claims.quantity_text import print_as_paper
+from hardcontact.numbers.printing import print_as_paper
 
 
 @pytest.mark.parametrize(

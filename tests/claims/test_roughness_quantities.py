@@ -5,7 +5,7 @@ from paper_claims import near
 from paper_datasets import make_topography
 from paper_numbers import SUBSTRATES
 
-from hardcontact.claims.roughness_quantities import (
+from hardcontact.claims.force_quantities import (
     curvature_over_height,
     slope_by_scales,
     slope_over_height,

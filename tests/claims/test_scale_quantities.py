@@ -6,8 +6,7 @@ import xarray as xr
 from paper_claims import NUMBERS, near
 from paper_datasets import make_band, make_scales
 
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.claims.scale_quantities import (
+from hardcontact.claims.inference_quantities import (
     band_edge,
     change_inside_band,
     change_outside_band,
@@ -17,8 +16,8 @@ from hardcontact.claims.scale_quantities import (
     smoothest_ratio,
     stylus_change,
 )
+from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.scales.critical_band import critical_band
-from hardcontact.statistics import bounds
 
 
 def test_change_outside_band():

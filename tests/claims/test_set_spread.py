@@ -7,7 +7,7 @@ import pytest
 from scipy.stats import binom
 
 from hardcontact.claims.set_spread import REDRAWS, sets_interval, stability, stretched
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 
 CONFIDENCE = 0.95
 

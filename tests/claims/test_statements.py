@@ -6,8 +6,7 @@ import pytest
 from paper_claims import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
 from paper_datasets import make_datasets
 
-from hardcontact.claims.evaluation import DATASETS
-from hardcontact.claims.quantities import DERIVED
+from hardcontact.claims.evaluation import DATASETS, DERIVED
 from hardcontact.claims.verdicts import accepted_range
 from hardcontact.insight.interaction_laws import EXPONENTIAL, LAWS
 from hardcontact.insight.law_comparison import CASES

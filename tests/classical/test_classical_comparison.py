@@ -7,12 +7,11 @@ from paper_datasets import make_inference
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 from published_contact import AFM, CONTACT, RADIUS, WORK
 
-from hardcontact import published
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.classical import smooth_sphere
-from hardcontact.classical.classical_comparison import apply_classical_models
-from hardcontact.classical.classical_models import MODELS
-from hardcontact.statistics import bounds
+from hardcontact.inference import smooth_sphere
+from hardcontact.inference.classical_comparison import apply_classical_models
+from hardcontact.inference.classical_models import MODELS
+from hardcontact.numbers.statistics import Sampling, bounds
+from hardcontact.records import published
 
 
 def with_labels(inference):

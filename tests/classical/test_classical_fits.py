@@ -5,8 +5,7 @@ import pytest
 from paper_numbers import MEAN_FORCE
 from published_contact import AFM, CONTACT, UNCERTAINTY, WORK
 
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.classical.classical_fits import (
+from hardcontact.inference.classical_fits import (
     RoughnessSamples,
     compare_models,
     fit_power_law,
@@ -14,8 +13,8 @@ from hardcontact.classical.classical_fits import (
     power_laws,
     sample_roughness,
 )
-from hardcontact.classical.classical_models import MODELS, Roughness
-from hardcontact.statistics import bounds
+from hardcontact.inference.classical_models import MODELS, Roughness
+from hardcontact.numbers.statistics import Sampling, bounds
 
 
 @pytest.mark.parametrize("name", MODELS)

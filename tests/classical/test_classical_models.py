@@ -5,8 +5,8 @@ import pytest
 from published_contact import AFM, CONTACT, MODULUS, RADIUS, WORK
 from scipy.integrate import quad
 
-from hardcontact.classical import classical_models, rough_sphere, smooth_sphere
-from hardcontact.classical.classical_models import MODELS, Roughness
+from hardcontact.inference import classical_models, rough_sphere, smooth_sphere
+from hardcontact.inference.classical_models import MODELS, Roughness
 
 
 def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():

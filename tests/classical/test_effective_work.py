@@ -6,9 +6,13 @@ import xarray as xr
 from paper_numbers import MEAN_FORCE
 from published_contact import CONTACT, WORK
 
-from hardcontact.classical import smooth_sphere
-from hardcontact.classical.effective_work import PerSurface, effective_works, pull_off_coefficients
-from hardcontact.statistics import bounds
+from hardcontact.inference import smooth_sphere
+from hardcontact.inference.classical_comparison import (
+    PerSurface,
+    effective_works,
+    pull_off_coefficients,
+)
+from hardcontact.numbers.statistics import bounds
 
 
 def test_effective_works_of_the_published_forces():

@@ -6,7 +6,7 @@ from published_contact import MODULUS, RADIUS, SPACING, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from hardcontact.classical import rough_sphere, smooth_sphere
+from hardcontact.inference import rough_sphere, smooth_sphere
 
 
 def test_rumpf_limits():

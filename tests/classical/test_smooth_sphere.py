@@ -6,8 +6,8 @@ from published_contact import CONTACT, MODULUS, RADIUS, SPACING, WORK
 from refusals import assert_says, refusal
 from scipy.optimize import brentq
 
-from hardcontact.classical import smooth_sphere
 from hardcontact.contact import hertz
+from hardcontact.inference import smooth_sphere
 
 LAMBDAS = np.geomspace(0.01, 100, 41)
 

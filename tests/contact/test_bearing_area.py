@@ -10,7 +10,7 @@ from hardcontact.contact.bearing_area import (
     contact_pixel_count,
     stacked_gaps,
 )
-from hardcontact.contact.gap_map import (
+from hardcontact.contact.geometry import (
     flattened_gaps,
     gap_map,
     part_around_lowest,

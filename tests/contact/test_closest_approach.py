@@ -8,8 +8,7 @@ from periodic_maps import over, periodic_noise
 
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
 from hardcontact.contact.closest_approach import closest_gaps, touching_pixels
-from hardcontact.contact.gap_map import gap_map
-from hardcontact.contact.geometry import ContactGeometry
+from hardcontact.contact.geometry import ContactGeometry, gap_map
 
 
 @pytest.mark.parametrize("pixels", [30, 33])

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from hardcontact.contact import elastic_solvers, hertz
+from hardcontact.contact import elastic as elastic_solvers
+from hardcontact.contact import hertz
 
 MODULUS = hertz.effective_modulus(365e9, 0.29, 1010e9, 0.22)
 RADIUS = 250e3

@@ -5,7 +5,7 @@ import pytest
 from periodic_maps import RADIUS, height_map, over
 
 from hardcontact.contact import geometry
-from hardcontact.contact.gap_map import gap_map
+from hardcontact.contact.geometry import gap_map
 from hardcontact.records import netcdf
 
 ARRAY = {"window": 3000.0, "count": 4}

@@ -7,7 +7,7 @@ from periodic_maps import RADIUS, height_map, over, periodic_noise
 from hardcontact.contact import hertz
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
-from hardcontact.contact.elastic_contacts import UNITS, elastic_contacts_of_pair
+from hardcontact.contact.elastic import UNITS, elastic_contacts_of_pair
 from hardcontact.contact.geometry import bodies, sphere_height
 from hardcontact.contact.indents import REACH, flattening, indents_of_scans
 

@@ -6,14 +6,9 @@ from periodic_maps import over, periodic_noise
 
 from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
-from hardcontact.contact.elastic_solvers import contact_at_load
-from hardcontact.contact.gap_map import gap_map
-from hardcontact.contact.pixel_gaps import gaps_at
-from hardcontact.contact.plasticity_index import (
-    SLOPE_OVER_PRESSURE,
-    elastic_estimates,
-    squared_slopes,
-)
+from hardcontact.contact.elastic import contact_at_load
+from hardcontact.contact.geometry import gap_map, gaps_at
+from hardcontact.insight.elastic_limit import SLOPE_OVER_PRESSURE, elastic_estimates, squared_slopes
 
 MODULUS = hertz.effective_modulus(365e9, 0.29, 1010e9, 0.22)
 RADIUS = 250e3

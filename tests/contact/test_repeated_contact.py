@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 from periodic_maps import over, periodic_noise
 
-from hardcontact.contact.bearing_area import all_lowest_gaps, lowest_gaps
-from hardcontact.contact.gap_map import gap_map
+from hardcontact.contact.bearing_area import all_lowest_gaps, as_tiles, lowest_gaps
+from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.repeated_contact import indent_sizes, over_window, repeated_contacts
-from hardcontact.contact.tiles import as_tiles
 
 
 def rough_pair(window=320):

@@ -5,7 +5,7 @@ import xarray as xr
 from paper_numbers import LABELS, SUBSTRATES
 
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
-from hardcontact.statistics import with_interval
+from hardcontact.numbers.statistics import with_interval
 
 RHO = [0.5, 5.6, 20.0]
 CUTOFFS = [20.0, 60.0, 1000.0, 2000.0]

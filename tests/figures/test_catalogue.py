@@ -9,15 +9,15 @@ import pytest
 from figure_inputs.registry import module_of
 
 from hardcontact import figures
+from hardcontact.config.patterns import PUBLISHED
 from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.figures.drawing import READERS
-from hardcontact.study.patterns import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
 PARTS = {
-    "fig3_histograms", "fig4_contact", "fig4_curves", "fig4_error", "fig6_rows", "fig_sets_facts",
+    "fig3_histograms", "fig4_contact", "fig4_curves", "fig4_error", "fig_sets_facts",
 }  # fmt: skip
-SHARED = {"__init__", "catalogue", "drawing", "height_maps", "marks", "style", "tables"}
+SHARED = {"__init__", "catalogue", "drawing", "marks", "style", "tables"}
 
 
 def test_each_module_is_a_figure_or_shared():

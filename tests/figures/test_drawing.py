@@ -7,9 +7,9 @@ import pytest
 from figure_inputs.registry import inputs_of, module_of
 from figure_inputs.surfaces import topography
 
+from hardcontact.config.patterns import PUBLISHED
 from hardcontact.figures import drawing, fig1
 from hardcontact.figures.catalogue import FIGURES
-from hardcontact.study.patterns import PUBLISHED
 
 ROOT = Path(__file__).parents[2]
 

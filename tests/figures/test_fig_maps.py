@@ -6,7 +6,7 @@ from figure_inputs.maps import maps
 from figure_rows import select
 
 from hardcontact.figures import fig_maps
-from hardcontact.statistics import bounds
+from hardcontact.numbers.statistics import bounds
 
 
 def titled(figure, letter):

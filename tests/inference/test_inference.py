@@ -7,10 +7,9 @@ from known_forces import RHOS, TABLE, power_forces
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.adhesion.force_curves import on_fine_grid
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference import error_map, inference
-from hardcontact.inference.undecided import undecided
-from hardcontact.statistics import bounds, with_interval
+from hardcontact.inference.inference import undecided
+from hardcontact.numbers.statistics import Sampling, bounds, with_interval
 
 SAMPLING = Sampling(1, 50, 0.95)
 

@@ -6,10 +6,9 @@ import xarray as xr
 from known_forces import RHOS, TABLE, power_curves
 from paper_numbers import SUBSTRATES
 
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.inference import Pair
 from hardcontact.inference.robustness import Choices, robustness
-from hardcontact.statistics import bounds
+from hardcontact.numbers.statistics import Sampling, bounds
 
 LOADS = ["H25GPa-F10uN", "H25GPa-F5uN"]
 STUDY = dict.fromkeys(SUBSTRATES, "study")

@@ -19,7 +19,7 @@ from hardcontact.insight.closed_form import (
     gaussian_share,
 )
 from hardcontact.insight.summits import moment
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 

@@ -7,7 +7,7 @@ from known_spectra import rough
 from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.insight.closed_form_errors import Trial, closed_form_errors, spectrum_of_grid
 from hardcontact.insight.summits import moment
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 

@@ -5,9 +5,9 @@ import pytest
 import xarray as xr
 from scipy.special import erf
 
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.insight import edge_scaling as scaling
 from hardcontact.insight.contact_scaling import scaled_pull_off
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

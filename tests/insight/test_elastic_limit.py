@@ -9,7 +9,7 @@ from periodic_maps import RADIUS, over, periodic_noise
 from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
 from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import contact_pixel_count
-from hardcontact.contact.gap_map import gap_map
+from hardcontact.contact.geometry import gap_map
 from hardcontact.insight.elastic_limit import elastic_limit, elastic_limit_of_pair
 
 MODULUS = hertz.effective_modulus(365e9, 0.29, 1010e9, 0.22)

@@ -8,8 +8,8 @@ from direct_sum import direct_total
 from periodic_maps import height_map, over, periodic_noise
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.contact.gap_map import gap_map
-from hardcontact.insight.force_maps import at_every_pixel, rigid_pull_off
+from hardcontact.contact.geometry import gap_map
+from hardcontact.insight.scan_maps import at_every_pixel, rigid_pull_off
 from hardcontact.surfaces.topography import mirror_stitch
 
 LOAD = {"preload": 10e-6, "hardness": 25e9}

@@ -8,13 +8,12 @@ import pytest
 import xarray as xr
 from scipy.special import gamma
 
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.error_map import fit
 from hardcontact.inference.inference import Pair
 from hardcontact.insight.interaction_laws import LAWS
-from hardcontact.insight.law_bands import stacked_law_forces
-from hardcontact.insight.law_comparison import LawChoices, compare_laws
+from hardcontact.insight.law_comparison import LawChoices, compare_laws, stacked_law_forces
 from hardcontact.insight.law_forces import law_forces, range_grid
+from hardcontact.numbers.statistics import Sampling
 
 SURFACES, SLOPES = ["smooth", "middle", "rough"], np.array([0.1, 0.3, 0.5])
 RANGES = range_grid(5.6, 0.5, 1e-3, 1e12)

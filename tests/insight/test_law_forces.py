@@ -5,7 +5,7 @@ import pytest
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 
 from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.contact.gap_map import flattened_gaps, gap_map
+from hardcontact.contact.geometry import flattened_gaps, gap_map
 from hardcontact.insight.interaction_laws import LAWS, pressure, work_shares
 from hardcontact.insight.law_forces import (
     LARGEST_EXPONENT,

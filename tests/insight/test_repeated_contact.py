@@ -6,12 +6,12 @@ from direct_sum import direct_total
 from periodic_maps import over, periodic_noise
 
 from hardcontact.adhesion.force_sum import plastic_totals
-from hardcontact.contact.gap_map import gap_map
-from hardcontact.insight.indented_sphere import repeated_totals
+from hardcontact.contact.geometry import gap_map
 from hardcontact.insight.repeated_contact import (
     Adhesion,
     repeated_contact,
     repeated_contact_of_pair,
+    repeated_totals,
 )
 
 CASES = {  # pixels of substrate and roughness, window

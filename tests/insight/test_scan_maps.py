@@ -8,8 +8,7 @@ from scipy import stats
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight.force_maps import rigid_pull_off
-from hardcontact.insight.scan_maps import force_maps
+from hardcontact.insight.scan_maps import force_maps, rigid_pull_off
 from hardcontact.insight.surface_maps import maps_of_scans, maps_of_surfaces
 from hardcontact.records import netcdf
 from hardcontact.surfaces.topography import mirror_stitch

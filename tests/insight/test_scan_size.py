@@ -6,7 +6,7 @@ from scan_windows import LOAD, RANGES, contacts_on
 
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight.scan_size_rule import Case, ScanSizeRule, fitted_rule, rule_error
+from hardcontact.insight.scan_size_trials import Case, ScanSizeRule, fitted_rule, rule_error
 from hardcontact.insight.scan_windows import window_forces
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.topography import level, mirror_stitch

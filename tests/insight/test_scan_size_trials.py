@@ -5,8 +5,13 @@ from functools import cache
 import numpy as np
 from scan_windows import contacts_on
 
-from hardcontact.insight.scan_size_rule import Case, ScanSizeRule
-from hardcontact.insight.scan_size_trials import random_spectra, scan_size_trials, window_excess
+from hardcontact.insight.scan_size_trials import (
+    Case,
+    ScanSizeRule,
+    random_spectra,
+    scan_size_trials,
+    window_excess,
+)
 from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 

@@ -7,7 +7,7 @@ from scipy import integrate, stats
 
 from hardcontact.insight import summits
 from hardcontact.insight.summits import banded, moment
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 

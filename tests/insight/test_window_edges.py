@@ -5,14 +5,15 @@ import pytest
 import xarray as xr
 from known_spectra import rough
 
-from hardcontact.insight.filtered_windows import (
+from hardcontact.insight.scan_size_trials import ratio_of_means, window_edges
+from hardcontact.insight.scan_windows import (
     WindowFilters,
     filtered_forces,
     filtered_window_forces,
+    mean_forces,
+    mirrored_windows,
 )
-from hardcontact.insight.scan_windows import mean_forces, mirrored_windows
-from hardcontact.insight.window_edges import ratio_of_means, window_edges
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch

@@ -5,8 +5,11 @@ import pytest
 import xarray as xr
 from known_masters import LARGE, SMALL, scales
 
-from hardcontact.own_surfaces.continued_force import continued_force, with_continued_force
-from hardcontact.own_surfaces.continued_work import with_continued_work
+from hardcontact.own_surfaces.continued_force import (
+    continued_force,
+    with_continued_force,
+    with_continued_work,
+)
 from hardcontact.own_surfaces.master_forces import (
     Masters,
     forces_of_masters,

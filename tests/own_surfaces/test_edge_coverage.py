@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
-from hardcontact.random import generator
 from hardcontact.scales.filtered_pull_off import filtered_pull_off
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan

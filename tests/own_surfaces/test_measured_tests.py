@@ -4,7 +4,7 @@ import numpy as np
 import pandas as pd
 import pytest
 
-from hardcontact.own_surfaces.measured_tests import MeasuredTests, measured_tests, sampled_means
+from hardcontact.own_surfaces.own_fit import MeasuredTests, measured_tests, sampled_means
 
 COLUMNS = ["surface", "mean", "median", "count"]
 

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from known_masters import LARGE, SMALL, scales
 
+from hardcontact.numbers.statistics import jackknife_interval
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
-from hardcontact.statistics import jackknife_interval
 
 
 def edges(curves, scans, **options):

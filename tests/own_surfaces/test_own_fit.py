@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 from known_forces import FORCE_DIMS
 
-from hardcontact.adhesion.sampling import Sampling
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.own_surfaces.own_fit import fit_measured
 
 RHOS = np.array([0.5, 1.0, 2.0, 4.0, 8.0, 16.0])

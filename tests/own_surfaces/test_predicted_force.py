@@ -5,8 +5,8 @@ import xarray as xr
 from known_forces import FORCE_DIMS
 from refusals import assert_says, refusal
 
+from hardcontact.numbers.statistics import student_interval
 from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
-from hardcontact.statistics import student_interval
 
 RHOS = [1.0, 5.0, 20.0]
 PREDICTION = Prediction(0.05, 5.0, {"a": 2500.0, "b": 2500.0}, 0.9)

@@ -5,8 +5,7 @@ import os
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.records.lock import hold
-from hardcontact.records.whole_file import PART
+from hardcontact.records.whole_file import PART, hold
 
 
 def test_a_folder_is_held_once_and_freed_of_unfinished_files(tmp_path):

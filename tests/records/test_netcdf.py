@@ -122,7 +122,7 @@ def test_xarray_is_not_imported():
             sys.executable,
             "-c",
             "import sys\nfrom hardcontact.records import log, netcdf, origin\n"
-            "from hardcontact.study import job\n"
+            "from hardcontact.records import job\n"
             "sys.exit(str({'xarray', 'pandas', 'scipy'} & set(sys.modules) or ''))",
         ],
         env=environment(ROOT),

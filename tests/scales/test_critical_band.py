@@ -4,9 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.adhesion.sampling import Sampling
+from hardcontact.numbers.statistics import Sampling, bounds, student_log_interval
 from hardcontact.scales import critical_band as band
-from hardcontact.statistics import bounds, student_log_interval
 
 CUTOFFS = [10.0, 100.0, 1000.0, 10000.0]
 SMALL = [1.0, 1.2, np.nan, np.nan]

@@ -10,10 +10,10 @@ from small_pool import CONTACT, SETTINGS, pool_of, raw_scan
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
-from hardcontact.random import generator
-from hardcontact.sets.drawing import draw_scans, with_sampled_mean
-from hardcontact.statistics import student_log_interval
-from hardcontact.surfaces.scan_targets import group_heights
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import student_log_interval
+from hardcontact.sets.set_datasets import draw_scans, with_sampled_mean
+from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.topography import metrics, mirror_stitch
 
 POOL = range(1, 7)

@@ -9,9 +9,8 @@ from random_scans import uncd
 from small_pool import CONTACT, GRID, HEIGHTS, SETTINGS, TARGETS, pool_of, raw_scan
 
 from hardcontact.contact.bearing_area import contact_pixel_count
-from hardcontact.contact.gap_map import gap_map
-from hardcontact.contact.geometry import bodies
-from hardcontact.random import generator
+from hardcontact.contact.geometry import bodies, gap_map
+from hardcontact.numbers.random import generator
 from hardcontact.sets.pool import height_weights, pool_heights
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import metrics, mirror_stitch

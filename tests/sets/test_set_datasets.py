@@ -6,7 +6,7 @@ import xarray as xr
 from paper_numbers import SUBSTRATES
 from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 
-from hardcontact.adhesion.sampling import Sampling
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.sets.set_datasets import (
     Draw,

@@ -10,18 +10,19 @@ from paper_numbers import SUBSTRATES
 from repository import PAPER, SCHEMAS, merged
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.config import checks, configuration
+from hardcontact.config import selection as surface_table
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.indents import indents
 from hardcontact.insight.contact_scaling import scaled_pull_off
-from hardcontact.insight.force_maps import at_every_pixel, rigid_pull_off
+from hardcontact.insight.scan_maps import at_every_pixel, rigid_pull_off
 from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
-from hardcontact.study import checks, configuration, surface_table
 from hardcontact.surfaces import spectral_models, synthesis
-from hardcontact.surfaces.masters import synthesized_master
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
+from hardcontact.surfaces.synthesis import synthesized_master
 from hardcontact.surfaces.topography import level, mirror_stitch, subtract_sphere
 
 

@@ -12,7 +12,8 @@ from paper_numbers import SUBSTRATES
 from repository import PAPER, ROOT, ROWS, SCHEMAS, leaves
 from studies import changed
 
-from hardcontact.study import checks, configuration, surface_table
+from hardcontact.config import checks, configuration
+from hardcontact.config import selection as surface_table
 
 LEAVES = sorted(leaves(PAPER))
 BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})

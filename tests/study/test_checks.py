@@ -9,9 +9,9 @@ from repository import PAPER, QUICK, ROOT, SCHEMAS, merged
 from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
-from hardcontact.study import configuration
-from hardcontact.study.grid_checks import check_grids
-from hardcontact.study.grids import Grid
+from hardcontact.config import configuration
+from hardcontact.config.limits import Grid
+from hardcontact.config.scan_limits import check_grids
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import pytest
 from refusals import assert_says, refusal
 from studies import MISSING, numbers
 
-from hardcontact.study import configuration
+from hardcontact.config import configuration
 
 
 @pytest.mark.parametrize(

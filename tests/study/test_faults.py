@@ -2,7 +2,7 @@
 
 import pytest
 
-from hardcontact.study.faults import refuse_all
+from hardcontact.config.configuration import refuse_all
 
 
 def refusing(text):

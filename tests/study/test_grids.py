@@ -5,9 +5,9 @@ import pandas as pd
 import pytest
 from repository import ROOT
 
+from hardcontact.config.limits import SUBSTITUTE_RELIEF, surface_grid
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.geometry import bodies
-from hardcontact.study.grids import SUBSTITUTE_RELIEF, surface_grid
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import described_rms_height, from_description
 from hardcontact.surfaces.synthesis import random_surface

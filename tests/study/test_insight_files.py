@@ -5,7 +5,7 @@ from itertools import product
 from paper_numbers import SUBSTRATES, SURFACES
 from small_study import PATTERNS, configuration, files, selection
 
-from hardcontact.study.insight_files import InsightFiles
+from hardcontact.config.insight_files import InsightFiles
 
 
 def insight_files(**changes):

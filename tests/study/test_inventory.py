@@ -7,8 +7,8 @@ import pytest
 from refusals import assert_says
 from scan_files import container, scan
 
-from hardcontact.study import inventory as module
-from hardcontact.study.inventory import Source, inventory, printed_table
+from hardcontact.commands import inventory as module
+from hardcontact.commands.inventory import Source, inventory, printed_table
 
 
 def source(path, **others):

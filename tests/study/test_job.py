@@ -8,9 +8,9 @@ import pytest
 import xarray as xr
 
 from hardcontact.records import dataset, netcdf
+from hardcontact.records.job import job
 from hardcontact.records.netcdf import Arrays
 from hardcontact.records.origin import canonical, digest
-from hardcontact.study.job import job
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
 

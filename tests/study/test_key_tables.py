@@ -4,8 +4,8 @@ import pytest
 import yaml
 from repository import PAPER, QUICK, ROOT, ROWS, SCHEMAS, leaves
 
-from hardcontact.study.key_tables import documented
-from hardcontact.study.schema import resolved
+from hardcontact.config.key_tables import documented
+from hardcontact.config.schema import resolved
 
 SCHEMA = SCHEMAS["config"]
 
@@ -85,7 +85,7 @@ def test_every_key_and_column_has_a_row(name):
 
 def test_the_tables_are_those_of_the_schema():
     current = documented(DOCUMENTATION, SCHEMA, SCHEMAS["surfaces"])
-    assert DOCUMENTATION == current, "not current: run python -m hardcontact.study.key_tables"
+    assert DOCUMENTATION == current, "not current: run python -m hardcontact.config.key_tables"
 
 
 EMPTY = """a

@@ -5,7 +5,7 @@ import re
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.study.measured_forces import measured_forces
+from hardcontact.config.tables import measured_forces
 
 SURFACES = ["coating", "bare"]
 

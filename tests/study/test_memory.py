@@ -2,8 +2,11 @@
 
 from refusals import assert_says, refusal
 
-from hardcontact.study.master_limits import refuse_beyond_memory
-from hardcontact.study.memory import machine_megabytes, master_megabytes
+from hardcontact.config.master_limits import (
+    machine_megabytes,
+    master_megabytes,
+    refuse_beyond_memory,
+)
 
 
 def test_small_masters_take_what_all_did():

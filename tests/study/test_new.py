@@ -10,7 +10,9 @@ from refusals import assert_says
 from repository import PAPER, ROOT, SCHEMAS, merged
 from scan_files import container, scan
 
-from hardcontact.study import checks, configuration, new, request, surface_table
+from hardcontact.commands import new, request
+from hardcontact.config import checks, configuration
+from hardcontact.config import selection as surface_table
 
 NAME = "a-test.of_new"
 
@@ -225,7 +227,7 @@ def test_a_colloidal_probe(folder, monkeypatch, capsys):
 
 def test_the_command_is_installed():
     text = (ROOT / "pyproject.toml").read_text()
-    assert 'hardcontact = "hardcontact.study.new:main"' in text
+    assert 'hardcontact = "hardcontact.commands.new:main"' in text
 
 
 @pytest.mark.parametrize(

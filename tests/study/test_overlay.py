@@ -6,9 +6,9 @@ from own_entries import entry
 from repository import SCHEMAS
 from scan_files import scan
 
-from hardcontact.study.overlay import nested, overlay_text, table_rows, table_text, write_files
-from hardcontact.study.proposal import Choice
-from hardcontact.study.surface_table import surface_table
+from hardcontact.commands.overlay import nested, overlay_text, table_rows, table_text, write_files
+from hardcontact.commands.proposal import Choice
+from hardcontact.config.selection import surface_table
 
 CHOICES = [
     Choice("study", "1e3", "a name that YAML takes for a number"),

@@ -6,7 +6,7 @@ from string import Formatter
 
 import pytest
 
-from hardcontact.study.patterns import Patterns, wildcard_constraints
+from hardcontact.config.patterns import Patterns, wildcard_constraints
 
 PATTERNS = Patterns("results/a", "results/store", "ruby")
 INTERMEDIATES = {

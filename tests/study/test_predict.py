@@ -7,13 +7,20 @@ import pytest
 from known_spectra import rough
 from refusals import assert_says, refusal
 
+from hardcontact.commands import new
+from hardcontact.commands.predict import (
+    AREA,
+    RADIUS,
+    RANGES,
+    TRIED,
+    own_spectrum,
+    predict,
+    predict_arguments,
+)
+from hardcontact.config.configuration import read_yaml
 from hardcontact.insight.closed_form import Contact, closed_form, contact_area
-from hardcontact.study import new
-from hardcontact.study.configuration import read_yaml
-from hardcontact.study.own_spectrum import own_spectrum
-from hardcontact.study.predict import AREA, RADIUS, RANGES, TRIED, predict, predict_arguments
-from hardcontact.study.units import magnitude
-from hardcontact.surfaces.profile_conversion import isotropic_from_profile
+from hardcontact.numbers.units import magnitude
+from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from own_entries import both_efforts, check_study, entry, probe
 from refusals import assert_says, refusal
 
-from hardcontact.study.proposal import propose
+from hardcontact.commands.proposal import propose
 from hardcontact.surfaces.reliable_band import ReliableBand
 
 

@@ -3,7 +3,7 @@
 import pytest
 from repository import PAPER
 
-from hardcontact.study.stages import left_out, made
+from hardcontact.config.configuration import left_out, made
 
 
 def study(published, forces="none"):

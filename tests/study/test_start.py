@@ -97,12 +97,12 @@ def test_snakemake_still_looks_for_work_without_end(tmp_path):
 
 @pytest.mark.study
 def test_the_study_lets_snakemake_look_for_work_when_a_job_ends(tmp_path):
-    lifted = "from hardcontact.study import start; start.lift_rate_limit(workflow)"
+    lifted = "from hardcontact.config import start; start.lift_rate_limit(workflow)"
     assert looks_for_work(tmp_path / "lifted", lifted) == 0
 
 
 ANSWER = """
-from hardcontact.study import start
+from hardcontact.config import start
 rule answer:
     output: "results/answer.html"
     shell: "touch {output}"

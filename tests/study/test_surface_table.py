@@ -6,7 +6,7 @@ from repository import ROWS, SCHEMAS
 from scan_files import scan
 from studies import own_scans, surfaces
 
-from hardcontact.study import surface_table
+from hardcontact.config import selection as surface_table
 
 FIRST = ROWS.splitlines()[1]
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from hardcontact.study import units
+from hardcontact.numbers import units
 
 
 @pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import pytest
 from small_study import configuration, selection
 
-from hardcontact.study.variants import named_load, surface_variants, variants
+from hardcontact.config.variants import named_load, surface_variants, variants
 
 pytestmark = pytest.mark.usefixtures("at_root")
 STUDY = {"name": "H25GPa-F10uN", "preload": 1e-5, "hardness": 25e9}

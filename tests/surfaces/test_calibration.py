@@ -5,9 +5,9 @@ import pandas as pd
 import pytest
 from random_scans import PIXEL, UNCD
 
-from hardcontact import published
+from hardcontact.records import published
 from hardcontact.surfaces import calibration, spectral_models
-from hardcontact.surfaces.scan_moments import expected_moments, transfer_weights
+from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 

@@ -8,11 +8,13 @@ import pytest
 from random_scans import PIXEL, UNCD, levelled_scan, uncd
 from refusals import assert_says, refusal
 
-from hardcontact.random import generator
-from hardcontact.surfaces import conditioning, scan_targets, spectral_gain
+from hardcontact.numbers.random import generator
+from hardcontact.surfaces import conditioning
+from hardcontact.surfaces import conditioning as scan_targets
+from hardcontact.surfaces import conditioning as spectral_gain
+from hardcontact.surfaces.calibration import expected_moments, transfer_weights
+from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.scan_moments import expected_moments, transfer_weights
-from hardcontact.surfaces.scan_targets import Targets
 from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 from hardcontact.surfaces.topography import level, metrics

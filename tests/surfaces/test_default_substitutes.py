@@ -8,14 +8,11 @@ import pytest
 from paper_numbers import SUBSTRATES, SURFACES
 from repository import PAPER, ROOT
 
-from hardcontact import published
-from hardcontact.random import generator
-from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS, rows_of_surface
-from hardcontact.surfaces.conditioning import conditioned_group
+from hardcontact.numbers.random import generator
+from hardcontact.records import published
+from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS, rows_of_surface, transfer_weights
+from hardcontact.surfaces.conditioning import conditioned_density, conditioned_group, scan_targets
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.scan_moments import transfer_weights
-from hardcontact.surfaces.scan_targets import scan_targets
-from hardcontact.surfaces.spectral_gain import conditioned_density
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 from hardcontact.surfaces.substitute_spectra import from_description, substitute_spectrum

@@ -8,7 +8,7 @@ from measurements import line_of, map_of, measurement
 from random_scans import uncd
 from refusals import assert_says, refusal
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.surfaces.joined_spectrum import joined_spectrum, stacked_spectra
 from hardcontact.surfaces.measured_spectrum import bias_of_log, independent_waves, measured_psd

@@ -10,7 +10,7 @@ from repository import ROOT
 
 from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.local_hurst import fitted_local_hurst, local_power_laws
-from hardcontact.surfaces.profile_conversion import profile_from_isotropic
+from hardcontact.surfaces.measured_spectrum import profile_from_isotropic
 from hardcontact.surfaces.spectrum import WAVEVECTORS
 from hardcontact.surfaces.substitute_spectra import from_description
 

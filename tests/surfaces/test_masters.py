@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.masters import SIDES, synthesized_master
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.synthesis import SIDES, synthesized_master
 
 WHITE = Spectrum(WAVEVECTORS, np.full(WAVEVECTORS.shape, 1e3))
 

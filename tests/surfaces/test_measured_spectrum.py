@@ -6,7 +6,7 @@ from measurements import line_of, map_of, measurement
 from random_scans import PIXEL, uncd
 from scipy.ndimage import gaussian_filter1d
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,

@@ -5,9 +5,8 @@ import pytest
 from measurements import profile_of
 from random_scans import uncd
 
-from hardcontact.random import generator
-from hardcontact.surfaces.measured_spectrum import variance_of_log
-from hardcontact.surfaces.profile_conversion import isotropic_from_profile
+from hardcontact.numbers.random import generator
+from hardcontact.surfaces.measured_spectrum import isotropic_from_profile, variance_of_log
 from hardcontact.surfaces.spectral_models import profile_from_isotropic_power_law
 from hardcontact.surfaces.spectrum import BIN_EDGES
 

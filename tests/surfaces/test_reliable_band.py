@@ -6,12 +6,12 @@ from measurements import line_of, map_of, measurement
 from random_scans import uncd
 from scipy.ndimage import gaussian_filter, gaussian_filter1d
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_psd
 from hardcontact.surfaces.reliable_band import digits, reliable_band
 from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.substitute_scans import imaged_by_tip
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.tip import imaged_by_tip
 
 PIXEL = 10.0
 

@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from random_scans import PIXEL, UNCD, levelled_scan
 
-from hardcontact.random import generator
-from hardcontact.statistics import bounds
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import bounds
 from hardcontact.surfaces.roughness_table import (
     TableSettings,
     averages,

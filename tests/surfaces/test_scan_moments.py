@@ -3,8 +3,8 @@
 import numpy as np
 from random_scans import PIXEL, uncd
 
-from hardcontact.random import generator
-from hardcontact.surfaces import scan_moments
+from hardcontact.numbers.random import generator
+from hardcontact.surfaces import calibration as scan_moments
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, metrics

@@ -12,10 +12,10 @@ from scipy.stats import skew
 from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import bodies
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.scans import read_scan
-from hardcontact.surfaces.skewed_surface import skewed_surface
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
+from hardcontact.surfaces.substitute_scans import skewed_surface
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
 

@@ -5,7 +5,7 @@ import pytest
 from random_scans import UNCD, levelled_scan, measured_spectra, uncd
 from refusals import assert_says, refusal
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.surfaces import spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from random_scans import PIXEL, uncd
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scans import read_scan

@@ -6,9 +6,9 @@ import pytest
 from random_scans import PIXEL
 from refusals import assert_says, refusal
 
-from hardcontact import published
+from hardcontact.records import published
 from hardcontact.surfaces import calibration, spectral_models, substitute_spectra
-from hardcontact.surfaces.scan_moments import expected_moments, transfer_weights
+from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 HEADER = (

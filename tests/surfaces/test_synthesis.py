@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from random_scans import UNCD, levelled_scan, uncd
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from random_scans import PIXEL, uncd
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.substitute_scans import FINENESS, imaged_by_tip, imaged_scan
 from hardcontact.surfaces.synthesis import random_surface, refined
-from hardcontact.surfaces.tip import FINENESS, imaged_by_tip, imaged_scan
 
 RADIUS = 10.0
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scan_files import container, heights
 
+from hardcontact.surfaces.scan_values import stated_tip_radius
 from hardcontact.surfaces.scans import read_measurement
-from hardcontact.surfaces.tip_radius import stated_tip_radius
 
 
 def instrument(value, unit):

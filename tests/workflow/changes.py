@@ -25,7 +25,7 @@ from rule_graph import (
 )
 from scan_files import heights, scan
 
-from hardcontact.study.patterns import PUBLISHED
+from hardcontact.config.patterns import PUBLISHED
 
 #: What is made of one substitute surface, and with it; traced is uncd, indents are made on ncd.
 SUBSTITUTE = SPECTRA | FROM_SCANS | OF_SPECTRA

@@ -6,7 +6,7 @@ import xarray as xr
 from own_studies import forces_on, made, new, quick, rough, spm
 from repository import copy_repository
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 
 
 @pytest.fixture(scope="session")

@@ -291,5 +291,5 @@ def test_named_target(finished, of_the_crate, target, last, not_needed):
 
 def test_finished_study_is_the_repository_as_it_stands(finished):
     """What the fixture ran is what is tested here, not an older copy."""
-    for path in ("Snakefile", "workflow/hardcontact/study/job.py", "config/config.yaml"):
+    for path in ("Snakefile", "workflow/hardcontact/records/job.py", "config/config.yaml"):
         assert (finished / path).read_bytes() == (ROOT / path).read_bytes()

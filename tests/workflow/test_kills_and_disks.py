@@ -14,7 +14,7 @@ from faults import OF_ALTERED, alter, but_missing, errors, others
 from refusals import assert_says
 from repository import ROOT, copy_repository, environment, run_snakemake
 
-from hardcontact.study.patterns import STUDY_VARIANT, Patterns
+from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 
 pytestmark = pytest.mark.system
 

@@ -14,7 +14,7 @@ from scipy import stats
 from SurfaceTopography import UniformLineScan
 
 from hardcontact.insight.closed_form import gaussian_share
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 
 pytestmark = pytest.mark.study
 

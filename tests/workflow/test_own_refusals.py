@@ -7,7 +7,7 @@ from own_studies import LEFT_OUT, changed, new, numbers, quick, rough, spm
 from refusals import assert_says
 from scan_files import cut
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 
 pytestmark = pytest.mark.study
 

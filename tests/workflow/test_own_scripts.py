@@ -12,8 +12,8 @@ from repository import ROOT
 
 from hardcontact.records import dataset
 from hardcontact.records.origin import canonical
-from hardcontact.surfaces.described_spectrum import described_spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
+from hardcontact.surfaces.substitute_spectra import described_spectrum
 
 CONTACTS = ("contact_y", "contact_x")
 NAMES = {"label": ("surface", ["A", "B"]), "basis": ("surface", ["measured"] * 2)}

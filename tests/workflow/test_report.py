@@ -7,8 +7,8 @@ from docutils.core import publish_doctree
 from jinja2 import Environment, StrictUndefined
 from repository import PAPER, ROOT
 
+from hardcontact.config.words import CHAPTERS, PAGES
 from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
-from hardcontact.study.pages import CHAPTERS, PAGES
 
 CAPTIONS = sorted((ROOT / "workflow/report").glob("*.rst"))
 README = ROOT / "README.md"

@@ -13,9 +13,9 @@ from repository import ROOT, run_snakemake
 
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
+from hardcontact.config.words import PAGES
 from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT, OF_PAPER
 from hardcontact.records import dataset
-from hardcontact.study.pages import PAGES
 
 
 def test_claims(results):

@@ -6,8 +6,8 @@ import xarray as xr
 from repository import OTHERWISE, run_snakemake
 
 from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.numbers.statistics import bounds
 from hardcontact.records import dataset
-from hardcontact.statistics import bounds
 
 
 @pytest.fixture(scope="module")

@@ -7,7 +7,7 @@ import yaml
 from repository import PAPER, ROOT, snakemake
 from rule_graph import APART, DRAWN, OF_MEASURED
 
-from hardcontact.study.stages import made
+from hardcontact.config.configuration import made
 
 FILES = [ROOT / "Snakefile", ROOT / "workflow/redraw.smk", *(ROOT / "workflow/rules").glob("*.smk")]
 #: Rules that a study of own surfaces has and the paper's has not.
@@ -93,5 +93,5 @@ def test_the_cluster_profile_groups_every_rule():
 
 def test_library_knows_nothing_of_snakemake():
     library = ROOT / "workflow/hardcontact"
-    for path in set(library.rglob("*.py")) - {library / "study/start.py"}:
+    for path in set(library.rglob("*.py")) - {library / "config/start.py"}:
         assert not re.search(r"^\s*(import|from) snakemake", path.read_text(), re.M), path

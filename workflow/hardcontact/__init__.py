@@ -1,8 +1,6 @@
-"""From AFM scans to pull-off forces, the work and range of adhesion, and the critical band.
+"""Adhesion of hard, rough contacts: from height maps to pull-off forces and the scales that matter.
 
-The rooms, each of which imports only from those before it: `random` and `statistics`; `published`,
-what the paper printed; `records`, how files are written; `surfaces`; `contact`; `adhesion`, forces;
-`scales`, the critical band; `inference`, range and work of adhesion; `classical` models;
-`own_surfaces`; `insight`, what decides the band; `claims`; `sets` of substitutes; `figures`;
-`answer`, the pages; `study`, all that the rules import.
+Its rooms, each importing only from those before it: `records`, `numbers`, `surfaces`, `contact`,
+`adhesion`, `scales`, `inference`, `own_surfaces`, `insight`, `claims`, `sets`, `figures`, `answer`,
+`config` and `commands`.
 """

@@ -1,8 +1,8 @@
 # The page that answers for own surfaces.
 
-from hardcontact.study.configuration import read_yaml
-from hardcontact.study.contact_words import contact_words, of_paper
-from hardcontact.study.stages import NONE, left_out
+from hardcontact.config.configuration import read_yaml
+from hardcontact.config.words import contact_words, of_paper
+from hardcontact.config.configuration import NONE, left_out
 
 
 rule answer_surfaces:

@@ -1,8 +1,8 @@
 # Atomic scale: a master of four times the study's pixels, beside these. No part of the study.
 
 from hardcontact.figures.catalogue import OF_ATOMIC
-from hardcontact.study.memory import master_megabytes
-from hardcontact.study.patterns import STUDY_VARIANT
+from hardcontact.config.master_limits import master_megabytes
+from hardcontact.config.patterns import STUDY_VARIANT
 
 SMALL_SCALES = STUDY["scales"]["small"]
 FINER_PIXELS = 4 * SMALL_SCALES["pixels"]

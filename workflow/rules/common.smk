@@ -2,10 +2,10 @@
 
 from hardcontact.records.code import code_inputs
 from hardcontact.records.origin import canonical
-from hardcontact.study import start
-from hardcontact.study.configuration import computed_ranges
-from hardcontact.study.patterns import PUBLISHED, Patterns
-from hardcontact.study.stages import PAPER
+from hardcontact.config import start
+from hardcontact.config.configuration import computed_ranges
+from hardcontact.config.patterns import PUBLISHED, Patterns
+from hardcontact.config.configuration import PAPER
 
 config.update(start.with_effort(config))
 STUDY = start.checked_configuration(workflow, config)

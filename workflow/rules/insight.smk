@@ -1,6 +1,6 @@
 # Insight: what decides the critical band, and how far the method can be trusted.
 
-from hardcontact.study.insight_files import InsightFiles
+from hardcontact.config.insight_files import InsightFiles
 
 INSIGHT = STUDY["insight"]
 INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)

@@ -1,6 +1,6 @@
 # Own surfaces: edges of the band, predicted force, fit to own forces.
 
-from hardcontact.study.stages import NONE, left_out
+from hardcontact.config.configuration import NONE, left_out
 
 
 rule aggregate_spectra:

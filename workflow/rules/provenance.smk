@@ -1,6 +1,6 @@
 # Provenance: the configuration kept with the results, the RO-Crate, and the check of both.
 
-from hardcontact.study.stages import made
+from hardcontact.config.configuration import made
 
 
 rule keep_configuration:

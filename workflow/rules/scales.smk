@@ -1,7 +1,7 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the critical band.
 
-from hardcontact.study.memory import master_megabytes
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.config.master_limits import master_megabytes
+from hardcontact.surfaces.synthesis import SIDES
 
 
 rule synthesize_small_scale_master:

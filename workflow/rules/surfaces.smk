@@ -1,7 +1,7 @@
 # The surfaces of the study, their variants, and the lists of their files.
 
-from hardcontact.study.aggregate import Files
-from hardcontact.study.patterns import wildcard_constraints as constraints
+from hardcontact.config.files import Files
+from hardcontact.config.patterns import wildcard_constraints as constraints
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere

@@ -2,7 +2,7 @@
 
 from hardcontact.adhesion.all_surfaces import stacked_elastic_contacts
 from hardcontact.records.dataset import read_all
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     this.write(

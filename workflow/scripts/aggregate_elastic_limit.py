@@ -2,7 +2,7 @@
 
 from hardcontact.insight.elastic_limit import elastic_limit
 from hardcontact.records.dataset import read, read_all
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

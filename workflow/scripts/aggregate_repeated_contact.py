@@ -1,9 +1,9 @@
 """Repeated contact on all surfaces: force and indents against the number of contacts."""
 
-from hardcontact import published
 from hardcontact.insight.repeated_contact import repeated_contact
+from hardcontact.records import published
 from hardcontact.records.dataset import read_all
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 IMAGED = {"depth": "measured_indent_depth", "lateral_size": "measured_indent_size"}
 

@@ -1,11 +1,10 @@
 """Range and work of adhesion and the critical band under every variant of the study's choices."""
 
-from hardcontact import published
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.inference import Pair
 from hardcontact.inference.robustness import Choices, robustness
-from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.numbers.statistics import Sampling
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
 
 SETTINGS = "sphere_radius", "range", "count", "pixels_small", "pixels_large"
 

@@ -1,9 +1,9 @@
 """Spectra of all surfaces: joined of the scans of measured ones, of substitutes as described."""
 
 from hardcontact.records import dataset
-from hardcontact.study.job import job
-from hardcontact.surfaces.described_spectrum import described_spectrum
+from hardcontact.records.job import job
 from hardcontact.surfaces.joined_spectrum import stacked_spectra
+from hardcontact.surfaces.substitute_spectra import described_spectrum
 
 with job(snakemake) as this:
     surfaces, labels = this.parameters["surfaces"], this.parameters["labels"]

@@ -1,7 +1,7 @@
 """Table 1 and the PSDs: every scan, and their averages."""
 
 from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.roughness_table import TableSettings, roughness_table
 
 with job(snakemake) as this:

@@ -2,13 +2,11 @@
 
 from pathlib import Path
 
-from hardcontact import published
-from hardcontact.answer.captions import caption
-from hardcontact.answer.insight_page import AnsweredPart, insight_page
-from hardcontact.answer.insight_parts import PARTS
-from hardcontact.answer.web_image import web_png
+from hardcontact.answer.captions import caption, web_png
+from hardcontact.answer.insight_page import PARTS, AnsweredPart, insight_page
+from hardcontact.records import published
 from hardcontact.records.dataset import read
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
 

@@ -3,14 +3,13 @@
 import json
 from pathlib import Path
 
-from hardcontact import published
-from hardcontact.answer.captions import caption
+from hardcontact.answer.captions import caption, web_png
 from hardcontact.answer.paper_answer import as_plain, paper_answer
 from hardcontact.answer.paper_page import paper_page
-from hardcontact.answer.web_image import web_png
 from hardcontact.claims.verdicts import read_verdicts
+from hardcontact.records import published
 from hardcontact.records.dataset import read
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
 

@@ -5,7 +5,7 @@ import json
 from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.own_surfaces import answer
 from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     paths = {name: getattr(this.input, name, None) for name in Datasets._fields}

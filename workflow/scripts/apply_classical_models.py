@@ -1,10 +1,10 @@
 """Effective work of adhesion and classical models of rough adhesion, beside the pull-off forces."""
 
-from hardcontact import published
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.classical.classical_comparison import apply_classical_models
+from hardcontact.inference.classical_comparison import apply_classical_models
+from hardcontact.numbers.statistics import Sampling
+from hardcontact.records import published
 from hardcontact.records.dataset import read
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

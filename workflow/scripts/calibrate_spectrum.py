@@ -1,7 +1,7 @@
 """C_iso of a substitute surface, from its description and the published Table 1."""
 
-from hardcontact import published
-from hardcontact.study.job import job
+from hardcontact.records import published
+from hardcontact.records.job import job
 from hardcontact.surfaces.calibration import rows_of_surface
 from hardcontact.surfaces.substitute_spectra import substitute_spectrum
 

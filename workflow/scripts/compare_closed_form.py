@@ -1,9 +1,9 @@
 """The closed form of the pull-off force beside forces computed on random surfaces."""
 
-from hardcontact import published
-from hardcontact.adhesion.named_surfaces import with_names
+from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.insight.closed_form_errors import Trial, closed_form_errors
-from hardcontact.study.job import job
+from hardcontact.records import published
+from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:

@@ -1,10 +1,9 @@
 """The pull-off force on a master of finer pixels than the study's, beside coarser ones."""
 
+from hardcontact.config.master_limits import machine_megabytes, refuse_beyond_memory
 from hardcontact.insight.finer_master import FinerMaster, on_several_pixels
-from hardcontact.random import generator
-from hardcontact.study.job import job
-from hardcontact.study.master_limits import refuse_beyond_memory
-from hardcontact.study.memory import machine_megabytes
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import small_scale_master

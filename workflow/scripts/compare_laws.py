@@ -1,13 +1,12 @@
 """Fits, ratios and critical band of every law of attraction: laws.nc."""
 
-from hardcontact import published
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.inference import Pair
-from hardcontact.insight.law_bands import stacked_law_forces
-from hardcontact.insight.law_comparison import LawChoices, compare_laws
+from hardcontact.insight.law_comparison import LawChoices, compare_laws, stacked_law_forces
+from hardcontact.numbers.statistics import Sampling
+from hardcontact.records import published
 from hardcontact.records.dataset import read_all
-from hardcontact.study.job import job
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.records.job import job
+from hardcontact.surfaces.synthesis import SIDES
 
 with job(snakemake) as this:
     given = this.parameters

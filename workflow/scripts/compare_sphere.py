@@ -1,7 +1,7 @@
 """Mean pull-off forces of the study's scans of one substrate on a smooth sphere."""
 
-from hardcontact.sets.sphere_comparison import on_smooth_sphere
-from hardcontact.study.job import job
+from hardcontact.records.job import job
+from hardcontact.sets.pool import on_smooth_sphere
 from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as this:

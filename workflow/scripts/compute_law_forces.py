@@ -6,11 +6,11 @@ from hardcontact.insight.law_forces import (
     range_grid,
     scan_range_forces,
 )
-from hardcontact.random import generator
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.masters import SIDES, synthesized_master
 from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.synthesis import SIDES, synthesized_master
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,11 +1,10 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
-from hardcontact import published
-from hardcontact.records import dataset
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
 from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
-from hardcontact.study.job import job
 from hardcontact.surfaces.calibration import rows_of_surface
-from hardcontact.surfaces.scan_targets import scan_targets
+from hardcontact.surfaces.conditioning import scan_targets
 from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid
 

@@ -1,11 +1,11 @@
 """Mean pull-off of one filtered master over radii, ranges of adhesion and contact areas."""
 
 from hardcontact.insight.contact_scaling import scaled_pull_off
-from hardcontact.random import generator
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.masters import synthesized_master
 from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.synthesis import synthesized_master
 
 with job(snakemake) as this:
     given = this.parameters

@@ -2,13 +2,11 @@
 
 from functools import partial
 
-from hardcontact import published
-from hardcontact.random import generator
-from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
 from hardcontact.surfaces.calibration import rows_of_surface
-from hardcontact.surfaces.conditioning import conditioned_group
-from hardcontact.surfaces.scan_targets import scan_targets
+from hardcontact.surfaces.conditioning import conditioned_group, scan_targets
 from hardcontact.surfaces.substitute_scans import ScanGrid
 
 with job(snakemake) as this:

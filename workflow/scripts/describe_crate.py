@@ -3,8 +3,8 @@
 from pathlib import Path
 
 from hardcontact.records import crate, provenance
+from hardcontact.records.job import job
 from hardcontact.records.origin import pinned_versions
-from hardcontact.study.job import job
 
 with job(snakemake) as this:
     provenance.require(this.input)

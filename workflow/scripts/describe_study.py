@@ -2,12 +2,11 @@
 
 from pathlib import Path
 
-from hardcontact.claims.open_ends import with_open_ends
 from hardcontact.claims.report_pages import pages
-from hardcontact.claims.verdicts import read_verdicts
+from hardcontact.claims.verdicts import read_verdicts, with_open_ends
 from hardcontact.records.dataset import read
+from hardcontact.records.job import job
 from hardcontact.records.origin import pinned_versions
-from hardcontact.study.job import job
 
 with job(snakemake) as this:
     chapters = [Path(path) for path in this.input if path.endswith(".md")]

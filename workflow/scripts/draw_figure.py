@@ -1,7 +1,7 @@
 """One figure as PDF and PNG, and the table it is drawn from."""
 
 from hardcontact.figures.drawing import draw_figure
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     draw_figure(this.parameters["figure"], this.input, this.output)

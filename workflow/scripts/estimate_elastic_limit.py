@@ -1,10 +1,10 @@
 """Plasticity index, elastic area and force of every contact of one pair of scans."""
 
-from hardcontact import published
 from hardcontact.contact import hertz
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.insight.elastic_limit import elastic_limit_of_pair
-from hardcontact.study.job import job
+from hardcontact.records import published
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, contact = this.parameters, this.parameters["contact"]

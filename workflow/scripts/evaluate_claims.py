@@ -1,9 +1,9 @@
 """Each quantitative statement of the paper beside what was computed, with its verdict."""
 
-from hardcontact import published
 from hardcontact.claims.evaluation import DATASETS, evaluate, read_statements
+from hardcontact.records import published
 from hardcontact.records.dataset import read
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     evaluated = evaluate(

@@ -1,7 +1,7 @@
 """Pull-off on windows and whole random surfaces of one spectrum, with and without long waves."""
 
-from hardcontact.insight.filtered_windows import WindowFilters, filtered_window_forces
-from hardcontact.study.job import job
+from hardcontact.insight.scan_windows import WindowFilters, filtered_window_forces
+from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:

@@ -2,8 +2,8 @@
 
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.random import generator
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, contact = this.parameters, this.parameters["contact"]

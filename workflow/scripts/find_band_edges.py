@@ -3,7 +3,7 @@
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
 from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

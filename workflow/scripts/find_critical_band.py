@@ -1,9 +1,9 @@
 """The wavelengths whose removal changes the pull-off force, with their intervals."""
 
-from hardcontact.adhesion.sampling import Sampling
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.records import dataset
+from hardcontact.records.job import job
 from hardcontact.scales.critical_band import find_critical_band
-from hardcontact.study.job import job
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,11 +1,11 @@
 """Range and work of adhesion that the user's own forces allow."""
 
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.own_surfaces.continued_work import with_continued_work
+from hardcontact.config.tables import measured_forces
+from hardcontact.numbers.statistics import Sampling
+from hardcontact.own_surfaces.continued_force import with_continued_work
 from hardcontact.own_surfaces.own_fit import fit_measured
 from hardcontact.records import dataset
-from hardcontact.study.job import job
-from hardcontact.study.measured_forces import measured_forces
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,10 +1,9 @@
 """Range and work of adhesion and force statistics of every contact model."""
 
-from hardcontact import published
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.inference import Pair, Published, infer
-from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.numbers.statistics import Sampling
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,12 +1,12 @@
 """The numbers of many equally good sets of substitute scans, all sets in one dataset."""
 
-from hardcontact import published
 from hardcontact.adhesion.all_surfaces import stacked_ratios
 from hardcontact.claims.evaluation import read_statements
 from hardcontact.inference.inference import Pair, Published
+from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
+from hardcontact.records.job import job
 from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
-from hardcontact.study.job import job
 
 with job(snakemake) as this:
     given = this.parameters

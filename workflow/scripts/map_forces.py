@@ -1,7 +1,7 @@
 """Maps of the rigid pull-off force on every scan, and how many contacts and scans a mean needs."""
 
 from hardcontact.insight.surface_maps import maps_of_surfaces
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,7 +1,7 @@
 """Indents that plastic contact leaves in the sphere: the size of all, and one drawn."""
 
 from hardcontact.contact.indents import indents_of_scans
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
 

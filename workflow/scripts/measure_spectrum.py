@@ -2,7 +2,7 @@
 
 from functools import partial
 
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.scans import flattened, read_measurement
 from hardcontact.surfaces.topography import LEVELLING, flat_map

@@ -1,6 +1,6 @@
 """rms metrics and PSDs of one scan."""
 
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.roughness_table import measured_roughness
 

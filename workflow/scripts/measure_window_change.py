@@ -2,7 +2,7 @@
 
 from hardcontact.adhesion.pull_off import window_change
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     contact, radius = this.parameters["contact"], this.parameters["radius"]

@@ -9,7 +9,7 @@ from hardcontact.own_surfaces.continued_force import continued_force, with_conti
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
 from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, topography = this.parameters, dataset.read(this.input.topography)

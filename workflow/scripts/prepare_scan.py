@@ -1,6 +1,6 @@
 """A scan, measured or substitute: levelled, the sphere subtracted if there is one; stitched."""
 
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.scans import described, height_map, read_measurement
 from hardcontact.surfaces.topography import LEVELLING, prepared_scan
 

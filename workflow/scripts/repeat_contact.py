@@ -1,10 +1,10 @@
 """Repeated contact of one pair of scans: a place of the sphere meets all places of the array."""
 
-from hardcontact import published
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.insight.repeated_contact import Adhesion, repeated_contact_of_pair
-from hardcontact.random import generator
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records import published
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, contact = this.parameters, this.parameters["contact"]

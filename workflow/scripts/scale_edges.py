@@ -1,12 +1,12 @@
 """How the edges of the critical band scale with R, rho and the contact area: scaling.nc."""
 
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.edge_regimes import cause_exponents, edge_regimes
 from hardcontact.insight.edge_scaling import edge_scaling, stacked_scaling
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import read_all
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:

@@ -1,10 +1,10 @@
 """Elastic contact of one pair of scans at some contacts: pressure at the preload, and pull-off."""
 
-from hardcontact import published
-from hardcontact.contact.elastic_contacts import elastic_contacts_of_pair
+from hardcontact.contact.elastic import elastic_contacts_of_pair
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.random import generator
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records import published
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, contact = this.parameters, this.parameters["contact"]

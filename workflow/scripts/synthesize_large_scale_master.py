@@ -1,7 +1,7 @@
 """A scan with artificial roughness at large scales: the master that Fig. 6 filters."""
 
-from hardcontact.random import generator
-from hardcontact.study.job import job
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import large_scale_master

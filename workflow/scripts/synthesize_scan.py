@@ -1,9 +1,9 @@
 """A substitute scan, written as a file that scan readers know."""
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
-from hardcontact.study.job import job
-from hardcontact.surfaces.spectral_gain import conditioned_density
+from hardcontact.records.job import job
+from hardcontact.surfaces.conditioning import conditioned_density
 from hardcontact.surfaces.substitute_scans import HeightChoices, ScanGrid, synthesized_scan
 
 with job(snakemake) as this:

@@ -1,9 +1,9 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
-from hardcontact import published
 from hardcontact.adhesion.traced_contact import traced_contact
 from hardcontact.contact.geometry import read_bodies
-from hardcontact.study.job import job
+from hardcontact.records import published
+from hardcontact.records.job import job
 
 NAMED = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 

@@ -1,10 +1,9 @@
 """How large a scan must be: a rule from random surfaces, tested on those of the study."""
 
-from hardcontact.adhesion.named_surfaces import with_names
-from hardcontact.insight.scan_size_trials import scan_size_trials
-from hardcontact.insight.window_edges import window_edges
+from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.insight.scan_size_trials import scan_size_trials, window_edges
 from hardcontact.records import dataset
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:

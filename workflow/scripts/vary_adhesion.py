@@ -2,7 +2,7 @@
 
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
 from hardcontact.contact.geometry import ContactArray, read_bodies
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters

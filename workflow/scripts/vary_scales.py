@@ -1,11 +1,11 @@
 """Mean plastic pull-off of one master, filtered at every cutoff, at several loads."""
 
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
 from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
-from hardcontact.study.job import job
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.masters import synthesized_master
 from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.synthesis import synthesized_master
 
 with job(snakemake) as this:
     given = this.parameters

@@ -3,7 +3,7 @@
 import sys
 
 from hardcontact.records import crate, provenance
-from hardcontact.study.job import job
+from hardcontact.records.job import job
 
 with job(snakemake) as this:
     folder = this.parameters["results"]

@@ -1,22 +1,43 @@
-"""Datasets of all surfaces, stacked from those of single pairs, scans or masters."""
+"""Labels and bases of surfaces in datasets of several.
+
+Datasets of all surfaces, stacked from those of single pairs, scans or masters.
+"""
 
 from collections.abc import Mapping
-from typing import Any, TypeVar
+from typing import Any, TypedDict, TypeVar
 
 import xarray as xr
 
-from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.records.dataset import stack
 
 __all__ = [
+    "Described",
     "at_load",
     "stacked_asperities",
     "stacked_elastic_contacts",
     "stacked_filtered_forces",
     "stacked_pull_off_forces",
     "stacked_ratios",
+    "with_names",
     "with_transitions",
 ]
+
+
+class Described(TypedDict):
+    """Label of each surface, and whether it was measured or is a substitute."""
+
+    labels: Mapping[str, str]
+    basis: Mapping[str, str]
+
+
+def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
+    """Return a dataset with the label and the basis of every surface of it."""
+    surfaces = dataset["surface"].values.tolist()
+    return dataset.assign(
+        label=("surface", [described["labels"][surface] for surface in surfaces]),
+        basis=("surface", [described["basis"][surface] for surface in surfaces]),
+    )
+
 
 Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
 Key = tuple[Any, ...]

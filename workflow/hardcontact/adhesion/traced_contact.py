@@ -6,8 +6,7 @@ import numpy as np
 
 from hardcontact.adhesion.force_sum import force_separation, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
-from hardcontact.contact.gap_map import gap_map, plastic_approach
-from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
 from hardcontact.records.netcdf import Arrays
 
 __all__ = ["traced_contact"]

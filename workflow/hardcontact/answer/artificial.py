@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.quantities import print_length
+from hardcontact.numbers.printing import print_length
 
 __all__ = [
     "artificial_bands",

@@ -6,7 +6,7 @@ Every function takes what the sentences of its part take: see `insight_parts.PAR
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.elastic_limit_sentences import amounts, disputed
+from hardcontact.answer.contact_sentences import amounts, disputed
 from hardcontact.answer.part_text import (
     DIGITS,
     EDGE_NAMES,
@@ -16,12 +16,12 @@ from hardcontact.answer.part_text import (
     print_percent,
 )
 from hardcontact.answer.scan_size_sentences import on_scans
-from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.edge_scaling import INDEPENDENT, PARTS, UNDECIDED
 from hardcontact.insight.interaction_laws import EXPONENTIAL
+from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED
-from hardcontact.statistics import bounds
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = [
     "clause_of_closed_form",

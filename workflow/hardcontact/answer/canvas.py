@@ -10,8 +10,8 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormatter, NullLocator
 
-from hardcontact.answer.quantities import print_length
 from hardcontact.figures import style
+from hardcontact.numbers.printing import print_length
 
 __all__ = ["WIDTH", "canvas_style", "create", "label_lengths", "label_numbers", "png"]
 

@@ -1,10 +1,14 @@
-"""Captions of the report as plain text: they are templates that name the configuration."""
+"""Captions of the report as plain text: they are templates that name the configuration.
+
+Images made for print, small enough for a page.
+"""
 
 from collections.abc import Mapping
+from io import BytesIO
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
-__all__ = ["Caption", "caption"]
+__all__ = ["Caption", "caption", "web_png"]
 
 #: Nothing but the text itself, and an error for what is no markup.
 SETTINGS = {
@@ -64,3 +68,34 @@ def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
     if not bold or not whole.startswith(bold[0]):
         raise ValueError(f"expected a caption that begins with its title in bold, found {whole!r}")
     return Caption(bold[0].removesuffix("."), whole.removeprefix(bold[0]).strip())
+
+
+COLOURS = 256  # of the palette, which PNG keeps in one byte a pixel
+
+
+def web_png(png_bytes: bytes, width: int) -> bytes:
+    """Return an image that is at most so wide, in the colours that suit it best.
+
+    Parameters
+    ----------
+    png_bytes : bytes
+        An image, as PNG.
+    width : int
+        In pixels; an image that is narrower keeps its size.
+
+    Returns
+    -------
+    bytes
+        PNG, the same for the same image.
+    """
+    from PIL import Image
+
+    with Image.open(BytesIO(png_bytes)) as image:
+        opaque = image.convert("RGB")
+    if opaque.width > width:
+        height = round(opaque.height * width / opaque.width)
+        opaque = opaque.resize((width, height), Image.Resampling.LANCZOS)
+    reduced = opaque.quantize(COLOURS, dither=Image.Dither.NONE)
+    written = BytesIO()
+    reduced.save(written, "PNG", optimize=True)
+    return written.getvalue()

@@ -8,9 +8,9 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.answer import canvas
-from hardcontact.answer.quantities import best_unit, print_length, print_quantity
 from hardcontact.figures import style
 from hardcontact.figures.tables import bounded
+from hardcontact.numbers.printing import best_unit, print_length, print_quantity
 
 __all__ = ["PREFERRED", "at_range", "draw", "model_of"]
 

@@ -1,4 +1,9 @@
-"""What limits the answer of a surface, in words."""
+"""Edges that were found between cutoffs far apart: how sure they are in another way, in words.
+
+What limits the force of a surface, in words: its scans, their size and pixels, the window.
+
+What limits the answer of a surface, in words.
+"""
 
 import numpy as np
 import xarray as xr
@@ -10,14 +15,6 @@ from hardcontact.answer.artificial import (
     share_inside,
 )
 from hardcontact.answer.force_curve import at_range
-from hardcontact.answer.force_limits import (
-    OPPOSITE,
-    of_blind_scans,
-    of_pixels,
-    of_scan_size,
-    of_window,
-)
-from hardcontact.answer.quantities import print_length
 from hardcontact.answer.sentences import (
     continued_words,
     differing_sides,
@@ -25,16 +22,147 @@ from hardcontact.answer.sentences import (
     is_open,
     printed_continued_force,
 )
-from hardcontact.answer.sparse_cutoffs import EDGES, sparse_cutoffs
+from hardcontact.figures.style import print_share
+from hardcontact.numbers.printing import print_length
+from hardcontact.scales.critical_band import computed_cutoffs
 
 __all__ = [
     "DESCRIPTION",
+    "EDGES",
+    "FEW_PIXELS",
+    "OPPOSITE",
     "artificial_edges",
     "grave_limits",
     "limits",
     "measurement_name",
+    "of_blind_scans",
+    "of_pixels",
+    "of_scan_size",
+    "of_window",
     "place_of_edge",
+    "sparse_cutoffs",
 ]
+
+#: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
+SPARSE = 2.0
+
+EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
+
+
+def sparse_cutoffs(edges: xr.Dataset) -> list[str]:
+    """Return which edges of a surface were found between cutoffs that lie far apart.
+
+    Parameters
+    ----------
+    edges : xarray.Dataset
+        Part of edges.nc of the surface.
+
+    Returns
+    -------
+    list of str
+        A sentence or two each: the cutoffs beside an edge, and what its interval is.
+    """
+    texts = []
+    for side in EDGES:
+        shorter, longer = _neighbours(edges.sel(side=side))
+        if longer > SPARSE * shorter:
+            texts.append(
+                f"{EDGES[side]} is read off between the two cutoffs computed beside it, "
+                f"{print_length(shorter)} and {print_length(longer)}; where between them it lies "
+                f"is interpolated.{_interval(edges.sel(side=side))}"
+            )
+    return texts
+
+
+def _interval(of_side: xr.Dataset) -> str:
+    """Return what the interval of an edge is, if it has one: not the cutoffs beside it."""
+    ends = of_side["edge_interval"].values
+    if not np.isfinite(ends).any():
+        return ""
+    low, high = (print_length(end) if np.isfinite(end) else "an open end" for end in ends)
+    return (
+        f" Its {print_share(of_side.attrs['confidence'])} interval is another thing: from {low} "
+        f"to {high}, as far as the scatter of forces may move it."
+    )
+
+
+def _neighbours(of_side: xr.Dataset) -> tuple[float, float]:
+    """Return the cutoffs (nm) between which the edge of one side was found, NaN of an open one."""
+    edge = of_side["edge"].item()
+    known = computed_cutoffs(of_side["scale_ratio"])
+    if np.isnan(edge):
+        return np.nan, np.nan
+    return float(known[known <= edge].max()), float(known[known >= edge].min())
+
+
+#: Share of the force on a smooth sphere that a window holds as good as whole.
+WHOLE = 0.99
+
+#: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
+FEW_PIXELS = 10
+
+#: What errors of both signs leave of a force.
+OPPOSITE = (
+    "The window makes the force too low, the small scan too high; neither error is known well "
+    "enough to correct it, so the force is a rough guess."
+)
+
+
+def of_blind_scans(spectra: xr.Dataset, force: xr.Dataset) -> list[str]:
+    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
+    known = measurements(spectra)
+    of_contact = (known["kind"].values.astype(str) == "map") & np.isclose(
+        known["pixel_size"].values ** 2, force["pixel_area"].item()
+    )
+    reliable = (known["reliable"].values == 1).any(axis=1)
+    if reliable[of_contact].any() or not of_contact.any():
+        return []
+    return [
+        "The scans that contacts are made on are reliable at no wavelength: the force on them says "
+        "little of that on the surface."
+    ]
+
+
+def of_window(force: xr.Dataset) -> list[str]:
+    """Return that the window holds too little of the force, at the range asked for or others."""
+    rho, share = force["rho"].values, force["window_share"].values
+    here = at_range(force)
+    if here["window_share"] < WHOLE:
+        place, where = here["rho"].item(), "Forces"
+        held = here["window_share"].item()
+    elif (share < WHOLE).any():
+        place, held = rho.max(), share.min()
+        where = f"From a range of adhesion of {print_length(rho[share < WHOLE].min())} on forces"
+    else:
+        return []
+    return [
+        f"{where} come out too low: the window of {print_length(force.attrs['window'])} holds "
+        f"{held:.0%} of the force on a smooth sphere at a range of {print_length(place)}."
+    ]
+
+
+def of_scan_size(force: xr.Dataset) -> list[str]:
+    """Return that scans are smaller than contacts need, by how much that raises forces."""
+    note = str(force["finite_scan_note"].item())
+    return [note] if note else []
+
+
+def of_pixels(force: xr.Dataset) -> list[str]:
+    """Return that few pixels carry the preload, or one that is larger than need be."""
+    area, pixel = force.attrs["contact_area"], force["pixel_area"].item()
+    if area >= FEW_PIXELS * pixel:
+        return []
+    if area >= pixel:
+        return [
+            f"The preload is carried by {area:.3g} nm², {area / pixel:.3g} pixels of the scans "
+            f"({pixel:.3g} nm²): the area in contact is known to half a pixel at best."
+        ]
+    return [
+        f"The preload is carried by {area:.3g} nm², less than a pixel of the scans "
+        f"({pixel:.3g} nm²): one pixel touches, hardness and preload do not matter, and the "
+        "shorter the range of adhesion, the more of the force is that of this pixel."
+    ]
+
 
 #: Measurements that a sentence names.
 NAMED = 4

@@ -5,7 +5,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 from hardcontact.answer import canvas
-from hardcontact.figures.height_maps import draw_map
+from hardcontact.figures.style import draw_map
 
 __all__ = ["draw", "heights_shown"]
 

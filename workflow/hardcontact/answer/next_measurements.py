@@ -8,10 +8,9 @@ import xarray as xr
 from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan
 from hardcontact.answer.artificial import artificial_bands, artificial_words, reliable_measurements
 from hardcontact.answer.datasets import Datasets
-from hardcontact.answer.force_limits import FEW_PIXELS
-from hardcontact.answer.limits import DESCRIPTION, place_of_edge
-from hardcontact.answer.quantities import print_length
+from hardcontact.answer.limits import DESCRIPTION, FEW_PIXELS, place_of_edge
 from hardcontact.answer.sentences import differing_sides, is_open
+from hardcontact.numbers.printing import print_length
 
 __all__ = ["next_measurements"]
 

@@ -12,9 +12,9 @@ from hardcontact.answer.first_sentences import first_sentences
 from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
 from hardcontact.answer.next_measurements import next_measurements
-from hardcontact.scales.cutoffs import computed_cutoffs
-from hardcontact.statistics import bounds
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.numbers.statistics import bounds
+from hardcontact.scales.critical_band import computed_cutoffs
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = ["METRICS", "answer_numbers"]
 

@@ -11,15 +11,13 @@ from hardcontact.answer import fit_curve, force_curve, maps, psd, ratios
 from hardcontact.answer.artificial import artificial_bands, artificial_words
 from hardcontact.answer.canvas import png
 from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.answer.first_sentences import first_sentences
-from hardcontact.answer.fit_sentences import fit_sentences
+from hardcontact.answer.first_sentences import first_sentences, fit_sentences
 from hardcontact.answer.force_curve import model_of
 from hardcontact.answer.html import figure_html, list_html, page, table_html, text_html
 from hardcontact.answer.limits import grave_limits, limits
 from hardcontact.answer.next_measurements import next_measurements
 from hardcontact.answer.numbers import answer_numbers
 from hardcontact.answer.part_text import EDGE_NAMES
-from hardcontact.answer.quantities import print_length, print_quantity
 from hardcontact.answer.quartiles import quartile_sentences
 from hardcontact.answer.sentences import (
     band_sentences,
@@ -28,7 +26,8 @@ from hardcontact.answer.sentences import (
 )
 from hardcontact.answer.tables import measurement_table, roughness_table
 from hardcontact.figures.style import print_share
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = ["Answer", "answer"]
 

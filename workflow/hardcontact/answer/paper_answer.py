@@ -8,10 +8,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.claims.open_ends import with_open_ends
-from hardcontact.claims.verdicts import summary
-from hardcontact.scales.critical_band import POOLED
-from hardcontact.scales.cutoffs import last_cutoff
+from hardcontact.claims.verdicts import summary, with_open_ends
+from hardcontact.scales.critical_band import POOLED, last_cutoff
 
 __all__ = ["ANSWERS", "EDGES", "PaperAnswer", "as_plain", "paper_answer"]
 

@@ -7,8 +7,8 @@ import numpy as np
 
 from hardcontact.answer.paper_answer import EDGES, PaperAnswer
 from hardcontact.answer.scan_size_sentences import force_on_scans_sentence
-from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.verdicts import VERDICTS, summary
+from hardcontact.numbers.printing import print_as_paper
 
 __all__ = ["answer_sentences", "basis_sentences"]
 

@@ -5,9 +5,9 @@ from collections.abc import Iterable, Sequence
 
 import xarray as xr
 
-from hardcontact.claims.quantity_text import print_as_paper
-from hardcontact.statistics import bounds
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.statistics import bounds
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = [
     "DIGITS",

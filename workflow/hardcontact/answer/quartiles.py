@@ -10,7 +10,7 @@ import xarray as xr
 
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.force_curve import at_range
-from hardcontact.answer.quantities import print_length, print_quantity
+from hardcontact.numbers.printing import print_length, print_quantity
 
 __all__ = ["over_quartiles", "quartile_sentences", "surfaces_with_quartiles"]
 

@@ -14,7 +14,7 @@ from hardcontact.answer.artificial import artificial_bands
 from hardcontact.figures import style
 from hardcontact.figures.marks import REMOVED, reach
 from hardcontact.figures.tables import bounded
-from hardcontact.scales.cutoffs import computed_cutoffs
+from hardcontact.scales.critical_band import computed_cutoffs
 
 __all__ = ["draw"]
 

@@ -11,7 +11,6 @@ from hardcontact.answer.part_text import (
     print_bounded_as_paper,
     print_percent,
 )
-from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
     SINGLE_PEAKS,
@@ -32,7 +31,8 @@ from hardcontact.insight.edge_scaling import (
     UNDECIDED,
     dependence,
 )
-from hardcontact.statistics import bounds
+from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.statistics import bounds
 
 __all__ = ["scaling_sentences"]
 

@@ -15,8 +15,8 @@ from hardcontact.answer.part_text import (
     print_each,
     print_percent,
 )
-from hardcontact.claims.quantity_text import print_as_paper
-from hardcontact.statistics import bounds
+from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.statistics import bounds
 
 __all__ = ["force_on_scans_sentence", "on_scans", "scan_size_sentences"]
 

@@ -6,9 +6,9 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.force_curve import at_range
-from hardcontact.answer.quantities import print_bounded, print_length, print_quantity
 from hardcontact.figures.style import print_share
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.numbers.printing import print_bounded, print_length, print_quantity
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = [
     "band_sentences",

@@ -8,7 +8,7 @@ import xarray as xr
 from hardcontact.answer.artificial import measurements
 from hardcontact.answer.html import table_html
 from hardcontact.answer.limits import measurement_name
-from hardcontact.answer.quantities import print_length
+from hardcontact.numbers.printing import print_length
 
 __all__ = ["measurement_table", "roughness_table"]
 

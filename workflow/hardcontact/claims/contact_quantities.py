@@ -1,4 +1,8 @@
-"""Numbers about contact: its height on the surface, its area, and its deformation.
+"""Numbers about classical models and effective works of adhesion.
+
+Each function returns a number as `numbers.number` does; in brackets its dimensions.
+
+Numbers about contact: its height on the surface, its area, and its deformation.
 
 Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `numbers.number`
 does; in brackets its dimensions.
@@ -9,22 +13,43 @@ import xarray as xr
 
 from hardcontact.claims.numbers import (
     absolute_value,
+    decades,
     mean_over_contacts,
     mean_over_scans,
     number,
+    quotient,
     signed_mean_over_scans,
     variable_as_number,
 )
 
 __all__ = [
+    "classical_over_numerical",
     "contact_height",
+    "contact_pixel_share",
     "deformation_over_adhesion",
+    "effective_work_decades",
     "elastic_change",
     "peak_over_hardness",
     "plastic_contact_area",
     "plastic_over_elastic_area",
-    "contact_pixel_share",
 ]
+
+
+def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
+    """Return the decades between effective works of adhesion of the surfaces (against, tabor)."""
+    return decades(variable_as_number(classical, "effective_work_of_adhesion"), "surface")
+
+
+def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr.Dataset:
+    """Return the least error of a classical model over that of the force sum.
+
+    Over metrics, model, against and contact_model.
+    """
+    return quotient(
+        variable_as_number(classical, "mean_relative_error"),
+        variable_as_number(inference, "best_error"),
+    )
+
 
 NM2 = 1e-18  # in m²
 

@@ -1,9 +1,14 @@
-"""Statements of the paper, each compared with a computed number.
+"""Registry of the numbers that claims are about: variables of datasets, and derived quantities.
+
+A number is a dataset of `value` and `value_interval`, as `numbers.number` returns it.
+
+Statements of the paper, each compared with a computed number.
 
 A claim names a number by dataset, quantity and selection, and a rule that turns the number, its
 interval and the published limits into a verdict.
 """
 
+import json
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from pathlib import Path
@@ -13,15 +18,63 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.claims.quantities import estimate
-from hardcontact.claims.selection import Selection, selected_number, selection
+from hardcontact.claims import contact_quantities, force_quantities, inference_quantities
+from hardcontact.claims.numbers import variable_as_number
+from hardcontact.claims.selection import (
+    NO_SCAN,
+    Selection,
+    basis,
+    fixed_verdict,
+    selected_number,
+    selection,
+    surfaces_of,
+)
 from hardcontact.claims.set_spread import sets_interval, stability, stretched
-from hardcontact.claims.testability import NO_SCAN, basis, fixed_verdict, surfaces_of
 from hardcontact.claims.verdicts import BY_CONSTRUCTION, UNTESTABLE, accepts, verdict
-from hardcontact.random import generator
-from hardcontact.statistics import bounds
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import bounds
 
-__all__ = ["COLUMNS", "DATASETS", "evaluate", "read_statements", "values"]
+__all__ = ["COLUMNS", "DATASETS", "DERIVED", "estimate", "evaluate", "read_statements", "values"]
+
+#: Functions of one dataset or several, by the name that a claim gives the quantity.
+DERIVED = {
+    name: getattr(module, name)
+    for module in (
+        contact_quantities,
+        force_quantities,
+        inference_quantities,
+    )
+    for name in module.__all__
+}
+
+
+def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
+    """Return a derived quantity of one dataset or several, or a variable of one.
+
+    Parameters
+    ----------
+    quantity : str
+        A key of `DERIVED`, a variable, or a row of Table 1: the variable that the attribute
+        `table1_variables` of the dataset names.
+    dataset, *others : xarray.Dataset
+        What the quantity is computed from, in its order.
+
+    Returns
+    -------
+    xarray.Dataset
+        `value` and `value_interval`.
+
+    Raises
+    ------
+    KeyError
+        If a variable or an attribute that is needed does not exist.
+    """
+    if quantity in DERIVED:
+        result: xr.Dataset = DERIVED[quantity](dataset, *others)
+        return result
+    rows_of_table1 = json.loads(dataset.attrs.get("table1_variables", "{}"))
+    return variable_as_number(dataset, rows_of_table1.get(quantity, quantity))
+
 
 #: Datasets of a study that claims are about. A claim may also name `paper`.
 DATASETS = (

@@ -6,7 +6,7 @@ A number is a dataset of `value` and `value_interval`, which is NaN where no int
 import numpy as np
 import xarray as xr
 
-from hardcontact.statistics import (
+from hardcontact.numbers.statistics import (
     bounds,
     interval_between,
     student_interval,

@@ -12,9 +12,9 @@ import yaml
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from hardcontact.claims.quantity_text import print_as_paper
 from hardcontact.claims.set_spread import STABLE
 from hardcontact.claims.verdicts import summary
+from hardcontact.numbers.printing import print_as_paper
 
 __all__ = [
     "chapter",

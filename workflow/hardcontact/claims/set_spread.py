@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from hardcontact.statistics import percentile_interval
+from hardcontact.numbers.statistics import percentile_interval
 
 __all__ = ["REDRAWS", "STABLE", "sets_interval", "stability", "stretched"]
 

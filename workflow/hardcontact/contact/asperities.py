@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from scipy import ndimage
 
 from hardcontact.contact.bearing_area import ContactSettings, contact_pixel_count
-from hardcontact.contact.gap_map import flattened_gaps, gap_map
-from hardcontact.contact.geometry import Bodies, sampled_contacts
+from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, sampled_contacts
 from hardcontact.records.log import progress
 
 __all__ = ["Asperities", "AsperitySettings", "asperities", "asperities_of_pair"]

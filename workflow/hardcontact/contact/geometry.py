@@ -2,6 +2,10 @@
 
 Pixel indices run along one axis. A contact at index c sees the substrate at the unfolded indices
 c + u, u from -window/2 to window/2 - 1; the substrate continues itself periodically.
+
+The gap of one contact at single pixels, where its whole window is not needed.
+
+The gap map of one contact over its whole window, before and after plastic flattening.
 """
 
 from dataclasses import dataclass, replace
@@ -19,6 +23,11 @@ __all__ = [
     "ContactGeometry",
     "bodies",
     "contact_positions",
+    "flattened_gaps",
+    "gap_map",
+    "gaps_at",
+    "part_around_lowest",
+    "plastic_approach",
     "read_bodies",
     "sampled_contacts",
     "sphere_height",
@@ -277,3 +286,67 @@ def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> NDArray[np.flo
         + geometry.paraboloid(columns)
         - pair.roughness.heights[np.ix_(rows % period, columns % period)]
     )
+
+
+Floats = NDArray[np.float64]
+
+
+def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
+    """Return the gaps (...) in nm at offsets (..., 2) in pixels from an apex at a position (2,)."""
+    y, x = np.moveaxis((position + offsets) % bodies.substrate.pixels, -1, 0)
+    gaps = bodies.geometry.paraboloid(offsets).sum(axis=-1) - bodies.substrate.heights[y, x]
+    if bodies.roughness is not None:
+        v, u = np.moveaxis(offsets % bodies.roughness.pixels, -1, 0)
+        gaps -= bodies.roughness.heights[v, u]
+    return np.asarray(gaps)
+
+
+def gap_map(bodies: Bodies, place: tuple[int, int] | NDArray[np.int_]) -> Floats:
+    """Return the gap (window, window) in nm of one contact at zero approach.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        Substrate and sphere.
+    place : tuple of int
+        Of the contact in the array.
+
+    Returns
+    -------
+    numpy.ndarray
+        The apex stands at the pixel (window/2, window/2).
+    """
+    geometry, offset = bodies.geometry, bodies.geometry.offsets()
+    shape = geometry.paraboloid(offset)
+    rows, columns = (
+        (geometry.positions[index] + offset) % bodies.substrate.pixels for index in place
+    )
+    gap = shape[:, None] + shape
+    if bodies.roughness is not None:
+        around = offset % bodies.roughness.pixels
+        gap -= bodies.roughness.heights[np.ix_(around, around)]
+    gap -= bodies.substrate.heights[np.ix_(rows, columns)]
+    return gap
+
+
+def plastic_approach(gap: Floats, contact_pixels: int) -> float:
+    """Return the largest gap (nm) of the contact pixels: minus that of closest approach."""
+    return float(np.partition(gap.ravel(), contact_pixels - 1)[contact_pixels - 1])
+
+
+def flattened_gaps(gap: Floats, contact_pixels: int) -> Floats:
+    """Return the gap (n, n) in nm at plastic closest approach, zero at the contact pixels."""
+    return np.maximum(gap - plastic_approach(gap, contact_pixels), 0)
+
+
+def part_around_lowest(gap: Floats, pixels: int) -> Floats:
+    """Return the square part (pixels, pixels) of a gap map (n, n) about its lowest point.
+
+    Where the lowest point is near an edge of the map the part ends at that edge.
+    """
+    lowest = np.unravel_index(gap.argmin(), gap.shape)
+    rows, columns = (
+        slice(first, first + pixels)
+        for first in np.clip(np.array(lowest) - pixels // 2, 0, gap.shape[0] - pixels)
+    )
+    return gap[rows, columns]

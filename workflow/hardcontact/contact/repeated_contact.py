@@ -15,9 +15,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import ndimage
 
-from hardcontact.contact.bearing_area import LowestGaps, lowest_gaps
+from hardcontact.contact.bearing_area import TILE, LowestGaps, Tiles, as_tiles, lowest_gaps
 from hardcontact.contact.geometry import Bodies
-from hardcontact.contact.tiles import TILE, Tiles, as_tiles
 from hardcontact.surfaces.height_map import HeightMap
 
 __all__ = ["Indentation", "IndentSizes", "indent_sizes", "over_window", "repeated_contacts"]

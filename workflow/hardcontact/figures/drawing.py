@@ -8,10 +8,9 @@ import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
 
-from hardcontact import published
 from hardcontact.figures import style
 from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
-from hardcontact.records import dataset
+from hardcontact.records import dataset, published
 from hardcontact.records.whole_file import whole_file
 
 __all__ = ["draw_figure", "save"]

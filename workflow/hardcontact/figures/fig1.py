@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
-from hardcontact.figures.height_maps import draw_map
+from hardcontact.figures.style import draw_map
 from hardcontact.figures.tables import BY_CONSTRUCTION, rows_by_construction
 
 __all__ = ["draw", "table"]

@@ -27,7 +27,7 @@ from hardcontact.figures.fig3_histograms import (
 )
 from hardcontact.figures.marks import MILLIJOULE
 from hardcontact.figures.tables import VALUE_COLUMNS, label_surfaces, value_and_bounds
-from hardcontact.statistics import lognormal_shape
+from hardcontact.numbers.statistics import lognormal_shape
 
 __all__ = ["draw", "table"]
 

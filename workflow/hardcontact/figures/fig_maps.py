@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
-from hardcontact.figures.height_maps import draw_map
+from hardcontact.figures.style import draw_map
 from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
 
 __all__ = ["draw", "table"]

@@ -5,7 +5,7 @@ from typing import Any
 import pandas as pd
 import xarray as xr
 
-from hardcontact.statistics import bounds
+from hardcontact.numbers.statistics import bounds
 from hardcontact.surfaces.calibration import rows_met
 
 __all__ = [

@@ -1,4 +1,6 @@
-"""Range and work of adhesion, inferred from the published mean pull-off forces.
+"""What the scans leave open about the range of adhesion, in words.
+
+Range and work of adhesion, inferred from the published mean pull-off forces.
 
 All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. What
 depends on both stands at two pairs of them, the published one and the fitted one.
@@ -10,9 +12,13 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.force_curves import at_range, force_curves, mean_forces, on_fine_grid
-from hardcontact.adhesion.force_distributions import force_statistics
-from hardcontact.adhesion.sampling import Sampling
+from hardcontact.adhesion.force_curves import (
+    at_range,
+    force_curves,
+    force_statistics,
+    mean_forces,
+    on_fine_grid,
+)
 from hardcontact.inference.error_map import (
     WORK,
     error_region,
@@ -22,10 +28,65 @@ from hardcontact.inference.error_map import (
     least_errors,
     mean_relative_error,
 )
-from hardcontact.inference.undecided import undecided
+from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.records import log
 
-__all__ = ["PAIRS", "Pair", "Published", "infer", "infer_model"]
+__all__ = ["PAIRS", "Pair", "Published", "infer", "infer_model", "undecided"]
+
+
+def undecided(inferred: xr.Dataset, threshold: float) -> str:
+    """Return the limits of what the scans say about the range of adhesion, in one sentence.
+
+    Parameters
+    ----------
+    inferred : xarray.Dataset
+        Of one contact model: best_error, the minima, range_of_adhesion with its interval, rho.
+    threshold : float
+        Of the mean relative error.
+
+    Returns
+    -------
+    str
+        Without what the interval says if there is none.
+    """
+    error = float(inferred.best_error)
+    limits = []
+    if error >= threshold:
+        limits.append(
+            f"no range and work of adhesion bring the mean relative error below "
+            f"{threshold:g} (least {error:.2f})"
+        )
+    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
+    if minima.sizes["minimum"] > 1:
+        both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
+        places = [f"{rho:.3g} nm ({least:.2f})" for rho, least in both]
+        limits.append(f"the error has several minima: {', '.join(places)}")
+    return "; ".join(limits + _limits_of_interval(inferred))
+
+
+def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
+    """Return what the interval of the range leaves open; nothing where there is no interval."""
+    low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
+    least, greatest = (float(inferred.rho[end]) for end in (0, -1))
+    if not np.isfinite(low):
+        return []
+    limits = []
+    if high >= 0.99 * greatest:
+        limits.append(
+            f"the interval reaches the largest range computed, {greatest:g} nm: "
+            "there is no upper bound"
+        )
+    if low <= 1.02 * least:
+        limits.append(
+            f"the interval reaches the smallest range computed, {least:g} nm: "
+            "there is no lower bound"
+        )
+    limits.append(
+        f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
+        "by these scans"
+    )
+    return limits
+
 
 #: Of range and work of adhesion.
 PAIRS = ["published", "fitted"]

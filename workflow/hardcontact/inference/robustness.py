@@ -16,8 +16,8 @@ import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import at_load, stacked_ratios
 from hardcontact.adhesion.force_curves import at_range
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.inference import Pair, infer_model
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.records import log
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band

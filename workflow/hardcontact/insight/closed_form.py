@@ -34,8 +34,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import special, stats
 
-from hardcontact.classical.smooth_sphere import dmt_pull_off
 from hardcontact.contact.bearing_area import Load
+from hardcontact.inference.smooth_sphere import dmt_pull_off
 from hardcontact.insight.summits import (
     Approaches,
     banded,

@@ -18,11 +18,10 @@ from hardcontact.insight.closed_form import (
     filtered_spectrum,
 )
 from hardcontact.insight.summits import banded
-from hardcontact.random import generator
-from hardcontact.statistics import student_log_interval
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import student_log_interval
 from hardcontact.surfaces.spectrum import Spectrum
-from hardcontact.surfaces.synthesis import random_surface
+from hardcontact.surfaces.synthesis import SIDES, random_surface
 
 __all__ = ["Trial", "closed_form_errors", "spectrum_of_grid"]
 

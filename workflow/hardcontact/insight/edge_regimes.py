@@ -22,9 +22,9 @@ import xarray as xr
 
 from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.edge_scaling import LENGTHS
-from hardcontact.statistics import jackknife_interval, with_interval
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.numbers.statistics import jackknife_interval, with_interval
 from hardcontact.surfaces.spectrum import Spectrum, roll_off
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = ["CONTACT", "RANGE", "REACH", "ROLL_OFF", "cause_exponents", "edge_regimes"]
 

@@ -12,11 +12,10 @@ import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.named_surfaces import Described, with_names
-from hardcontact.adhesion.sampling import Sampling
+from hardcontact.adhesion.all_surfaces import Described, with_names
+from hardcontact.numbers.statistics import Sampling, bounds, jackknife_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import POOLED, critical_band
-from hardcontact.statistics import bounds, jackknife_interval, with_interval
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 
 __all__ = [

@@ -1,4 +1,12 @@
-"""Where the bearing area is wrong: contacts that do not yield, and the force they would have.
+"""Which contacts yield: elastic contact area and plasticity index from the slope of the gap.
+
+Where bodies touch over an area A on which their gap has the rms slope h', the mean pressure of
+elastic contact is E* h'/k. Of a smooth sphere k = 1.67, exactly: h' is a/(sqrt(2) R) on a disc of
+radius a (Hertz). Of a rough flat k is 1.6 (Persson, J. Chem. Phys. 115 (2001) 3840) to 2.5 (Bush,
+Gibson and Thomas, Wear 35 (1975) 87). The first is taken here. The elastic area is that of the
+lowest gaps, as the bearing area is, on which E* h' A/k reaches the preload; h' depends on A.
+
+Where the bearing area is wrong: contacts that do not yield, and the force they would have.
 
 The bearing area F/H takes every contact as plastic. Where the plasticity index of a contact is
 below one, elastic contact carries the preload on a larger area at less than the hardness. Its force
@@ -7,21 +15,122 @@ with all deformation recovered before pull-off it is that of rigid bodies.
 """
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
+from hardcontact.adhesion.all_surfaces import Described, with_names
 from hardcontact.adhesion.force_sum import opened_total, pull_off_force
-from hardcontact.adhesion.named_surfaces import Described, with_names
 from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.contact.bearing_area import Load, contact_pixel_count
-from hardcontact.contact.geometry import Bodies
-from hardcontact.contact.plasticity_index import elastic_estimates
+from hardcontact.contact.bearing_area import (
+    Load,
+    LowestGaps,
+    as_tiles,
+    contact_pixel_count,
+    lowest_gaps,
+)
+from hardcontact.contact.geometry import Bodies, gaps_at
+from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
-from hardcontact.statistics import student_interval, student_log_interval
 
-__all__ = ["VARIANTS", "elastic_limit", "elastic_limit_of_pair"]
+__all__ = [
+    "ElasticEstimate",
+    "SLOPE_OVER_PRESSURE",
+    "VARIANTS",
+    "elastic_estimates",
+    "elastic_limit",
+    "elastic_limit_of_pair",
+    "squared_slopes",
+]
+
+Floats = NDArray[np.float64]
+
+#: E* h' over the mean pressure of a smooth sphere: 3 pi/(4 sqrt(2)).
+SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
+
+#: By how much the number of lowest gaps grows until they carry the preload.
+GROWTH = 4
+
+NEIGHBOURS = np.array([(0, 1), (0, -1), (1, 0), (-1, 0)])
+
+
+class ElasticEstimate(NamedTuple):
+    """Elastic contact beside the bearing area of one contact.
+
+    Attributes
+    ----------
+    plasticity_index : float
+        Mean pressure of elastic contact on the bearing area F/H, over the hardness H. From 1 on
+        the bodies yield and the bearing area holds; below, elastic contact carries the preload on
+        a larger area with a smaller pressure.
+    contact : LowestGaps
+        The pixels of the larger of both areas.
+    elastic_pixels : int
+        Of elastic contact, at most as many as the window has.
+    """
+
+    plasticity_index: float
+    contact: LowestGaps
+    elastic_pixels: int
+
+
+def squared_slopes(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
+    """Return the squared slope (k,) of the gap at offsets (k, 2) in pixels from an apex.
+
+    Along each axis it is the mean of the squares of both one-sided slopes, which a pixel between
+    two lower or two higher ones does not lose.
+    """
+    around = gaps_at(bodies, position, offsets[:, None] + NEIGHBOURS)
+    rise = around - gaps_at(bodies, position, offsets)[:, None]
+    return np.asarray((rise**2).sum(axis=1) / (2 * bodies.geometry.pixel_size**2))
+
+
+def elastic_estimates(
+    bodies: Bodies, load: Load, modulus: float
+) -> dict[tuple[int, int], ElasticEstimate]:
+    """Return elastic contact beside the bearing area at every contact of an array.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        With a smooth or a rough sphere.
+    load : Load
+        Preload and hardness.
+    modulus : float
+        Effective modulus E* in Pa.
+
+    Returns
+    -------
+    dict
+        Place (i, j) in the array -> `ElasticEstimate`.
+    """
+    geometry = bodies.geometry
+    bearing = contact_pixel_count(load, geometry.pixel_size)
+    # Force in N that one pixel of unit slope carries.
+    stiffness = modulus * (geometry.pixel_size * 1e-9) ** 2 / SLOPE_OVER_PRESSURE
+    substrate = as_tiles(bodies.substrate)
+    roughness = None if bodies.roughness is None else as_tiles(bodies.roughness)
+    estimates = {}
+    for place in np.ndindex(*[len(geometry.positions)] * 2):
+        position, pixels = geometry.positions[list(place)], bearing
+        carried = np.zeros(1)
+        while carried[-1] < load["preload"] and pixels < geometry.window**2:
+            pixels = min(GROWTH * pixels, geometry.window**2)
+            contact = lowest_gaps(substrate, roughness, geometry, position, pixels)
+            slopes = np.cumsum(squared_slopes(bodies, position, contact.offsets))
+            carried = stiffness * np.sqrt(np.arange(1, pixels + 1) * slopes)
+        elastic = min(int(np.searchsorted(carried, load["preload"])) + 1, pixels)
+        kept = max(bearing, elastic)
+        of_bearing = modulus * np.sqrt(slopes[bearing - 1] / bearing) / SLOPE_OVER_PRESSURE
+        estimates[place] = ElasticEstimate(
+            float(of_bearing / load["hardness"]),
+            LowestGaps(contact.gaps[:kept], contact.offsets[:kept]),
+            elastic,
+        )
+    return estimates
+
 
 #: Contact of the forces: all yield; the larger of both areas is flattened; what does not yield
 #: recovers; all recover.

@@ -10,11 +10,11 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.contact.bearing_area import ContactSettings
+from hardcontact.numbers.statistics import jackknife_interval, with_interval
 from hardcontact.records.log import progress
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
 from hardcontact.scales.filtered_pull_off import FilteredContact, filtered_pull_off
-from hardcontact.statistics import jackknife_interval, with_interval
 from hardcontact.surfaces.filters import filtered, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 

@@ -12,19 +12,18 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.contact_pixels import Contacts
 from hardcontact.adhesion.force_curves import on_fine_grid
 from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, range_axis
-from hardcontact.adhesion.sphere_sums import outside_sums
+from hardcontact.adhesion.sphere_sums import Contacts, outside_sums
 from hardcontact.contact.bearing_area import (
     ContactSettings,
     all_lowest_gaps,
+    as_tiles,
     contact_pixel_count,
     lowest_gaps,
 )
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
-from hardcontact.contact.tiles import as_tiles
 from hardcontact.insight.interaction_laws import Law, work_shares
 from hardcontact.records.netcdf import Arrays
 from hardcontact.scales.filtered_masters import Cutoffs, forces_at_cutoffs

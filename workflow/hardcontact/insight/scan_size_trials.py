@@ -1,25 +1,246 @@
-"""The rule for the size of scans: fitted on random surfaces, tested on those of a study.
+"""How large a scan must be: a rule for the excess of the force on small mirrored scans.
+
+A contact finds its peaks within 2 sqrt(2 R sigma) of each other (`finite_scan`). A smaller scan,
+mirrored, has fewer peaks, so that the sphere misses the highest of them. How much that counts may
+depend on this draw size and on the roll-off, both over the size of the scan, and on the heights
+over the range of adhesion. The rule is a power law of these three ratios, with exponents of either
+sign as the fit finds them. It is fitted to some surfaces, and its error is found on others.
+
+The long edge of the band from mirrored windows, beside that of whole random surfaces.
+
+A window has no waves longer than its period, so that nothing is known of their removal: where a
+window's force changes as soon as its longest waves go, the edge is open, and at least so long.
+
+The rule for the size of scans: fitted on random surfaces, tested on those of a study.
 
 Random self-affine surfaces differ in rms height, roll-off, Hurst exponent and sphere. The rule that
 fits them is tested on spectra that it was not fitted to.
 """
 
 from collections.abc import Mapping
-from typing import TypedDict
+from typing import NamedTuple, TypedDict
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.insight.scan_size_rule import Case, fitted_rule, rule_error
 from hardcontact.insight.scan_windows import WindowContacts, window_forces
-from hardcontact.insight.window_edges import ratio_of_means
-from hardcontact.random import generator
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import student_log_interval
+from hardcontact.own_surfaces.open_edges import edges_of_curves
+from hardcontact.records.dataset import stack
+from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 from hardcontact.surfaces.synthesis import random_surface
 
-__all__ = ["RATIOS", "Trials", "random_spectra", "scan_size_trials", "window_excess"]
+__all__ = [
+    "Case",
+    "RATIOS",
+    "ScanSizeRule",
+    "Trials",
+    "fitted_rule",
+    "random_spectra",
+    "ratio_of_means",
+    "rule_error",
+    "scan_size_trials",
+    "window_edges",
+    "window_excess",
+]
+
+Floats = NDArray[np.float64]
+
+
+class Case(NamedTuple):
+    """Scans of surfaces under a sphere; all lengths in nm, of shapes that go with each other.
+
+    Attributes
+    ----------
+    size : array_like
+        Side of the scan.
+    rms_height, roll_off : array_like
+        Of the surface.
+    radius : array_like
+        Of the sphere.
+    rho : array_like
+        Range of adhesion.
+    """
+
+    size: ArrayLike
+    rms_height: ArrayLike
+    roll_off: ArrayLike
+    radius: ArrayLike
+    rho: ArrayLike
+
+    def ratios(self) -> Floats:
+        """Return logarithms (3, n) of draw size and roll-off over scan size, of sigma over rho."""
+        size, height, roll_off, radius, rho = map(np.asarray, self)
+        draw = 2 * np.sqrt(2 * radius * height)
+        ratios = np.broadcast_arrays(draw / size, roll_off / size, height / rho)
+        return np.asarray(np.log(np.stack(ratios)))
+
+
+class ScanSizeRule(NamedTuple):
+    """A power law: ln(force on the scan / on a large one) = strength * prod(ratios**exponents).
+
+    Attributes
+    ----------
+    strength : float
+        Where all ratios are 1.
+    exponents : numpy.ndarray
+        (3,) of the ratios of `Case`.
+    """
+
+    strength: float
+    exponents: Floats
+
+    def excess(self, case: Case) -> Floats:
+        """Return the factor by which the force on a scan is too large."""
+        logarithm = self.strength * np.exp(np.tensordot(self.exponents, case.ratios(), 1))
+        return np.asarray(np.exp(logarithm))
+
+    def size_for(self, case: Case, excess: float) -> Floats:
+        """Return the side (nm) of a scan whose force is too large by a given factor.
+
+        The size of the case does not matter.
+        """
+        one = case._replace(size=1.0)
+        logarithm = np.log(self.strength) + np.tensordot(self.exponents, one.ratios(), 1)
+        steepness = self.exponents[0] + self.exponents[1]
+        return np.asarray(np.exp((logarithm - np.log(np.log(excess))) / steepness))
+
+
+def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
+    """Return the rule that fits measured factors best, by least squares of their logarithms.
+
+    Logarithms of factors that scatter about one may be negative; they are fitted as they are.
+
+    Parameters
+    ----------
+    case : Case
+        Scans (n,).
+    excess : array_like
+        (n,) measured factors.
+
+    Returns
+    -------
+    ScanSizeRule
+        Of a strength above zero.
+
+    Raises
+    ------
+    ValueError
+        If there are fewer than four scans.
+    """
+    from scipy.optimize import least_squares
+
+    ratios, measured = case.ratios(), np.log(np.asarray(excess, float))
+    if measured.size < 4:
+        raise ValueError(f"expected four scans or more to fit a rule to, found {measured.size}")
+
+    def misfit(parameters: Floats) -> Floats:
+        return np.asarray(np.exp(parameters[0] + parameters[1:] @ ratios) - measured)
+
+    found = least_squares(misfit, np.array([np.log(0.3), 1.0, 0.0, 0.0])).x
+    return ScanSizeRule(float(np.exp(found[0])), found[1:])
+
+
+def rule_error(rule: ScanSizeRule, case: Case, excess: ArrayLike) -> tuple[float, float]:
+    """Return the error of ln(force) with and without the rule as a correction, on given scans.
+
+    A correction is worth making where the first is well below the second, on scans that the rule
+    was not fitted to.
+
+    Parameters
+    ----------
+    rule : ScanSizeRule
+        Fitted to other scans.
+    case : Case
+        Scans (n,).
+    excess : array_like
+        (n,) measured factors.
+
+    Returns
+    -------
+    corrected, uncorrected : float
+        Root of the mean square of ln(excess), of the force divided by the rule's factor and as it
+        is.
+    """
+    measured = np.log(np.asarray(excess, float))
+    left = measured - np.log(rule.excess(case))
+    return float(np.sqrt((left**2).mean())), float(np.sqrt((measured**2).mean()))
+
+
+def ratio_of_means(
+    forces: xr.DataArray, reference: xr.DataArray, confidence: float
+) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return the mean force over realizations over that of a reference, with its interval.
+
+    Parameters
+    ----------
+    forces, reference : xarray.DataArray
+        (realization, ...) above zero.
+    confidence : float
+        Probability that the interval holds the ratio.
+
+    Returns
+    -------
+    ratio, interval : xarray.DataArray
+        (...) and (..., bound); the interval is that of the ratios of single realizations by
+        Student's t of their logarithms, about the ratio of the means.
+    """
+    ratio = forces.mean("realization") / reference.mean("realization")
+    single = forces / reference
+    about = student_log_interval(single, confidence, "realization")
+    return ratio.assign_attrs(units="1"), ratio * about / single.mean("realization")
+
+
+def window_edges(
+    forces: Mapping[str, xr.Dataset], tolerance: float, confidence: float
+) -> xr.Dataset:
+    """Return the long edges of the band from windows and whole surfaces, and the forces on them.
+
+    Parameters
+    ----------
+    forces : mapping of str to xarray.Dataset
+        By surface, of `filtered_window_forces`.
+    tolerance : float
+        Relative change of the force that counts.
+    confidence : float
+        Of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface, edge_size and cutoff_wavelength ``long_ratio``, the mean over realizations of
+        the force without longer waves over that with all, with its interval; over surface and
+        edge_size what `described_edge` says: ``long_edge``, ``long_edge_interval`` and
+        ``long_edge_bound`` in nm, ``long_edge_at_least``, ``long_edge_status``,
+        ``long_interval_status`` and ``long_edge_text``; and ``force_over_largest``, the force over
+        that on the larger whole surface, with its interval; ``period`` and ``mirrored``
+        (edge_size).
+    """
+    given = next(iter(forces.values()))[["period", "mirrored"]]
+    measured = {(name,): one[["ratio", "pull_off_force"]] for name, one in forces.items()}
+    stacked = stack(measured, ["surface"])
+    ratio = stacked["ratio"].mean("realization", keep_attrs=True)
+    interval = student_log_interval(stacked["ratio"], confidence, "realization")
+    force = stacked["pull_off_force"]
+    largest = force.isel(edge_size=-1, drop=True)
+    over_largest, over_interval = ratio_of_means(force, largest, confidence)
+    cells = given["period"].broadcast_like(over_largest).transpose(*over_largest.dims)
+    curves = xr.Dataset(
+        {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
+    ).assign_coords(side="large")
+    edges = edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
+    of_largest = {"units": "1", "long_name": "force over that on the larger whole surface"}
+    return given.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
+        long_ratio=ratio,
+        long_ratio_interval=interval.assign_attrs(units="1"),
+        force_over_largest=over_largest.assign_attrs(of_largest),
+        force_over_largest_interval=over_interval.assign_attrs(of_largest, confidence=confidence),
+    )
+
 
 #: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.
 RMS_HEIGHTS, ROLL_OFFS, HURST = (2.0, 120.0), (300.0, 4000.0), (0.5, 1.2)

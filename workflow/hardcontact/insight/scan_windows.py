@@ -1,21 +1,38 @@
-"""Pull-off on mirrored windows of a large surface, against that on the surface itself."""
+"""Pull-off on mirrored windows of a large surface, against that on the surface itself.
+
+Pull-off on mirrored windows without their long waves, beside that on whole random surfaces.
+"""
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import TypedDict
+from typing import NamedTuple, TypedDict
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad
-from hardcontact.contact.geometry import ContactArray, bodies
+from hardcontact.contact.geometry import ContactArray, bodies, window_pixels
+from hardcontact.numbers.random import generator
+from hardcontact.records.log import progress
 from hardcontact.records.netcdf import Arrays
+from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import Density
 from hardcontact.surfaces.substitute_scans import substitute_scan
+from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
 
-__all__ = ["WindowContacts", "mean_forces", "mirrored_windows", "window_forces"]
+__all__ = [
+    "WindowContacts",
+    "WindowFilters",
+    "filtered_forces",
+    "filtered_window_forces",
+    "mean_forces",
+    "mirrored_windows",
+    "window_forces",
+]
 
 
 class WindowContacts(TypedDict):
@@ -135,3 +152,148 @@ def mean_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.fl
     pair = bodies(surface, None, parameters["radius"], array)
     found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])
     return np.asarray(found.variables["pull_off_force"][1][0])
+
+
+class WindowFilters(NamedTuple):
+    """Random surfaces, the windows cut out of them, and what both are filtered at.
+
+    Attributes
+    ----------
+    sizes : list of float
+        Edges of two whole surfaces in nm, the larger last; windows are cut out of that one.
+    pixel_size : float
+        Of all surfaces, in nm.
+    realizations : int
+        Surfaces of each size.
+    cutoffs : list of float
+        In nm, ascending; wavelengths above are removed.
+    seed : int
+        Of the surfaces.
+    contacts : WindowContacts
+        Windows and contacts, at one range of adhesion. The count is that on whole surfaces.
+        Mirrored windows hold few peaks: half as many along an edge tell the same force there.
+    """
+
+    sizes: list[float]
+    pixel_size: float
+    realizations: int
+    cutoffs: list[float]
+    seed: int
+    contacts: WindowContacts
+
+
+def filtered_window_forces(name: str, density: Density, filters: WindowFilters) -> xr.Dataset:
+    """Return the forces on windows and whole surfaces of a spectrum, and what long waves change.
+
+    Windows of every size are cut out of each of the larger surfaces. The smaller whole surfaces
+    are independent of these.
+
+    Parameters
+    ----------
+    name : str
+        Of the spectrum, for its random numbers.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+    filters : WindowFilters
+        Surfaces, windows and cutoffs.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``pull_off_force`` (realization, edge_size) in N at 1 J/m² and ``ratio`` (realization,
+        edge_size, cutoff_wavelength), the force without wavelengths above the cutoff over that
+        with all, NaN at cutoffs above the period; both means over the windows of a surface.
+        ``period`` (edge_size) in nm and ``mirrored`` (edge_size), 1 of windows. Edge sizes are
+        those of windows, then those of the whole surfaces.
+    """
+    count = filters.realizations
+    parts = (_of_realization(name, density, filters, one) for one in range(count))
+    means = np.array(list(progress(parts, count, "realizations")))
+    windows, whole = filters.contacts["sizes"], filters.sizes
+    nm, of_scan = {"units": "nm"}, ("realization", "edge_size")
+    long_name = "force without longer waves over that with all"
+    of_windows = {"units": "1", "long_name": "1 of mirrored windows, 0 of whole surfaces"}
+    return xr.Dataset(
+        {
+            "pull_off_force": (of_scan, means[..., 0], FORCE),
+            "ratio": (
+                (*of_scan, "cutoff_wavelength"),
+                means[..., 1:],
+                {"units": "1", "long_name": long_name},
+            ),
+            "period": (
+                "edge_size",
+                [*(2 * size for size in windows), *whole],
+                nm | {"long_name": "longest wave of the surface"},
+            ),
+            "mirrored": ("edge_size", [1] * len(windows) + [0] * len(whole), of_windows),
+        },
+        {
+            "edge_size": ("edge_size", [*windows, *whole], nm | {"long_name": "edge of the scan"}),
+            "cutoff_wavelength": (
+                "cutoff_wavelength",
+                filters.cutoffs,
+                nm | {"long_name": "wavelength above which roughness is removed"},
+            ),
+        },
+    )
+
+
+def filtered_forces(
+    surface: HeightMap, cutoffs: list[float], contacts: WindowContacts
+) -> NDArray[np.float64]:
+    """Return the mean force on a surface as it is, and what is left of it above each cutoff.
+
+    Parameters
+    ----------
+    surface : HeightMap
+        Periodic.
+    cutoffs : list of float
+        In nm; wavelengths above are removed.
+    contacts : WindowContacts
+        Contacts at one range of adhesion.
+
+    Returns
+    -------
+    numpy.ndarray
+        (1 + cutoff,): the force in N at 1 J/m², then ratios to it. NaN at cutoffs above the
+        period, which would remove nothing: that is no sign that longer waves do not matter.
+    """
+    force = mean_forces(surface, contacts)[0]
+    limit = surface.size * (1 + 1e-12)
+    ratios = [
+        mean_forces(filtered(surface, "large", cutoff, surface.pixels), contacts)[0] / force
+        if cutoff <= limit
+        else np.nan
+        for cutoff in cutoffs
+    ]
+    return np.array([force, *ratios])
+
+
+def _of_realization(
+    name: str, density: Density, filters: WindowFilters, realization: int
+) -> list[NDArray[np.float64]]:
+    """Return `filtered_forces` of windows of every size, their means, then of whole surfaces."""
+    contacts = filters.contacts
+    on_windows: WindowContacts = {**contacts, "count": -(-contacts["count"] // 2)}
+    smaller, larger = (
+        random_surface(
+            generator(filters.seed, name, realization, f"window edges {size:g} nm"),
+            window_pixels(size, filters.pixel_size),
+            filters.pixel_size,
+            density,
+        )
+        for size in filters.sizes
+    )
+    windows = [
+        np.mean(
+            [
+                filtered_forces(window, filters.cutoffs, on_windows)
+                for window in mirrored_windows(larger, size, contacts["each"])
+            ],
+            axis=0,
+        )
+        for size in contacts["sizes"]
+    ]
+    whole = [filtered_forces(one, filters.cutoffs, contacts) for one in (smaller, larger)]
+    return [*windows, *whole]

@@ -6,14 +6,14 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.named_surfaces import with_names
+from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
-from hardcontact.classical.smooth_sphere import dmt_pull_off
+from hardcontact.inference.smooth_sphere import dmt_pull_off
 from hardcontact.insight.map_statistics import deviation_interval
 from hardcontact.insight.scan_maps import SAMPLINGS, MapSettings, force_maps, normal_quantile
+from hardcontact.numbers.statistics import student_log_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.records.log import progress
-from hardcontact.statistics import student_log_interval, with_interval
 from hardcontact.surfaces.height_map import read_height_map
 
 __all__ = ["maps_of_scans", "maps_of_surfaces"]

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.numbers.statistics import with_interval
 from hardcontact.own_surfaces.master_forces import (
     Masters,
     forces_of_masters,
@@ -14,8 +15,7 @@ from hardcontact.own_surfaces.scan_parts import logarithmic_interval
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
-from hardcontact.statistics import with_interval
-from hardcontact.surfaces.masters import SIDES
+from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = ["band_edges", "edges_of_curves"]
 

@@ -1,4 +1,8 @@
-"""Range and work of adhesion that the user's own measured forces allow.
+"""What measured forces say about range and work of adhesion, in words.
+
+Mean forces of measured tests, and samples of them: tests scatter log-normally.
+
+Range and work of adhesion that the user's own measured forces allow.
 
 Forces F are measured, forces f are computed at 1 J/m²: at every range the work W = F/f(rho) makes
 them agree. One surface gives a curve W(rho). Of several surfaces, the region holds the pairs of
@@ -13,16 +17,163 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.adhesion.force_curves import on_fine_grid
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.inference.error_map import fit
-from hardcontact.own_surfaces.fit_texts import fit_note, fit_text
-from hardcontact.own_surfaces.measured_tests import MeasuredTests, measured_tests, sampled_means
-from hardcontact.own_surfaces.scan_forces import forces_of_scans
-from hardcontact.own_surfaces.scan_parts import sampled_deviations
+from hardcontact.numbers.statistics import (
+    Sampling,
+    lognormal_shape,
+    percentile_interval,
+    with_interval,
+)
+from hardcontact.own_surfaces.predicted_force import forces_of_scans
+from hardcontact.own_surfaces.scan_parts import Parts, sampled_deviations
 from hardcontact.records.dataset import stack
-from hardcontact.statistics import percentile_interval, with_interval
 
-__all__ = ["fit_measured"]
+__all__ = [
+    "MeasuredTests",
+    "fit_measured",
+    "fit_note",
+    "fit_text",
+    "measured_tests",
+    "sampled_means",
+]
+
+
+def fit_note(parts: Parts, tests: int) -> str:
+    """Return what the interval of the work of adhesion of one surface comes from."""
+    if tests < 2:
+        return "no interval: the scatter of a single test is unknown"
+    return f"{tests} tests; computed forces: {parts.note()}"
+
+
+def fit_text(fitted: xr.Dataset) -> str:
+    """Return what the forces allow, in one sentence.
+
+    Parameters
+    ----------
+    fitted : xarray.Dataset
+        Of one contact model: work_of_adhesion (surface, rho), best fit and region.
+
+    Returns
+    -------
+    str
+        Energies in mJ/m².
+    """
+    if fitted.sizes["surface"] == 1:
+        return "one mean force: every range of adhesion has its own work of adhesion"
+    best = (
+        f"range {float(fitted.best_range):.2g} nm, "
+        f"work {1e3 * float(fitted.best_work):.2g} mJ/m² "
+        f"(mean relative error {float(fitted.best_error):.2g})"
+    )
+    if fitted.work_of_adhesion_interval.isnull().any():
+        return f"{best}; no region: a surface has no interval"
+    allowed = np.isfinite(fitted.region.values).all(axis=-1)
+    if not allowed.any():
+        return f"no range and work of adhesion agree with all forces; nearest: {best}"
+    return f"{best}; region: {_range_text(fitted)}{_gap_text(fitted.rho.values, allowed)}"
+
+
+def _range_text(fitted: xr.Dataset) -> str:
+    """Return the extent of the region in words."""
+    least, greatest = (float(fitted.rho[end]) for end in (0, -1))
+    low, high = fitted.region_range.values
+    limits = [
+        f"{low:.2g} nm" if np.isfinite(low) else f"below {least:.2g} nm, the least computed,",
+        f"{high:.2g} nm"
+        if np.isfinite(high)
+        else f"above {greatest:.2g} nm, the greatest computed",
+    ]
+    text = f"ranges from {' to '.join(limits)}"
+    low, high = 1e3 * fitted.region_work.values
+    return f"{text}, works from {low:.2g} to {high:.2g} mJ/m²" if np.isfinite(low) else text
+
+
+def _gap_text(rho: np.ndarray, allowed: np.ndarray) -> str:
+    """Return between which ranges the region has gaps, in words."""
+    change = np.diff(allowed.astype(int))
+    ends, begins = np.flatnonzero(change == -1), np.flatnonzero(change == 1) + 1
+    begins = begins[begins > ends[0]] if len(ends) else begins[:0]
+    gaps = [
+        f"{rho[end]:.2g} and {rho[begin]:.2g} nm" for end, begin in zip(ends, begins, strict=False)
+    ]
+    return f", but none between {' nor between '.join(gaps)}" if gaps else ""
+
+
+#: Logarithms of a sampled mean beyond this are as good as infinite.
+ENDLESS = 50.0
+
+
+class MeasuredTests(NamedTuple):
+    """Tests on one surface.
+
+    Attributes
+    ----------
+    mean : float
+        Of the forces in N.
+    shape : float
+        Standard deviation of the logarithm of a force; NaN of a single test.
+    number : int
+        Of the tests.
+    """
+
+    mean: float
+    shape: float
+    number: int
+
+
+def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
+    """Return the tests on one surface.
+
+    Parameters
+    ----------
+    forces : pandas.DataFrame
+        Rows of one surface, of `study.measured_forces.measured_forces`:
+        mean and median in N, count.
+
+    Returns
+    -------
+    MeasuredTests
+        Of a mean and median the shape of the log-normal that has both, sqrt(2 ln(mean/median)).
+    """
+    count = int(forces["count"].sum())
+    mean = float(np.average(forces["mean"], weights=forces["count"]))
+    if count < 2:
+        return MeasuredTests(mean, np.nan, count)
+    if len(forces) == 1:
+        return MeasuredTests(mean, float(lognormal_shape(mean, forces["median"].iloc[0])), count)
+    return MeasuredTests(mean, float(np.log(forces["mean"]).std(ddof=1)), count)
+
+
+def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
+    """Draw mean forces of a log-normal distribution of which a few tests are known.
+
+    The generalized pivot of the logarithm of the mean, mu + s²/2, is
+    m - z s*/sqrt(n) + s*²/2 with s*² = (n - 1) s²/chi²(n - 1); z is normal, m and s are mean and
+    deviation of the logarithms of n tests. Its deviation from m + s²/2 is added to the logarithm of
+    the mean measured. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
+
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Source of the samples.
+    tests : MeasuredTests
+        On one surface.
+    samples : int
+        How many are drawn.
+
+    Returns
+    -------
+    numpy.ndarray
+        (samples,) in N; NaN of a single test, whose scatter is unknown.
+    """
+    if tests.number < 2:
+        return np.full(samples, np.nan)
+    freedom, variance = tests.number - 1, tests.shape**2
+    drawn = variance * freedom / rng.chisquare(freedom, samples)
+    normal = rng.standard_normal(samples)
+    deviation = (drawn - variance) / 2 - normal * np.sqrt(drawn / tests.number)
+    return np.asarray(tests.mean * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
+
 
 #: Ranges of adhesion of the curves, from the least to the greatest one computed.
 FINE_RANGES = 401

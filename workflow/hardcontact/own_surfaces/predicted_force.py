@@ -1,23 +1,86 @@
-"""The pull-off force that a work and a range of adhesion predict: no fit is needed."""
+"""Mean forces on the scans of one surface, with what is left without each part of the scans.
+
+The pull-off force that a work and a range of adhesion predict: no fit is needed.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.own_surfaces.scan_forces import forces_of_scans
-from hardcontact.own_surfaces.scan_parts import half_width_of_logarithm, logarithmic_interval
+from hardcontact.numbers.statistics import with_interval
+from hardcontact.own_surfaces.scan_parts import (
+    Parts,
+    half_width_of_logarithm,
+    logarithmic_interval,
+    parts_of_scans,
+    quarters_of_contacts,
+)
 from hardcontact.records.dataset import stack
-from hardcontact.statistics import with_interval
 
-__all__ = ["Prediction", "predicted_force"]
+__all__ = ["Prediction", "ScanForces", "forces_of_scans", "predicted_force"]
+
+CONTACTS = ["contact_y", "contact_x"]
+
+
+class ScanForces(NamedTuple):
+    """Mean forces of one surface, over scans, scans of the sphere and contacts.
+
+    Attributes
+    ----------
+    mean : numpy.ndarray
+        (rho,) in N, at the work of adhesion of the forces given.
+    left_out : numpy.ndarray
+        (part, rho) logarithms of the mean of all parts but one.
+    parts : list of Parts
+        (rho,) they correlate the more the longer the range.
+    """
+
+    mean: np.ndarray
+    left_out: np.ndarray
+    parts: list[Parts]
+
+
+def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanForces:
+    """Return the mean forces of one surface and contact model.
+
+    Parameters
+    ----------
+    forces : xarray.DataArray (scan, sphere_scan, rho, contact_y, contact_x)
+        In N at any work of adhesion, NaN where a scan is missing.
+    size : float
+        Edge of a scan in nm.
+    radius : float
+        Of the sphere in nm.
+
+    Returns
+    -------
+    ScanForces
+        Of scans where there are three, otherwise of their quarters.
+    """
+    of_scans = forces.dropna("scan", how="all").mean("sphere_scan")
+    of_scans = of_scans.transpose("scan", "rho", *CONTACTS)
+    scans = np.arange(of_scans.sizes["scan"])
+    quarters = quarters_of_contacts(of_scans.sizes["contact_y"], 1)
+    parts = [
+        parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)))
+        for rho in of_scans.rho.values
+    ]
+    left_out = []
+    for part in range(len(parts[0].correlation)):
+        kept = xr.DataArray(parts[0].of_contact != part, dims=("scan", *CONTACTS))
+        left_out.append(np.log(of_scans.where(kept).mean(CONTACTS).mean("scan").values))
+    mean = of_scans.mean(CONTACTS).mean("scan").values
+    return ScanForces(mean, np.array(left_out), parts)
+
 
 #: Of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 #: Dimensions of single contacts.
-CONTACTS = ["scan", "sphere_scan", "contact_y", "contact_x"]
+CONTACTS_OF_PREDICTED_FORCE = ["scan", "sphere_scan", "contact_y", "contact_x"]
 
 
 @dataclass(frozen=True)
@@ -107,7 +170,9 @@ def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
         ]
     )
     interval = logarithmic_interval(mean, half)
-    quantiles = forces.quantile(QUANTILES, CONTACTS).transpose("contact_model", "rho", "quantile")
+    quantiles = forces.quantile(QUANTILES, CONTACTS_OF_PREDICTED_FORCE).transpose(
+        "contact_model", "rho", "quantile"
+    )
     parts = models[0].parts[int(np.abs(adhesion.rho.values - prediction.rho).argmin())]
     newton, dimensions = {"units": "N"}, ("contact_model", "rho")
     return xr.Dataset(

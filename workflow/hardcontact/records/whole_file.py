@@ -1,13 +1,18 @@
-"""Files that appear whole or not at all."""
+"""Files that appear whole or not at all.
 
+Folders of results: one run at a time works in each.
+"""
+
+import fcntl
 import os
 import shutil
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import TextIO
 
-__all__ = ["PART", "remove_parts", "whole_file"]
+__all__ = ["PART", "hold", "remove_parts", "whole_file"]
 
 #: Names of files that are not whole yet begin with this.
 PART = ".part-"
@@ -67,3 +72,48 @@ def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
     return mask
+
+
+def hold(folder: str | Path) -> TextIO:
+    """Keep every other run out of a folder until this process ends; remove unfinished files.
+
+    The system releases the folder when the process ends, however it ends: after a run that was
+    killed there is nothing to unlock.
+
+    Parameters
+    ----------
+    folder : str or Path
+        It is made if there is none.
+
+    Returns
+    -------
+    file object
+        The open file to be kept until the folder may be released.
+
+    Raises
+    ------
+    ValueError
+        In one line, if another run holds the folder or nothing can be written there.
+    """
+    folder = Path(folder)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        file = open(folder / ".lock", "w")
+    except OSError as error:
+        raise _unwritable(folder, error) from None
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError as error:
+        file.close()
+        if not isinstance(error, BlockingIOError):
+            raise _unwritable(folder, error) from None
+        raise ValueError(
+            f"{folder}: expected no other run in this folder, found one; "
+            "wait until it has ended, or stop it"
+        ) from None
+    remove_parts(folder)
+    return file
+
+
+def _unwritable(folder: Path, error: OSError) -> ValueError:
+    return ValueError(f"{folder}: expected a folder to write to, found: {error.strerror}")

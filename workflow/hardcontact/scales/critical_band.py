@@ -1,18 +1,59 @@
-"""The critical band: the wavelengths whose removal changes the pull-off force."""
+"""The cutoffs at which one side of a filtered surface was computed.
+
+The critical band: the wavelengths whose removal changes the pull-off force.
+"""
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.sampling import Sampling
-from hardcontact.statistics import student_log_samples
+from hardcontact.numbers.statistics import Sampling, student_log_samples
 
 __all__ = [
     "POOLED",
+    "computed_cutoffs",
     "critical_band",
     "critical_wavelength",
     "find_critical_band",
+    "last_cutoff",
     "logarithmic_limits",
 ]
+
+
+def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
+    """Return the cutoffs (nm), growing, at which any value of one side is known.
+
+    Parameters
+    ----------
+    values : xarray.DataArray (..., cutoff_wavelength)
+        NaN at cutoffs of the other side.
+
+    Returns
+    -------
+    numpy.ndarray
+        In nm.
+    """
+    others = [dim for dim in values.dims if dim != "cutoff_wavelength"]
+    known = values["cutoff_wavelength"].values[values.notnull().any(others).values]
+    return np.sort(known)
+
+
+def last_cutoff(values: xr.DataArray, side: str) -> float:
+    """Return the cutoff of a side that removes most, which stands for all beyond it.
+
+    Parameters
+    ----------
+    values : xarray.DataArray (..., cutoff_wavelength)
+        NaN at cutoffs of the other side.
+    side : str
+        "small" or "large".
+
+    Returns
+    -------
+    float
+        In nm.
+    """
+    return float(computed_cutoffs(values)[-1 if side == "small" else 0])
+
 
 #: The group of all surfaces.
 POOLED = "pooled"

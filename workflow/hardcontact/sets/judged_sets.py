@@ -7,9 +7,9 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.sampling import Sampling
 from hardcontact.claims.evaluation import values
 from hardcontact.inference.inference import Published, infer
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.log import progress
 from hardcontact.sets.set_datasets import (
     Draw,

@@ -1,4 +1,8 @@
-"""Scans of one surface, conditioned together on what Table 1 says of five.
+"""What the scans of a substitute are to have together: Table 1, on the pixels of the study.
+
+Smooth gains of a spectrum: three bands of wavelengths, and amplitudes multiplied.
+
+Scans of one surface, conditioned together on what Table 1 says of five.
 
 Random scans of one spectrum differ, and so do their means over a few of them. A smooth gain of the
 spectrum and one factor for each scan give a group of scans exactly the mean and the standard
@@ -7,30 +11,184 @@ deviation of the rms heights, and the mean slope and curvature, that are publish
 `scipy` and `xarray` are imported where they are used.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+import pandas as pd
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.calibration import AFM_ROWS, rows_met
+from hardcontact.surfaces.calibration import AFM_ROWS, expected_moments, rows_met, transfer_weights
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.scan_targets import Targets, group_heights
-from hardcontact.surfaces.spectral_gain import BANDS, amplified, band_shares
-from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_from
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
-from hardcontact.surfaces.topography import level, metrics
+from hardcontact.surfaces.topography import DEFINITIONS, level, metrics
 
 if TYPE_CHECKING:
     import xarray as xr
 
 __all__ = [
+    "BANDS",
     "Conditioning",
+    "Targets",
+    "amplified",
+    "band_shares",
     "conditioned",
+    "conditioned_density",
     "conditioned_group",
+    "group_heights",
+    "scan_targets",
     "second_moments",
 ]
+
+#: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
+OVER_MOMENTS = {
+    "rms_height": 1.0,
+    "rms_gradient": 1.0,
+    "rms_profile_slope": 1 / np.sqrt(2),
+    "rms_half_laplacian": 1.0,
+    "rms_laplacian": 2.0,
+}
+
+
+class Targets(NamedTuple):
+    """What a group of scans of one surface is to have.
+
+    Attributes
+    ----------
+    means : dict of str to float
+        By metric of `topography.METRICS`, in its unit: height, slope, curvature, in this order.
+    deviation : float
+        Standard deviation of the rms heights (nm, ddof 1).
+    rows : tuple of str
+        Rows of Table 1 that are met so.
+    """
+
+    means: Mapping[str, float]
+    deviation: float
+    rows: tuple[str, ...]
+
+
+def scan_targets(
+    spectrum: "xr.Dataset",
+    table1: pd.DataFrame,
+    constants: pd.DataFrame,
+    definitions: Mapping[str, str],
+    grid: ScanGrid,
+) -> Targets | None:
+    """Return what scans of a substitute are to have on this study's pixels.
+
+    On the paper's pixels and size it is what the spectrum expects of a scan: Table 1, if the
+    spectrum was calibrated to it. On other pixels slope and curvature are those that the spectrum
+    expects there, and the rms height stays; on another size all three are expected.
+
+    Parameters
+    ----------
+    spectrum : xarray.Dataset
+        Of `substitute_spectra.substitute_spectrum`.
+    table1 : pandas.DataFrame
+        Of `rows_of_surface`; empty if the paper has no such surface.
+    constants : pandas.DataFrame
+        Of `published.constants`: pixels and size of the paper's scans.
+    definitions : mapping of str to str
+        What `slope` and `curvature` of Table 1 are read as: keys of `topography.DEFINITIONS`.
+    grid : ScanGrid
+        Of this study.
+
+    Returns
+    -------
+    Targets or None
+        The deviation is the share of the rms height that its published uncertainty is. None of a
+        surface that the paper has no rms height of.
+    """
+    if "afm_rms_height" not in table1.index:
+        return None
+    published = int(constants["value"]["scan_pixels"]), float(constants["value"]["scan_size"])
+    moments = np.array(spectrum.attrs["expected_scan_moments"])
+    same_size = math.isclose(grid.size, published[1])
+    same_pixels = same_size and grid.pixels == published[0]
+    same = np.array([same_size, same_pixels, same_pixels])
+    if not same.all():
+        density = spectrum_from(spectrum)
+        weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
+        moments = np.where(same, moments, expected_moments(density, weights))
+    height = table1.loc["afm_rms_height"]
+    calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
+    names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
+    return Targets(
+        {
+            name: float(OVER_MOMENTS[name] * moment)
+            for name, moment in zip(names, moments, strict=True)
+        },
+        float(moments[0] * height["uncertainty"] / height["value"]),
+        tuple(row for row, met in zip(AFM_ROWS, same, strict=True) if met and row in calibrated),
+    )
+
+
+def group_heights(drawn: NDArray[np.float64], mean: float, deviation: float) -> NDArray[np.float64]:
+    """Return rms heights of a group of scans of which mean and deviation are exactly as given.
+
+    Scans keep their order and their relative distances. A single scan
+    gets the mean.
+
+    Parameters
+    ----------
+    drawn : numpy.ndarray
+        (scan,) rms heights as drawn, in nm.
+    mean, deviation : float
+        Of the heights asked for, in nm; the deviation that of a sample (n - 1).
+
+    Returns
+    -------
+    numpy.ndarray
+        (scan,) nm.
+    """
+    deviations = drawn - drawn.mean()
+    if len(drawn) > 1:
+        deviations *= deviation / deviations.std(ddof=1)
+    return np.asarray(mean + deviations)
+
+
+#: Bands whose amplitudes are free.
+BANDS = 3
+
+
+def band_shares(grid: ScanGrid) -> NDArray[np.float64]:
+    """Return the shares of amplitude of three smooth bands: (3, points of WAVEVECTORS).
+
+    They add up to one everywhere and go over into each other between the size of a scan, its
+    geometric mean with two pixels, and two pixels, as sin² in the logarithm of the wavelength.
+    """
+    longest, shortest = grid.size, 2 * grid.pixel_size
+    place = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
+    first, second = (
+        np.sin(np.pi / 2 * np.clip(2 * place - step, 0, 1)) ** 2 for step in range(BANDS - 1)
+    )
+    return np.array([1 - first, first - second, second])
+
+
+def amplified(density: Density, gain: NDArray[np.float64]) -> Density:
+    """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS.
+
+    The gain is interpolated linearly in the logarithm of the wavevector, so that gains of several
+    bands add up between the points of the table too.
+    """
+    table = np.log(WAVEVECTORS)
+
+    def amplified_density(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
+        with np.errstate(divide="ignore"):
+            gains = np.interp(np.log(wavevector), table, gain)
+        return density(wavevector) * gains**2
+
+    return amplified_density
+
+
+def conditioned_density(spectrum: "xr.Dataset", conditioning: "xr.Dataset") -> Density:
+    """Return the spectrum that scans of a group are drawn with, from the two files."""
+    return amplified(spectrum_from(spectrum), conditioning["gain"].values)
+
 
 #: Largest ratio of the amplitude of a band to that of the longest wavelengths, or its inverse.
 LARGEST_CHANGE = 4.0

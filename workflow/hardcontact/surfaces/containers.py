@@ -12,7 +12,7 @@ from typing import Any
 
 import yaml
 
-from hardcontact.surfaces.scan_limits import FILE_LIMIT, RefusedScan
+from hardcontact.surfaces.measurement import FILE_LIMIT, RefusedScan
 
 __all__ = ["check_archive", "data_file", "is_container", "members", "opened_member"]
 

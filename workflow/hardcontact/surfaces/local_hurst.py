@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.profile_conversion import profile_from_isotropic
+from hardcontact.surfaces.measured_spectrum import profile_from_isotropic
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
 __all__ = ["LocalHurst", "fitted_local_hurst", "local_power_laws"]

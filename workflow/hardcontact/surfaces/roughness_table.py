@@ -7,9 +7,9 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.numbers.statistics import student_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.records.origin import canonical
-from hardcontact.statistics import student_interval, with_interval
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_from
 from hardcontact.surfaces.topography import METRICS, metrics, table1_variables

@@ -13,10 +13,14 @@ from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlready
 from SurfaceTopography.IO import XYZReader
 
 from hardcontact.surfaces import containers
-from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.scan_limits import FILE_LIMIT, RefusedScan, check_points, unit_in_nm
-from hardcontact.surfaces.scan_values import map_values, profile_values
-from hardcontact.surfaces.tip_radius import stated_tip_radius
+from hardcontact.surfaces.measurement import (
+    FILE_LIMIT,
+    Measurement,
+    RefusedScan,
+    check_points,
+    unit_in_nm,
+)
+from hardcontact.surfaces.scan_values import map_values, profile_values, stated_tip_radius
 
 __all__ = ["datasets_of", "measurement_of"]
 

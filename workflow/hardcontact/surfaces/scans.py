@@ -191,7 +191,7 @@ def _answer(answer: IO[bytes], read: Callable[..., Content], path: Path, *choice
 
     Runs in a process of its own, silently: readers log, warn and print.
     """
-    from hardcontact.surfaces.scan_limits import RefusedScan
+    from hardcontact.surfaces.measurement import RefusedScan
 
     _quiet_and_limited()
     try:

@@ -1,9 +1,13 @@
 """Random surfaces from a PSD, and the multi-scale masters of Fig. 6.
 
 Surfaces are periodic. `scipy` is imported where it is used.
+
+The master of either side of the scales, as the configuration describes it.
 """
 
+from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -11,7 +15,14 @@ from hardcontact.surfaces.filters import ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
 
-__all__ = ["large_scale_master", "random_surface", "refined", "small_scale_master"]
+__all__ = [
+    "SIDES",
+    "large_scale_master",
+    "random_surface",
+    "refined",
+    "small_scale_master",
+    "synthesized_master",
+]
 
 
 def random_surface(
@@ -167,3 +178,39 @@ def large_scale_master(
     change = replace(band, heights=added.heights - band.heights)
     heights = repeated.heights + interpolate(change, repeated.pixels).heights
     return replace(repeated, heights=heights.astype(np.float32))
+
+
+#: How the master of a side is synthesized, and the key of the scales that says how large.
+SYNTHESIS = {"small": (small_scale_master, "pixels"), "large": (large_scale_master, "tiles")}
+SIDES = tuple(SYNTHESIS)
+
+
+def synthesized_master(
+    side: str,
+    rng: np.random.Generator,
+    stitched: HeightMap,
+    scales: Mapping[str, Any],
+    density: Density,
+) -> HeightMap:
+    """Return the master of one side.
+
+    Parameters
+    ----------
+    side : str
+        ``"small"`` adds roughness below the transition wavelength, ``"large"`` above.
+    rng : numpy.random.Generator
+        Of the roughness added.
+    stitched : HeightMap
+        The scan, periodic.
+    scales : mapping
+        ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large-scale master.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+
+    Returns
+    -------
+    HeightMap
+        Periodic.
+    """
+    synthesize, size = SYNTHESIS[side]
+    return synthesize(rng, stitched, scales[size], scales["transition"], density)

@@ -1,1 +1,0 @@
-"""Classical models of smooth and rough spheres, fitted to the same forces."""

@@ -1,0 +1,1 @@
+"""What a person types: `hardcontact new` and `hardcontact predict`."""

@@ -1,0 +1,377 @@
+"""The range of adhesion, the window and the load that scans of any size permit.
+
+Which scans of own surfaces contacts are made on: the choice of a size.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from hardcontact.commands.inventory import Entry
+from hardcontact.commands.proposed_scales import COUNTS, FULL, proposed_tiles
+from hardcontact.config.configuration import refuse_all
+from hardcontact.config.limits import CONTACT_PIXELS, MAP_PIXELS, PIXEL_SIZES, least_range
+from hardcontact.config.master_limits import PENETRATION_OVER_RANGE
+from hardcontact.contact.bearing_area import Load
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.numbers.printing import print_length, print_quantity
+
+__all__ = ["Contact", "Probe", "contact_cautions", "contact_scans", "proposed_contact"]
+
+#: The sphere above its apex at the edge of the window, over the range of adhesion (14 in the paper)
+#: and over the rms height.
+RANGES_IN_WINDOW, RMS_IN_WINDOW = 14, 4
+#: The most images of a scan, mirrored, along an edge of the window: all hold the same summits.
+IMAGES = 10
+#: The share of the force on a smooth sphere that the window should hold.
+SHARE = 0.99
+#: The longest range of adhesion that is proposed unasked, in nm: the longest of the paper's study.
+LONGEST_RANGE = 40.0
+
+
+class Probe(NamedTuple):
+    """The sphere and its load.
+
+    Attributes
+    ----------
+    radius : float
+        In nm.
+    load : Load
+        Preload and hardness.
+    rho : float
+        Range of adhesion in nm.
+    rho_given : bool
+        Whether the user asked for this range.
+    """
+
+    radius: float
+    load: Load
+    rho: float
+    rho_given: bool
+
+
+class Contact(NamedTuple):
+    """What is chosen for contacts.
+
+    Attributes
+    ----------
+    rho, least : float
+        Range of adhesion, and the shortest one that the scans permit, in nm.
+    rho_reason : str
+        Why it is longer than the usual one, or empty.
+    window : float
+        Edge of the window in nm, of three digits.
+    window_reason : str
+        In words.
+    """
+
+    rho: float
+    least: float
+    rho_reason: str
+    window: float
+    window_reason: str
+
+
+def proposed_contact(scans: Sequence[Entry], substrates: Sequence[Entry], probe: Probe) -> Contact:
+    """Return the range of adhesion and the window.
+
+    Parameters
+    ----------
+    scans, substrates : sequence of Entry
+        On which contacts are made, those of the sphere included and not.
+    probe : Probe
+        The sphere and its load.
+
+    Returns
+    -------
+    Contact
+        The range asked for, or the usual one made longer if the scans do not permit it.
+
+    Raises
+    ------
+    ValueError
+        In one line a problem: a range that is too short, a preload that is too high.
+    """
+    window, _ = _window(scans, probe.radius, probe.rho)
+    least, why = _least_range(scans, substrates, probe, window)
+    rho = max(probe.rho, least)
+    # A wider window, as a longer range needs, does not raise the least range.
+    window, reason = _window(scans, probe.radius, rho)
+    loaded = partial(_refuse_load, scans, probe.load, window)
+    refuse_all([partial(_refuse_range, probe, least, why), loaded])
+    raised = f"the least on these scans, where {why}" if rho > probe.rho else ""
+    return Contact(rho, least, raised, window, reason)
+
+
+def _refuse_range(probe: Probe, least: float, why: str) -> None:
+    """Refuse a range that is too short, if the user asked for it or no range known is as long."""
+    if probe.rho < least and (probe.rho_given or least > LONGEST_RANGE):
+        found = f"{'' if probe.rho_given else 'the usual '}{probe.rho:.4g} nm"
+        raise ValueError(
+            f"--range: expected at least {least:.3g} nm on these scans, where {why}, found {found}"
+        )
+
+
+def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:
+    """Return the edge of the window (nm) for a range of adhesion (nm), and the reason."""
+    rms_height = max(scan.rms_height for scan in scans)
+    finest, least_size = min(scan.pixel_size for scan in scans), min(scan.size for scan in scans)
+    height = max(RANGES_IN_WINDOW * rho, RMS_IN_WINDOW * rms_height)
+    what = f"{RANGES_IN_WINDOW} ranges of adhesion"
+    if RMS_IN_WINDOW * rms_height > RANGES_IN_WINDOW * rho:
+        what = f"{RMS_IN_WINDOW} rms heights"
+    edge, reason = min(
+        (2 * math.sqrt(2 * radius * height), f"at its edge the sphere is {what} above its apex"),
+        (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
+        (2 * IMAGES * least_size, f"{IMAGES} mirrored scans, which all have the same summits"),
+    )
+    digit = 10.0 ** (math.floor(math.log10(edge)) - 2)
+    return float(f"{math.floor(edge / digit) * digit:.3g}"), reason
+
+
+def _least_range(
+    scans: Sequence[Entry], substrates: Sequence[Entry], probe: Probe, window: float
+) -> tuple[float, str]:
+    """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
+    tiles = proposed_tiles([scan.grid for scan in substrates], window, FULL.pixels)
+    limits = [least_range(probe.radius, window, scan.grid) for scan in scans]
+    for scan in substrates:
+        master = scan.grid._replace(size=scan.size * tiles)
+        limits.append(least_range(probe.radius, window, master))
+        edge = math.sqrt(probe.load["preload"] / probe.load["hardness"]) * 1e9
+        depth = min(edge, scan.relief)
+        least = float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}")
+        limits.append(
+            (least, f"the preload presses the bodies some {depth:.3g} nm into each other")
+        )
+    return max(limits)
+
+
+def _refuse_load(scans: Sequence[Entry], load: Load, window: float) -> None:
+    """Refuse a preload that needs too many pixels: of the window, of a scan, of the memory."""
+    most = math.inf
+    for scan in scans:
+        pixels = min(window_pixels(window, scan.pixel_size), 2 * scan.pixels) ** 2 // 4
+        images = max(1.0, window / (2 * scan.size)) ** 2
+        kept = CONTACT_PIXELS / min(COUNTS) ** 2 / images
+        area = min(pixels, kept) * (scan.pixel_size * 1e-9) ** 2
+        most = min(most, area * load["hardness"])
+    if load["preload"] > most:
+        raise ValueError(
+            f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
+            f"scans can carry at this hardness, found {print_quantity(load['preload'], 'N')}"
+        )
+
+
+def contact_cautions(substrates: Sequence[Entry], probe: Probe, contact: Contact) -> Iterator[str]:
+    """Yield what the user should know of contacts on these scans, in words.
+
+    Parameters
+    ----------
+    substrates : sequence of Entry
+        The scans that contacts are made on.
+    probe : Probe
+        The sphere and its load.
+    contact : Contact
+        As it is proposed.
+
+    Yields
+    ------
+    str
+        A sentence.
+    """
+    if contact.rho_reason:
+        yield (
+            f"the range of adhesion is {contact.rho:.3g} nm, not the usual {probe.rho:.3g} nm: it "
+            f"is {contact.rho_reason}"
+        )
+    share = math.erf(contact.window / math.sqrt(8 * probe.radius * contact.rho)) ** 2
+    if share < SHARE:
+        yield (
+            f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
+            "show too little of what the sphere feels, and forces come out too low"
+        )
+    area = probe.load["preload"] / probe.load["hardness"] * 1e18
+    largest = max(scan.pixel_size for scan in substrates)
+    if area < largest**2:
+        yield (
+            f"the preload is carried by {area:.3g} nm², less than a pixel of the scans "
+            f"({largest**2:.3g} nm²): one pixel touches, and hardness and preload do not matter "
+            "on the scans"
+        )
+    rms_height = max(scan.rms_height for scan in substrates)
+    enough = SIZE_OVER_REACH * math.sqrt(2 * probe.radius * rms_height)
+    size = min(scan.size for scan in substrates)
+    if size < enough:
+        yield (
+            f"the sphere finds its highest points within some {print_length(enough)}, the scans "
+            f"are {print_length(size)} wide: summits that they miss would change the force"
+        )
+
+
+#: Pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
+RESOLVED = 32
+#: The size of a scan over sqrt(2 R sigma), within which the sphere finds its highest points. On
+#: Gaussian surfaces with the spectra of UNCD, MCD and polished UNCD the mean force on mirrored
+#: scans of twice that is at most a third too large.
+SIZE_OVER_REACH = 2.0
+
+#: Scans of one surface on the same pixels.
+Group = list[Entry]
+
+
+def contact_scans(
+    entries: Sequence[Entry], sphere: str | None, radius: float, rho: float
+) -> tuple[list[Entry], list[str]]:
+    """Return the scans that contacts are made on, of every surface those on one grid.
+
+    Surfaces are compared on one grid where they have one in common. Of grids that resolve the
+    interaction radius, it is the smallest from which the sphere finds its highest points, or else
+    the largest.
+
+    Parameters
+    ----------
+    entries : sequence of Entry
+        Of all surfaces.
+    sphere : str or None
+        Id of the sphere's surface; None if it is smooth.
+    radius : float
+        Of the sphere, in nm.
+    rho : float
+        Range of adhesion in nm.
+
+    Returns
+    -------
+    chosen : list of Entry
+        Height maps.
+    reasons : list of str
+        In words, one a surface or one for all.
+
+    Raises
+    ------
+    ValueError
+        In one line a surface without a height map.
+    """
+    groups = _groups_by_surface(entries)
+    substrates = {name: of_it for name, of_it in groups.items() if name != sphere}
+    if common := _common(substrates):
+        substrates = common
+    chosen: list[Entry] = []
+    reasons = []
+    for surface, of_it in substrates.items():
+        together = [group for groups in substrates.values() for group in groups]
+        roughest = max(_rms(group) for group in (together if common else of_it))
+        group = _best(of_it, radius, rho, roughest)
+        chosen += group
+        reasons.append(_reason(surface, group, of_it, radius, roughest))
+    if sphere is not None:
+        group = _of_sphere(groups[sphere], chosen, radius)
+        chosen += group
+        reasons.append(f"{sphere}: {_named(group)}, subtracted from which is the sphere's shape")
+    return chosen, reasons
+
+
+def _groups_by_surface(entries: Sequence[Entry]) -> dict[str, list[Group]]:
+    """Return the height maps of each surface, those on the same pixels together."""
+    groups: dict[str, list[Group]] = {}
+    least, most = PIXEL_SIZES
+    for entry in entries:
+        of_it = groups.setdefault(entry.source.surface, [])
+        if entry.kind != "map" or not least <= entry.pixel_size <= most:
+            continue
+        same = next((group for group in of_it if _alike(group[0], entry)), None)
+        if same is None:
+            of_it.append([entry])
+        else:
+            same.append(entry)
+    if without := [surface for surface, of_it in groups.items() if not of_it]:
+        raise ValueError(
+            "\n".join(
+                f"surface {surface}: expected a height map, on which contacts are made, with "
+                f"pixels of {least:g} to {most:g} nm, found none"
+                for surface in without
+            )
+        )
+    return groups
+
+
+def _alike(first: Entry, second: Entry) -> bool:
+    """Return whether two maps have the same pixels, as the checks of the study see it."""
+    same_size = math.isclose(second.pixel_size, first.pixel_size, rel_tol=1e-3)
+    return first.pixels == second.pixels and same_size
+
+
+def _common(groups: dict[str, list[Group]]) -> dict[str, list[Group]]:
+    """Return the groups whose pixels all surfaces have, if there are some and two surfaces."""
+    if len(groups) < 2:
+        return {}
+    common = {
+        surface: [
+            group
+            for group in of_it
+            if all(
+                any(_alike(other[0], group[0]) for other in others) for others in groups.values()
+            )
+        ]
+        for surface, of_it in groups.items()
+    }
+    return common if all(common.values()) else {}
+
+
+def _rms(group: Group) -> float:
+    """Return the largest rms height of a group in nm."""
+    return max(entry.rms_height for entry in group)
+
+
+def _best(groups: list[Group], radius: float, rho: float, rms_height: float) -> Group:
+    """Return the group that contacts are made on, of one surface."""
+    interaction = math.sqrt(2 * radius * rho)
+    enough = SIZE_OVER_REACH * math.sqrt(2 * radius * rms_height)
+
+    def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
+        size, pixel_size, count = group[0].size, group[0].pixel_size, len(group)
+        blind = all(entry.band.shortest > entry.band.longest for entry in group)
+        if interaction < RESOLVED * pixel_size:  # Then the finest pixels.
+            return blind, True, False, pixel_size, -count, -size
+        small = size < enough
+        return blind, False, small, -size if small else size, -count, pixel_size
+
+    return min(groups, key=rank)
+
+
+def _reason(
+    surface: str, group: Group, groups: list[Group], radius: float, rms_height: float
+) -> str:
+    """Return why contacts on a surface are made on these scans, in words."""
+    if len(groups) == 1:
+        return f"{surface}: {_named(group)}: no others can be used"
+    enough = SIZE_OVER_REACH * math.sqrt(2 * radius * rms_height)
+    if group[0].size >= enough:
+        why = f"the smallest of at least {print_length(enough)}, twice sqrt(2 R sigma)"
+    else:
+        why = f"they come nearest to {print_length(enough)}, twice sqrt(2 R sigma)"
+    return f"{surface}: {_named(group)}: {why}"
+
+
+def _named(group: Group) -> str:
+    scans = "the scan" if len(group) == 1 else f"the {len(group)} scans"
+    return f"{scans} of {print_length(group[0].size)} and {group[0].pixels} pixels"
+
+
+def _of_sphere(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
+    """Return the scans of the sphere: on the pixels of the substrates, or else the most.
+
+    Pairs are computed on the finer pixels of both, so that sizes too different make large maps.
+    """
+
+    def rank(group: Group) -> tuple[bool, bool, int, float]:
+        first = group[0]
+        large = any(
+            2 * max(first.size, other.size) / min(first.pixel_size, other.pixel_size) > MAP_PIXELS
+            for other in substrates
+        )
+        alike = all(_alike(first, other) for other in substrates)
+        return large or first.size > radius, not alike, -len(group), -first.size
+
+    return min(groups, key=rank)

@@ -1,0 +1,272 @@
+"""What the user asks of `hardcontact new`: the command line, and what is wrong with it."""
+
+import os
+import re
+from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from hardcontact.commands.inventory import Source
+from hardcontact.config.configuration import read_yaml
+from hardcontact.config.schema import Schema, refuse, resolved
+from hardcontact.numbers.units import magnitude
+from hardcontact.records.code import LIBRARY
+
+__all__ = [
+    "Option",
+    "QUANTITIES",
+    "QUICK_NAME",
+    "ROOT",
+    "SPHERE",
+    "name_faults",
+    "options",
+    "parsed",
+    "path_from_root",
+    "sources",
+    "surface_id",
+]
+
+#: The top folder, whose paths studies are named relative to.
+ROOT = LIBRARY.parents[1]
+#: Id and label of the sphere's surface.
+SPHERE = "sphere"
+#: Names of studies whose files or results are the project's own.
+TAKEN = ("config", "paper", "quick", "surfaces")
+#: What a study of the quick effort is called beside another.
+QUICK_NAME = "-quick"
+#: Options that are quantities: the key of the configuration, and their meaning.
+QUANTITIES = {
+    "radius": ("sphere.radius", "radius of the sphere"),
+    "hardness": ("contact.hardness", "hardness of the softer body"),
+    "preload": ("contact.preload", "load on a contact"),
+    "range": ("scales.range", "range of adhesion"),
+    "work": ("adhesion.work", "work of adhesion of the predicted force"),
+}
+DESCRIPTION = """\
+Read scans of your own surfaces, tell what is in them, choose what can be computed,
+and write config/NAME.yaml and config/NAME.tsv:
+
+  hardcontact new my-coating scans/*.di twin.zip --radius 250um --preload 10uN
+  snakemake --configfile config/my-coating.yaml
+
+Several surfaces, each with its label and its files:
+
+  hardcontact new both --surface bare scans/bare/*.di --surface coated scans/coated/*.di
+
+`hardcontact predict --help` tells how to predict a force from a power spectral density.
+"""
+
+
+class Option(NamedTuple):
+    """A quantity of the command line.
+
+    Attributes
+    ----------
+    text : str
+        As it is written.
+    number : float
+        In the unit of the study.
+    given : bool
+        Whether the user gave it; else it is the paper's.
+    """
+
+    text: str
+    number: float
+    given: bool
+
+
+def parsed(arguments: Sequence[str]) -> Namespace:
+    """Return a command line, taken apart; a wrong one ends the program.
+
+    Parameters
+    ----------
+    arguments : sequence of str
+        Without the name of the program.
+
+    Returns
+    -------
+    argparse.Namespace
+        All as text.
+    """
+    parser = ArgumentParser(
+        "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
+    )
+    parser.add_argument(
+        "command", choices=["new"], metavar="{new,predict}",
+        help="new: make a study of own surfaces; predict: a force from a spectrum, see "
+        "hardcontact predict --help",
+    )  # fmt: skip
+    parser.add_argument("name", metavar="NAME", help="of the study: results/NAME/")
+    parser.add_argument(
+        "files", metavar="FILE", nargs="*", help="scans, line scans or containers of one surface"
+    )
+    parser.add_argument(
+        "--surface", nargs="+", action="append", default=[], metavar=("LABEL", "FILE"),
+        help="a label and the files of a surface; again for each surface",
+    )  # fmt: skip
+    parser.add_argument(
+        "--sphere", nargs="+", default=[], metavar="FILE",
+        help="scans of the sphere where it touches; without them it is smooth",
+    )  # fmt: skip
+    for name, (key, meaning) in QUANTITIES.items():
+        usual = _at(read_yaml("config/config.yaml"), key)
+        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {usual})")
+    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
+    parser.add_argument(
+        "--overwrite", action="store_true", help="replace the files of a study of this name"
+    )
+    return parser.parse_intermixed_args(arguments)
+
+
+def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
+    """Return the quantities of the command line, and what is wrong with them.
+
+    Parameters
+    ----------
+    arguments : argparse.Namespace
+        As `parsed` returns it.
+
+    Returns
+    -------
+    found : dict
+        By name; the tip only if it is given. A faulty one has the paper's value.
+    faults : list of str
+        A line each.
+    """
+    schema = read_yaml("workflow/schemas/config.schema.yaml")
+    usual = read_yaml("config/config.yaml")
+    found, faults = {}, []
+    for name, (key, _) in QUANTITIES.items():
+        accepted = _accepted(schema, key)
+        text, default = getattr(arguments, name), _at(usual, key)
+        fault = text is not None and _fault(name, text, accepted)
+        faults += [fault] if fault else []
+        given = text is not None and not fault
+        used = text.strip() if given else default
+        found[name] = Option(used, magnitude(used, accepted["unit"]), given)
+    if arguments.tip is not None:
+        columns = read_yaml("workflow/schemas/surfaces.schema.yaml")
+        accepted = columns["properties"]["tip_radius"]["oneOf"][-1]
+        if fault := _fault("tip", arguments.tip, accepted):
+            faults.append(fault)
+        else:
+            text = arguments.tip.strip()
+            found["tip"] = Option(text, magnitude(text, accepted["unit"]), True)
+    return found, faults
+
+
+def _at(tree: Mapping[str, Any], key: str) -> Any:
+    """Return what a tree of keys has at one, with dots between its parts."""
+    for part in key.split("."):
+        tree = tree[part]
+    return tree
+
+
+def _accepted(schema: Schema, key: str) -> Schema:
+    """Return the schema of a key of the configuration."""
+    part = schema
+    for name in key.split("."):
+        part = part["properties"][name]
+    return {word: value for word, value in resolved(part, schema).items() if word != "$ref"}
+
+
+def _fault(name: str, text: str, accepted: Schema) -> str:
+    """Return what is wrong with a quantity, or nothing."""
+    try:
+        refuse({name: text}, {"type": "object", "properties": {name: accepted}}, "--")
+    except ValueError as error:
+        return str(error)
+    return ""
+
+
+def name_faults(name: str, overwrite: bool) -> Iterator[str]:
+    """Yield what is wrong with the name of a study.
+
+    Parameters
+    ----------
+    name : str
+        As the user gave it.
+    overwrite : bool
+        Whether the files of an own study may be replaced.
+
+    Yields
+    ------
+    str
+        A line each.
+    """
+    schema = read_yaml("workflow/schemas/config.schema.yaml")["properties"]["study"]
+    try:
+        # The quick study beside it must have a name, too.
+        refuse({"NAME": f"{name}{QUICK_NAME}"}, {"properties": {"NAME": schema}}, "")
+    except ValueError:
+        expected = schema["expects"].replace("100", str(100 - len(QUICK_NAME)))
+        yield f"NAME: expected {expected}, no blanks, found {name!r}"
+        return
+    if name.endswith(QUICK_NAME):
+        yield f"NAME: expected another end than {QUICK_NAME}, that of a first answer, found {name}"
+        return
+    if name in TAKEN:
+        yield f"NAME: expected one of your own, found {name}, which is the project's"
+        return
+    for file in (f"config/{name}.yaml", f"config/{name}.tsv"):
+        if os.path.lexists(ROOT / file) and not overwrite:
+            yield f"{file}: expected no such file, found one: take another name, or --overwrite"
+
+
+def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
+    """Return the files of all surfaces, and what is wrong with them and their labels.
+
+    Parameters
+    ----------
+    arguments : argparse.Namespace
+        As `parsed` returns it.
+    radius : float
+        Of the sphere, in nm.
+
+    Returns
+    -------
+    found : list of Source
+        The sphere's last.
+    faults : list of str
+        A line each.
+    """
+    given = [(arguments.name, arguments.files)] if arguments.files else []
+    given += [(label, files) for label, *files in arguments.surface]
+    found, faults = [], [] if given else ["FILE: expected files of scans, found none"]
+    for label, files in given:
+        if not files:
+            faults.append(f"--surface {label}: expected files of scans, found none")
+        found += [Source(surface_id(label), label, file, path_from_root(file)) for file in files]
+    labels = [label for label, _ in given] + [SPHERE] * bool(arguments.sphere)
+    ids = [surface_id(label) for label in labels]
+    for place, label in enumerate(labels):
+        if ids[place] in ids[:place]:
+            other = labels[ids.index(ids[place])]
+            faults.append(f"--surface {other}: expected a label of its own, found also {label}")
+    found += [
+        Source(SPHERE, SPHERE, file, path_from_root(file), radius) for file in arguments.sphere
+    ]
+    paths = [source.path for source in found]
+    faults += [
+        f"{path}: expected each file once, found it {paths.count(path)} times"
+        for path in dict.fromkeys(paths)
+        if paths.count(path) > 1
+    ]
+    return found, faults
+
+
+def surface_id(label: str) -> str:
+    """Return the id of a surface: its label in lower case, other characters as underscores."""
+    name = re.sub(r"[^a-z0-9]+", "_", label.lower()).strip("_")
+    name = name if re.match("[a-z]", name) else f"surface_{name}".rstrip("_")
+    return name[:40].rstrip("_")
+
+
+def path_from_root(file: str) -> str:
+    """Return a path as studies have it: from the top folder; one to elsewhere stays absolute."""
+    whole = os.path.abspath(file)
+    if os.path.isabs(file) and not Path(whole).is_relative_to(ROOT):
+        return whole
+    return os.path.relpath(whole, ROOT)

@@ -1,0 +1,1 @@
+"""The configuration of a study: schema, limits, paths and lists of files."""

@@ -1,0 +1,184 @@
+"""The configuration of a study: read, checked against its schema, quantities made numbers.
+
+Every fault is a ValueError of one line: the key, what was expected, what was found.
+
+The parts of a study, and why its data do not allow the others.
+
+All faults of the user's input at once, a line each.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from hardcontact.config.schema import Schema, plain, refuse, resolved
+from hardcontact.numbers.units import magnitude
+from hardcontact.records.code import LIBRARY
+
+__all__ = [
+    "NONE",
+    "PAPER",
+    "SMOOTH",
+    "computed_ranges",
+    "configuration",
+    "left_out",
+    "made",
+    "read_yaml",
+    "refuse_all",
+    "refuse_repeated_keys",
+]
+
+
+def read_yaml(path: str) -> Any:
+    """Return a YAML file of the project, by its path from the top folder."""
+    return yaml.safe_load((LIBRARY.parents[1] / path).read_text("utf-8"))
+
+
+def refuse_repeated_keys(path: str | Path) -> None:
+    """Refuse a YAML file that gives a key twice, of which only the last would count.
+
+    Parameters
+    ----------
+    path : str or Path
+        Configuration file; other faults of it are left to whoever reads it.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the file, the line and the key.
+    """
+    try:
+        pending = [("", yaml.compose(Path(path).read_text("utf-8"), yaml.CSafeLoader))]
+    except yaml.YAMLError:  # JSON with tabs
+        return
+    visited = set()  # An alias is the node that it stands for, which may even contain itself.
+    while pending:
+        above, node = pending.pop()
+        if not isinstance(node, yaml.MappingNode) or id(node) in visited:
+            continue
+        visited.add(id(node))
+        keys = set()
+        for key, value in node.value:
+            name = f"{above}{key.value}"
+            if name in keys:
+                raise ValueError(
+                    f"{path}: line {key.start_mark.line + 1}: expected each key once, "
+                    f"found {plain(name)} again"
+                )
+            keys.add(name)
+            pending.append((f"{name}.", value))
+
+
+def configuration(config: Any, schema: Schema) -> dict[str, Any]:
+    """Return a configuration with every quantity as a number in the unit that its schema names.
+
+    Parameters
+    ----------
+    config : dict
+        As read from YAML.
+    schema : mapping
+        JSON schema of the configuration.
+
+    Returns
+    -------
+    dict
+        The same keys; lengths in nm, forces in N, pressures in Pa.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key that is unknown, missing or of the wrong type, unit or size.
+    """
+    refuse(config, schema, "config key ")
+    numbers: dict[str, Any] = _numbers(config, schema, schema)
+    return numbers
+
+
+def computed_ranges(config: dict[str, Any]) -> list[float]:
+    """Return the ranges of adhesion (nm) of scans: those listed, and that of the masters."""
+    return sorted({*config["adhesion"]["ranges"], config["scales"]["range"]})
+
+
+def _numbers(value: Any, schema: Schema, root: Schema) -> Any:
+    """Return the part of a configuration below one place of its schema, quantities as numbers."""
+    schema = resolved(schema, root)
+    if "unit" in schema:
+        return magnitude(value, schema["unit"])
+    if isinstance(value, dict) and "properties" in schema:
+        return {key: _numbers(item, schema["properties"][key], root) for key, item in value.items()}
+    if isinstance(value, list) and "items" in schema:
+        return [_numbers(item, schema["items"], root) for item in value]
+    return value
+
+
+#: Value of the key `published` in a study that is compared with the paper.
+PAPER = "paper"
+#: What stands for a table that the study does not have.
+NONE = "none"
+#: Value of the key `sphere.surface` of a sphere without roughness.
+SMOOTH = "smooth"
+
+#: Targets of a study that is compared with the paper.
+OF_PAPER = (
+    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
+    "robustness", "claims", "figures", "pages", "answer", "insight",
+)  # fmt: skip
+#: Targets of a study of own surfaces; `fit` needs own forces.
+OF_OWN_SURFACES = ("topography", "adhesion", "scales", "force", "fit", "answer")
+
+#: Why a target belongs to a study that is compared with the paper.
+REASONS = {
+    "elastic": "its moduli and its work of adhesion are those of the paper's materials",
+    "plasticity": "indents are computed for comparison with the paper's images of its sphere",
+    "asperities": "patches are computed for comparison with statements of the paper",
+    "classical": "classical models are fitted to the paper's forces",
+    "sets": "sets are drawn from substitutes for the paper's surfaces",
+    "robustness": "it varies how substitutes for the paper's surfaces are made",
+    "claims": "claims are statements of the paper about its own surfaces",
+    "figures": "the figures are the paper's; those of own surfaces are in the answer",
+    "atomic": "it is computed on the reference surface of the paper",
+    "insight": "its parts are made of substitutes for the paper's surfaces",
+    "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
+}
+NO_FORCES = "a fit needs pull-off forces measured on these surfaces (config key forces)"
+
+
+def made(configuration: Mapping[str, Any]) -> list[str]:
+    """Return the targets that the data of a study allow, in their order."""
+    if configuration["published"] == PAPER:
+        return list(OF_PAPER)
+    without = left_out(configuration)
+    return [target for target in OF_OWN_SURFACES if target not in without]
+
+
+def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
+    """Return the reason for each target that the data of a study do not allow."""
+    if configuration["published"] == PAPER:
+        return {}
+    of_forces = {"fit": NO_FORCES} if configuration["forces"] == NONE else {}
+    return REASONS | of_forces
+
+
+def refuse_all(checks: Iterable[Callable[[], object]]) -> None:
+    """Carry out all checks, and tell every fault that they find.
+
+    Parameters
+    ----------
+    checks : iterable of callable
+        Each raises a ValueError of one line a fault.
+
+    Raises
+    ------
+    ValueError
+        With the lines of all, each once.
+    """
+    faults: list[str] = []
+    for one in checks:
+        try:
+            one()
+        except ValueError as error:
+            faults += str(error).splitlines()
+    if faults:
+        raise ValueError("\n".join(dict.fromkeys(faults)))

@@ -1,0 +1,147 @@
+"""Every path of a study: patterns with wildcards, and what may stand in these."""
+
+import re
+from collections.abc import Iterable
+from pathlib import PurePosixPath
+
+__all__ = ["PUBLISHED", "Patterns", "STUDY_VARIANT", "wildcard_constraints"]
+
+#: The tables of what the paper prints, by the names under which rules and figures get them.
+PUBLISHED = {
+    "published_constants": "resources/paper/parameters.csv",
+    "published_pull_off": "resources/paper/pull_off.csv",
+    "published_table1": "resources/paper/table1.csv",
+}
+
+#: Name of the variant of a surface that the study itself is about.
+STUDY_VARIANT = "study"
+
+_SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
+_PAIR = "{radius}/{load}/{surface}/{variant}/scan-{scan}/sphere-scan-{sphere_scan}.nc"
+_REALIZATION = "{surface}/{variant}/realization-{realization}"
+_NUMBER = "[0-9.e+-]+"
+
+
+class Patterns:
+    """The paths of a study, with wildcards in braces where a rule makes several files.
+
+    What people sweep stands in the paths of intermediates, so that files of two values lie side by
+    side.
+
+    Parameters
+    ----------
+    results : str
+        Folder of the final files.
+    store : str
+        Folder of the intermediates, which studies share.
+    sphere : str
+        Name of the surface that is the sphere's.
+    """
+
+    def __init__(self, results: str, store: str, sphere: str) -> None:
+        self.results, self.store = results, store
+
+        self.calibrated_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/calibrated.nc"
+        self.measured_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/measured-{{shape}}.nc"
+        self.conditioning = f"{store}/conditioning/{{surface}}/{{variant}}/group-{{group}}.nc"
+        self.substitute = f"{store}/substitutes/{_SCAN}"
+        self.levelled = f"{store}/scans/{_SCAN}"
+        self.stitched = f"{store}/stitched/{_SCAN}"
+        self.stitched_substrate = self.stitched.replace("{shape}", "flat")
+        self.stitched_sphere = (
+            f"{store}/stitched/{sphere}/{STUDY_VARIANT}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
+        )
+        self.topography = f"{store}/topography/{_SCAN}"
+
+        self.pull_off = f"{store}/pull_off/{_PAIR}"
+        self.elastic = f"{store}/elastic/{_PAIR}"
+        self.asperities = f"{store}/asperities/{_PAIR}"
+        self.repeated_contact = f"{store}/repeated_contact/{_PAIR}"
+        self.elastic_limit = f"{store}/elastic_limit/{_PAIR}"
+        self.window_change = (
+            f"{store}/window_change/{{radius}}/{{load}}/{{range}}/"
+            "{surface}/{variant}/scan-{scan}.nc"
+        )
+
+        of_surface = "{radius}/{load}/{surface}/{variant}"
+        self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
+        at_range = of_surface.replace("{surface}", "{range}/{surface}")
+        self.filtered_windows = f"{store}/filtered_windows/{at_range}/forces.nc"
+        self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
+        of_scan = f"{store}/laws/{of_surface}/scan-{{scan}}"
+        self.law_scan, self.law_small, self.law_large = (
+            f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
+        )
+        # Of all radii, loads and ranges that the edges of the band are scaled by.
+        self.scaled = f"{store}/scaling/{{surface}}/{{variant}}/scan-{{scan}}-{{side}}.nc"
+
+        self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
+        self.small_master = self.master.replace("{side}", "small")
+        self.large_master = self.master.replace("{side}", "large")
+        loaded = f"{{radius}}/{{load}}/{{range}}/{_REALIZATION}"
+        self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}/cutoff-{{cutoff}}.nc"
+
+        self.varied_adhesion = f"{store}/robustness/{_PAIR}"
+        self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"
+
+    def dataset(self, name: str) -> str:
+        """Return the path of a final dataset."""
+        return f"{self.results}/{name}.nc"
+
+    def result(self, file: str) -> str:
+        """Return the path of another final file, named with its suffix."""
+        return f"{self.results}/{file}"
+
+    def record(self, name: str) -> str:
+        """Return the path of the provenance record of files that have no attributes."""
+        return f"{self.results}/provenance/{name}.json"
+
+    def figure(self, name: str, kind: str) -> str:
+        """Return the path of a figure, by its kind: pdf, png or csv."""
+        return f"{self.results}/figures/{name}.{kind}"
+
+    def page(self, name: str) -> str:
+        """Return the path of a page of the report."""
+        return f"{self.results}/report/{name}.html"
+
+    def log(self, rule: str, output: str = "") -> str:
+        """Return the path of the log of a rule, given its output if that has wildcards."""
+        return self._of_run("logs", rule, output, ".log")
+
+    def benchmark(self, rule: str, output: str = "") -> str:
+        """Return the path of the benchmark of a rule, given its output if that has wildcards."""
+        return self._of_run("benchmarks", rule, output, ".tsv")
+
+    def _of_run(self, kind: str, rule: str, output: str, suffix: str) -> str:
+        """Return a path that has the wildcards of an output below the folder of its rule."""
+        if "{" not in output:
+            return f"{self.results}/{kind}/{rule}{suffix}"
+        _, *parts = PurePosixPath(output).relative_to(self.store).with_suffix(suffix).parts
+        return "/".join((self.store, kind, rule, *parts))
+
+
+def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
+    """Return the regular expression that each wildcard must meet.
+
+    Parameters
+    ----------
+    surfaces, variants : iterable of str
+        All names of surfaces and of their variants.
+    """
+    return {
+        "surface": "|".join(map(re.escape, surfaces)),
+        "variant": "|".join(map(re.escape, variants)),
+        "group": r"\d+",
+        "scan": r"\d+",
+        "sphere_scan": r"\d+",
+        "first": r"\d+",
+        "last": r"\d+",
+        "shape": f"flat|sphere-R{_NUMBER}um",
+        "realization": r"\d+",
+        "side": "small|large",
+        "probe": "smooth|rough",
+        "cutoff": f"none|{_NUMBER}nm",
+        "radius": f"R{_NUMBER}um",
+        "load": f"H{_NUMBER}GPa-F{_NUMBER}uN",
+        "range": f"rho{_NUMBER}nm",
+    }

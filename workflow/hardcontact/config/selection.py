@@ -1,0 +1,301 @@
+"""The surfaces and scans that a study is about: the selected rows of its table of surfaces.
+
+The table of surfaces, one row a scan: read and checked.
+
+Every fault is a ValueError of one line: the line or surface, what was expected, what was found.
+"""
+
+import os
+import reprlib
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import pandas as pd
+
+from hardcontact.config.patterns import PUBLISHED
+from hardcontact.config.schema import Schema, plain, refuse
+from hardcontact.numbers.units import magnitude
+from hardcontact.surfaces.substitute_spectra import is_calibrated
+
+__all__ = [
+    "CONTACT",
+    "Measured",
+    "NO_SCAN",
+    "Selection",
+    "TABLE_LIMIT",
+    "selected_scans",
+    "surface_table",
+]
+
+#: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
+NO_SCAN = 0
+
+HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
+
+
+class Measured(NamedTuple):
+    """One scan of a measured surface, as the table names it.
+
+    Attributes
+    ----------
+    path, dataset : str
+        File, and which scan of a container.
+    tip_radius : float or None
+        In nm, where the table states it.
+    """
+
+    path: str
+    dataset: str
+    tip_radius: float | None
+
+
+class Selection:
+    """What the rows of a table of surfaces say, asked for by surface.
+
+    Parameters
+    ----------
+    rows : DataFrame
+        One row a scan, as `surface_table.selected_scans` returns them.
+    sphere : str
+        Name of the surface that is the sphere's; one that the table lacks is smooth.
+
+    Attributes
+    ----------
+    surfaces, substrates : list of str
+        In the order of the table; substrates are all but the sphere's.
+    labels, basis : dict
+        By surface, the name to print and ``"measured"`` or ``"substitute"``.
+    """
+
+    def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
+        self._all_rows = rows
+        self._rows = rows[rows.use == CONTACT]
+        self.sphere = sphere
+        self.surfaces: list[str] = list(rows.surface.unique())
+        self.substrates = [surface for surface in self.surfaces if surface != sphere]
+        self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
+        self.basis: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
+        table = pd.read_csv(HEIGHT_DISTRIBUTION)
+        self._skewness = dict(zip(table.description, table.skewness, strict=True))
+
+    def scans(self, surface: str) -> list[int]:
+        """Return the numbers of the scans of a surface that contacts are made on."""
+        return [int(scan) for scan in self._rows.scan[self._rows.surface == surface]]
+
+    @property
+    def sphere_scans(self) -> list[int]:
+        """Numbers of the scans of the sphere; of a smooth one NO_SCAN alone."""
+        return self.scans(self.sphere) or [NO_SCAN]
+
+    def measured(self, surface: str) -> list[Measured]:
+        """Return every scan of a measured surface, also those that only enter its spectrum."""
+        rows = self._all_rows[self._all_rows.surface == surface]
+        radii = [magnitude(text, "nm") if text else None for text in rows.tip_radius]
+        return [Measured(*names) for names in zip(rows.path, rows.dataset, radii, strict=True)]
+
+    def own_scan(self, surface: str, realization: int) -> int:
+        """Return the number of the substitute scan that belongs to one realization alone.
+
+        The study's scans come first, then numbers after the largest of them.
+        """
+        scans = self.scans(surface)
+        if realization <= len(scans):
+            return scans[realization - 1]
+        return max(scans) + realization - len(scans)
+
+    def group(self, surface: str, scan: int) -> int:
+        """Return the number of the group of a substitute scan: 0 of the study's own scans."""
+        scans = self.scans(surface)
+        return 0 if scan in scans else 1 + (scan - max(scans) - 1) // len(scans)
+
+    def scans_of_group(self, surface: str, group: int) -> list[int]:
+        """Return the scans of a group: as many as the study has, and conditioned together."""
+        scans = self.scans(surface)
+        if group == 0:
+            return scans
+        first = max(scans) + 1 + (group - 1) * len(scans)
+        return list(range(first, first + len(scans)))
+
+    @property
+    def pooled(self) -> list[str]:
+        """Substrates of which sets of scans are drawn: substitutes with a published rms height."""
+        table1 = pd.read_csv(PUBLISHED["published_table1"])
+        known = set(table1.surface[table1.quantity == "afm_rms_height"])
+        return [
+            surface
+            for surface in self.substrates
+            if surface in known and self.basis[surface] == "substitute"
+        ]
+
+    def path(self, surface: str, scan: int) -> str:
+        """Return the file of a measured scan, or the description of a substitute."""
+        return self._cell(surface, scan, "path")
+
+    def dataset(self, surface: str, scan: int) -> str:
+        """Return which dataset of its container a scan is; empty of a plain file."""
+        return self._cell(surface, scan, "dataset") if self.basis[surface] == "measured" else ""
+
+    def undefined_pixels(self, surface: str, choice: str) -> str:
+        """Return what is done with undefined pixels of a surface: substitutes have none."""
+        return choice if self.basis[surface] == "measured" else "refuse"
+
+    def levelling(self, surface: str, choice: str) -> str:
+        """Return how scans of a surface are levelled: substitutes have no scan lines."""
+        return choice if self.basis[surface] == "measured" else "plane"
+
+    def description(self, surface: str) -> str:
+        """Return the file that describes the spectrum of a substitute."""
+        return self.path(surface, self.scans(surface)[0])
+
+    def tables(self, surface: str) -> list[str]:
+        """Return the tables of measured points that the description of a substitute names."""
+        description = self.description(surface)
+        names = pd.read_csv(description).table.dropna().unique()
+        return [(Path(description).parent / name).as_posix() for name in names]
+
+    def skewness(self, surface: str) -> float:
+        """Return the skewness of the heights of a substitute, zero where none is known."""
+        return float(self._skewness.get(Path(self.description(surface)).stem, 0.0))
+
+    def reads_curvature(self, surface: str) -> bool:
+        """Return whether a substitute depends on what the curvature of Table 1 is read as."""
+        bands = pd.read_csv(self.description(surface))
+        return is_calibrated(bands)
+
+    def _cell(self, surface: str, scan: int, column: str) -> str:
+        rows = self._rows
+        return str(rows[(rows.surface == surface) & (rows.scan == scan)].iloc[0][column])
+
+
+#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
+CONTACT = "contact"
+#: The largest table, or description of a surface, in bytes: some ten thousand rows.
+TABLE_LIMIT = 2**20
+
+
+def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
+    """Return the table of surfaces, checked for what its rows say of each other.
+
+    Parameters
+    ----------
+    path : str or Path
+        Tab-separated table with a header.
+    schema : mapping
+        JSON schema of a row.
+
+    Returns
+    -------
+    pandas.DataFrame
+        One row a scan, indexed by the line of the file; columns as in the schema, `scan` as int.
+        An optional column that the file lacks is empty, an empty `use` is CONTACT.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the file and the line or the surface.
+    """
+    (_, header), *rows = _cells(path) or [(1, [])]
+    columns, known = schema["required"], schema["properties"]
+    complete = set(columns) <= set(header) <= set(known) and len(header) == len(set(header))
+    if not complete or not rows:
+        raise ValueError(
+            f"{path}: expected a table of surfaces, the columns {', '.join(columns)}, "
+            "separated by tabs, and a row a scan; "
+            f"found {plain(', '.join(header))} and {len(rows)} rows"
+        )
+    for line, cells in rows:
+        if len(cells) != len(header):
+            raise ValueError(
+                f"{path}: line {line}: expected {len(header)} cells, separated by tabs, "
+                f"found {len(cells)}"
+            )
+        refuse(dict(zip(header, cells, strict=True)), schema, f"{path}: line {line}, ")
+    lines, values = zip(*rows, strict=True)
+    table = pd.DataFrame(values, columns=header, index=lines, dtype=str)
+    table = table.reindex(columns=[*known], fill_value="")
+    table["scan"] = table["scan"].astype(int)
+    table["use"] = table["use"].replace("", CONTACT)
+    _refuse_repeated(path, table, ["surface", "scan"])
+    _refuse_repeated(path, table[table.source == "measured"], ["path", "dataset"])
+    _refuse_disagreement(path, table)
+    for number, file in table.path.items():
+        if not os.path.isfile(file):
+            raise ValueError(f"{path}: line {number}: expected the file {file}, found no such file")
+    return table
+
+
+def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:
+    """Return the rows of the table of surfaces that a study uses.
+
+    Parameters
+    ----------
+    table : pandas.DataFrame
+        As `surface_table` returns it.
+    scans : "all" or list of int
+        Numbers of scans.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Rows of these numbers.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming numbers that no surface has a scan of.
+    """
+    if scans == "all":
+        return table
+    known = sorted({int(scan) for scan in table.scan})
+    if unknown := sorted({*scans} - {*known}):
+        raise ValueError(
+            f"config key scans: expected numbers of scans in the table {reprlib.repr(known)}, "
+            f"found {reprlib.repr(unknown)}"
+        )
+    return table[table.scan.isin(scans)]
+
+
+def _cells(path: str | Path) -> list[tuple[int, list[str]]]:
+    """Return number and cells of every line of a table that is not blank."""
+    if not os.path.isfile(path):
+        raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
+    if os.path.getsize(path) > TABLE_LIMIT:
+        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
+    try:
+        lines = Path(path).read_bytes().decode("utf-8-sig").splitlines()
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"{path}: expected a table of surfaces in UTF-8, found: {error}") from None
+    return [(number, line.split("\t")) for number, line in enumerate(lines, 1) if line.strip()]
+
+
+def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) -> None:
+    repeated = table[table.duplicated(columns)]
+    if len(repeated):
+        values = " ".join(str(repeated.iloc[0][column]) for column in columns)
+        raise ValueError(
+            f"{path}: line {repeated.index[0]}: expected each "
+            f"{' and '.join(columns)} once, found again {values}"
+        )
+
+
+def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
+    """Refuse rows of one surface that differ in what belongs to the surface as a whole."""
+    for surface, rows in table.groupby("surface"):
+        columns = ["label", "source"]
+        if rows.source.iloc[0] == "substitute":
+            columns.append("path")
+        if rows.source.iloc[0] == "substitute" and (rows.use != CONTACT).any():
+            raise ValueError(
+                f"{path}: surface {surface}: expected the use {CONTACT} of substitutes, "
+                f"found {', '.join(rows.use.unique())}"
+            )
+        if not (rows.use == CONTACT).any():
+            raise ValueError(
+                f"{path}: surface {surface}: expected a scan with the use {CONTACT}, found none"
+            )
+        for column in columns:
+            if rows[column].nunique() > 1:
+                raise ValueError(
+                    f"{path}: surface {surface}: expected one {column}, "
+                    f"found {', '.join(rows[column].unique()[:5])}"
+                )

@@ -1,0 +1,218 @@
+"""What a run does before its first job: refuse in one line what cannot go well, lock its folders.
+
+The only place that knows the inside of Snakemake.
+"""
+
+import logging
+import os
+import sys
+from collections.abc import Mapping
+from copy import deepcopy
+from functools import partial
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any, NoReturn, TextIO
+
+import yaml
+from snakemake.logging import logger
+from snakemake.settings.types import ExecMode
+from snakemake.utils import min_version, update_config
+
+from hardcontact.config.checks import check
+from hardcontact.config.configuration import configuration as numbers_of
+from hardcontact.config.configuration import left_out, refuse_all, refuse_repeated_keys
+from hardcontact.config.patterns import PUBLISHED
+from hardcontact.config.selection import Selection, selected_scans, surface_table
+from hardcontact.records import published
+from hardcontact.records.code import LIBRARY
+from hardcontact.records.whole_file import hold
+
+__all__ = [
+    "checked_configuration",
+    "checked_selection",
+    "hold_folders",
+    "kept_configuration",
+    "lift_rate_limit",
+    "prepare",
+    "say_answer",
+    "say_left_out",
+    "with_effort",
+]
+
+#: The folder of the repository that the imported library belongs to.
+ROOT = LIBRARY.parents[1]
+SCHEMAS = LIBRARY.parent / "schemas"
+#: The locks of this run, open until it ends.
+_LOCKS: list[TextIO] = []
+#: How many jobs Snakemake starts in how many seconds, unless told otherwise.
+RATE = (100, 1)
+
+
+def _refuse(message: object) -> NoReturn:
+    """End the run with one line a fault."""
+    sys.exit("\n".join(f"error: {line}" for line in str(message).splitlines()))
+
+
+def prepare(workflow: Any) -> None:
+    """Refuse a run that could not go well, whatever its configuration.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        The run that is being set up.
+    """
+    min_version("9.27")
+    # On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
+    logging.raiseExceptions = False
+    _refuse_elsewhere(workflow)
+    try:
+        Path(".snakemake").mkdir(exist_ok=True)  # Snakemake's own attempt ends in a traceback.
+    except OSError as error:
+        _refuse(f".snakemake: expected a folder to write to, found: {error.strerror}")
+
+
+def _refuse_elsewhere(workflow: Any) -> None:
+    """Refuse another clone's library, use as a module, and another working directory."""
+    parsed = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
+    main = Path(workflow.main_snakefile).resolve()
+    if not parsed.is_relative_to(ROOT):
+        _refuse(
+            f"hardcontact: expected the library of {parsed}, found that of {ROOT}: this is the "
+            "environment of another copy of the study; make one here (README.md)"
+        )
+    if not main.is_relative_to(ROOT):
+        _refuse(
+            f"{main}: expected the study to be run by itself, found it used as a module: its "
+            "inputs and their provenance are named relative to its own folder"
+        )
+    if Path.cwd().resolve() != ROOT:
+        _refuse(
+            f"working directory: expected the folder of the study, {ROOT}, found {Path.cwd()}: its "
+            "inputs and their provenance are named relative to that folder"
+        )
+
+
+def _is_main(workflow: Any) -> bool:
+    """Return whether this process plans the run, and is not one that carries out a job of it."""
+    return bool(workflow.exec_mode == ExecMode.DEFAULT)
+
+
+def _schema(name: str) -> Any:
+    return yaml.safe_load((SCHEMAS / name).read_text("utf-8"))
+
+
+def kept_configuration(config: Mapping[str, Any]) -> str:
+    """Return the path of the configuration of a finished study, or refuse if there is none.
+
+    Parameters
+    ----------
+    config : dict
+        What the command line says: the key `study`, or nothing for the paper.
+    """
+    kept = f"results/{config.get('study', 'paper')}/configuration.yaml"
+    if not os.path.isfile(kept):
+        _refuse(f"{kept}: expected the configuration of a finished study, found no such file")
+    return kept
+
+
+def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the configuration; with `effort: quick` the keys under `quick` replace others.
+
+    Parameters
+    ----------
+    config : dict
+        As Snakemake merged it.
+    """
+    merged = deepcopy(dict(config))
+    quick = merged.get("quick")
+    if merged.get("effort") == "quick" and isinstance(quick, dict):
+        update_config(merged, deepcopy(quick))
+    return merged
+
+
+def say_left_out(configuration: Mapping[str, Any]) -> None:
+    """Say which targets the data of the study do not allow, and why."""
+    for target, reason in left_out(configuration).items():
+        logger.info(f"{target} is left out: {reason}")
+
+
+def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the configuration with quantities as numbers, or refuse it.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        The run that is being set up.
+    config : dict
+        The configuration as Snakemake merged it.
+    """
+    try:
+        if _is_main(workflow):
+            refuse_all(
+                partial(refuse_repeated_keys, os.path.relpath(path))
+                for path in workflow.configfiles
+            )
+        return numbers_of(config, _schema("config.schema.yaml"))
+    except ValueError as error:
+        _refuse(error)
+
+
+def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
+    """Return the surfaces and scans of the study, or refuse what could only fail later.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        The run that is being set up.
+    configuration : dict
+        With quantities as numbers.
+    """
+    try:
+        rows = selected_scans(
+            surface_table(configuration["surfaces"], _schema("surfaces.schema.yaml")),
+            configuration["scans"],
+        )
+        if _is_main(workflow):
+            check(configuration, rows, published.pull_off(PUBLISHED["published_pull_off"]).index)
+    except ValueError as error:
+        _refuse(error)
+    return Selection(rows, configuration["sphere"]["surface"])
+
+
+def say_answer(workflow: Any, page: str) -> None:
+    """Say which page to open at the end of a run that was asked for it.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        The run that ends.
+    page : str
+        Path of the answer.
+    """
+    if any(page in job.output for job in workflow.dag.jobs):
+        logger.info(f"The answer is made: open {page}")
+
+
+def hold_folders(*folders: str) -> None:
+    """Keep other runs out of folders until this one ends, or refuse."""
+    try:
+        _LOCKS.extend(hold(folder) for folder in folders)
+    except ValueError as error:
+        _refuse(error)
+
+
+def lift_rate_limit(workflow: Any) -> None:
+    """Set no limit to the number of jobs a second, unless the user asked for one.
+
+    To keep to its default, Snakemake 9.27 looks for work again a second after each time it did,
+    without end: after a thousand jobs a thousand times a second.
+
+    Parameters
+    ----------
+    workflow : snakemake.workflow.Workflow
+        The run that starts.
+    """
+    limit = workflow.scheduling_settings.max_jobs_per_timespan
+    default = limit and (limit.max_jobs, limit.timespan) == RATE
+    if default and version("snakemake").startswith("9.27."):
+        workflow.scheduler.job_rate_limiter = None

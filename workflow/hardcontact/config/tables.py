@@ -1,0 +1,203 @@
+"""A table that the user wrote: a CSV with a header, and what is wrong with its rows by line.
+
+The user's own pull-off forces: a table of single tests, or of a mean and a median a surface.
+
+Every fault is one line: the file and its line, what was expected, what was found.
+"""
+
+import csv
+import io
+import math
+import os
+from collections.abc import Callable, Collection, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+import pandas as pd
+
+from hardcontact.config.schema import plain
+from hardcontact.config.selection import TABLE_LIMIT
+from hardcontact.numbers.units import magnitude
+
+__all__ = ["Row", "UserTable", "found", "measured_forces", "user_table"]
+
+#: Cells by the name of their column.
+Row = Mapping[str, str]
+
+
+class UserTable(NamedTuple):
+    """A table that the user wrote.
+
+    Attributes
+    ----------
+    path : str
+        Of the file.
+    header : list of str
+        Names of the columns; empty of an empty file.
+    cells : dict of int to list of str
+        Of every other row that is not empty, by line of the file.
+    """
+
+    path: str
+    header: list[str]
+    cells: dict[int, list[str]]
+
+    def rows(self) -> dict[int, Row]:
+        """Return, by line, the rows that have a cell for each column."""
+        return {
+            line: dict(zip(self.header, cells, strict=True))
+            for line, cells in self.cells.items()
+            if len(cells) == len(self.header)
+        }
+
+    def problems(self, faults: Callable[[Row], list[str]]) -> list[str]:
+        """Return one line a problem; a fault that many lines have is told of the first.
+
+        Parameters
+        ----------
+        faults : callable
+            Takes a row and returns what is wrong with it.
+        """
+        rows = self.rows()
+        lines: dict[str, list[int]] = {}
+        for line, cells in self.cells.items():
+            wrong = [f"expected {len(self.header)} cells, found {len(cells)}"]
+            for fault in faults(rows[line]) if line in rows else wrong:
+                lines.setdefault(fault, []).append(line)
+        return [
+            f"{self.path}: line {first}{f' and {len(more)} more' if more else ''}: {fault}"
+            for fault, (first, *more) in lines.items()
+        ]
+
+
+def user_table(path: str | Path, content: str) -> UserTable:
+    """Read a table that the user wrote.
+
+    Parameters
+    ----------
+    path : str or Path
+        CSV in UTF-8.
+    content : str
+        What the table should hold, for the messages.
+
+    Raises
+    ------
+    ValueError
+        In one line.
+    """
+    if not os.path.isfile(path):
+        raise ValueError(f"{path}: expected {content}, found no file")
+    if os.path.getsize(path) > TABLE_LIMIT:
+        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
+    try:
+        text = Path(path).read_bytes().decode("utf-8-sig")
+        reader = csv.reader(io.StringIO(text), strict=True)
+        rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise ValueError(f"{path}: expected a CSV in UTF-8, found: {error}") from None
+    filled = [(line, cells) for line, cells in rows if any(cells)]
+    return UserTable(str(path), filled[0][1] if filled else [], dict(filled[1:]))
+
+
+def found(cell: str) -> str:
+    """Return a cell as a message shows it."""
+    return plain(cell) if cell else "nothing"
+
+
+#: Columns of a table of single tests, and of one row a surface.
+TESTS = ("surface", "value", "unit")
+SUMMARIES = ("surface", "mean", "median", "count", "unit")
+
+
+def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame:
+    """Read the user's own pull-off forces.
+
+    Parameters
+    ----------
+    path : str or Path
+        CSV with a header: surface, value, unit, one row a test; or surface, mean, median, count,
+        unit, one row a surface.
+    surfaces : collection of str
+        Names of the surfaces of the study.
+
+    Returns
+    -------
+    pandas.DataFrame
+        Indexed by line of the file. Columns: surface; mean and median in N, positive; count, the
+        tests they are of. A single test is the mean and the median of one.
+
+    Raises
+    ------
+    ValueError
+        One line a problem, all of them.
+    """
+    table = user_table(path, "a table of forces (config key forces)")
+    _refuse_other_columns(table)
+    problems = table.problems(lambda row: _faults(row, surfaces))
+    forces = pd.DataFrame.from_dict(
+        {line: _force(row) for line, row in table.rows().items()},
+        orient="index",
+        columns=["surface", "mean", "median", "count"],
+    ).rename_axis("line")
+    if "count" in table.header:
+        problems += [
+            f"{path}: line {line}: expected each surface once, found again {plain(surface)}"
+            for line, surface in forces.surface[forces.duplicated("surface")].items()
+        ]
+    if problems:
+        raise ValueError("\n".join(problems))
+    return forces
+
+
+def _refuse_other_columns(table: UserTable) -> None:
+    """Refuse a table that is none of single tests and none of one row a surface."""
+    if sorted(table.header) in (sorted(TESTS), sorted(SUMMARIES)) and table.cells:
+        return
+    raise ValueError(
+        f"{table.path}: expected the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
+        f"separated by commas, and a row for each force; found "
+        f"{plain(', '.join(table.header)) or 'no column'} and {len(table.cells)} rows"
+    )
+
+
+def _faults(row: Row, surfaces: Collection[str]) -> list[str]:
+    """Return what is wrong with the cells of a row, by column."""
+    faults = []
+    if row["surface"] not in surfaces:
+        faults.append(f"surface: expected {' or '.join(surfaces)}, found {found(row['surface'])}")
+    if math.isnan(_newtons("1", row["unit"])):
+        faults.append(f"unit: expected one of force, such as uN, found {found(row['unit'])}")
+    faults += [
+        f"{name}: expected a positive number, found {found(row[name])}"
+        for name in ("value", "mean", "median")
+        if name in row and not _newtons(row[name], "N") > 0
+    ]
+    if "count" in row and _count(row["count"]) < 1:
+        faults.append(f"count: expected a number of tests, found {found(row['count'])}")
+    if "median" in row and _newtons(row["median"], "N") > _newtons(row["mean"], "N"):
+        faults.append(
+            "median: expected at most the mean, as of log-normal forces (or give single tests), "
+            f"found {row['median']} beside {row['mean']}"
+        )
+    return faults
+
+
+def _force(row: Row) -> tuple[str, float, float, int]:
+    """Return surface, mean and median in N, and count of tests; NaN and 0 of what is faulty."""
+    mean, median = (
+        _newtons(row.get(name, row.get("value", "")), row["unit"]) for name in ("mean", "median")
+    )
+    return row["surface"], mean, median, _count(row.get("count", "1"))
+
+
+def _newtons(number: str, unit: str) -> float:
+    """Return a force in N; NaN if it is no number with a unit of force."""
+    try:
+        return magnitude(f"{float(number)!r} {unit}", "N")
+    except ValueError:
+        return math.nan
+
+
+def _count(text: str) -> int:
+    """Return a whole number; 0 if it is none."""
+    return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0

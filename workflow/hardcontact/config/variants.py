@@ -1,0 +1,198 @@
+"""The study's choices and what else they could be, one at a time: the variants of robustness."""
+
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, replace
+from typing import Any
+
+from hardcontact.config.patterns import STUDY_VARIANT
+from hardcontact.config.selection import Selection
+from hardcontact.contact.bearing_area import NamedLoad
+from hardcontact.numbers.units import magnitude, printed, token
+
+__all__ = ["SurfaceVariant", "Variant", "named_load", "surface_variants", "variants"]
+
+OTHER_CURVATURE = {"half_laplacian": "laplacian", "laplacian": "half_laplacian"}
+OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
+
+
+@dataclass(frozen=True)
+class SurfaceVariant:
+    """One way to make substitutes; None stands for what the study itself takes.
+
+    Attributes
+    ----------
+    name : str
+        As it stands in paths.
+    surface : str or None
+        The only one that is made so; None: all.
+    curvature : str or None
+        What the curvature of Table 1 is read as.
+    skewness : float or None
+        Skewness of the heights.
+    tip_radius : float or None
+        In nm, of the tip that images the surface.
+    """
+
+    name: str
+    surface: str | None = None
+    curvature: str | None = None
+    skewness: float | None = None
+    tip_radius: float | None = None
+
+    @property
+    def spectrum(self) -> str:
+        """Name of the way to make substitutes whose spectrum and conditioning this one has."""
+        return STUDY_VARIANT if self.curvature is None else self.name
+
+    def table1(self, definitions: Mapping[str, str]) -> dict[str, str]:
+        """Return what slope and curvature of Table 1 are read as, given the study's reading."""
+        other = {} if self.curvature is None else {"curvature": self.curvature}
+        return dict(definitions) | other
+
+    def heights(self, skewness: float) -> dict[str, float | None]:
+        """Return how heights differ from those drawn, given the skewness of the surface."""
+        return {
+            "skewness": skewness if self.skewness is None else self.skewness,
+            "tip_radius": self.tip_radius,
+        }
+
+    def changes(self, selection: Selection, surface: str) -> bool:
+        """Return whether a surface made so differs from that of the study."""
+        if selection.basis[surface] == "measured" or self.surface not in (None, surface):
+            return False
+        if self.curvature is not None:
+            return selection.reads_curvature(surface)
+        other_heights = self.skewness not in (None, selection.skewness(surface))
+        return other_heights or self.tip_radius is not None
+
+
+@dataclass(frozen=True)
+class Variant:
+    """The study with one other choice.
+
+    Attributes
+    ----------
+    name, label : str
+        In files and in print.
+    group : str
+        Variants of one choice.
+    variant : dict
+        Variant of each substrate.
+    load : NamedLoad
+        On every contact.
+    probe : str
+        Sphere of the critical band, smooth or rough.
+    """
+
+    name: str
+    label: str
+    group: str
+    variant: Mapping[str, str]
+    load: NamedLoad
+    probe: str
+
+    def parameters(self) -> dict[str, Any]:
+        """Return it as parameters of a rule, with the load by its name."""
+        return asdict(self) | {"load": self.load["name"]}
+
+
+def named_load(preload: str, hardness: str) -> NamedLoad:
+    """Return a load from the texts of the configuration, such as ``"10 uN"`` and ``"25 GPa"``."""
+    return NamedLoad(
+        name=f"H{token(hardness, 'GPa')}-F{token(preload, 'uN')}",
+        preload=magnitude(preload, "N"),
+        hardness=magnitude(hardness, "Pa"),
+    )
+
+
+def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
+    """Return the ways to make substitutes by their names, that of the study first."""
+    curvature = OTHER_CURVATURE[configuration["topography"]["curvature"]]
+    heights, tip = (configuration["robustness"][key] for key in ("heights", "tip"))
+    made = [
+        SurfaceVariant(STUDY_VARIANT),
+        SurfaceVariant(curvature, curvature=curvature),
+        *(
+            SurfaceVariant(f"skewness{value:+g}", heights["surface"], skewness=float(value))
+            for value in heights["skewness"]
+        ),
+        *(
+            SurfaceVariant(
+                f"tip-{token(text, 'nm')}", tip["surface"], tip_radius=magnitude(text, "nm")
+            )
+            for text in tip["radii"]
+        ),
+    ]
+    return {variant.name: variant for variant in made}
+
+
+def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
+    """Return the variants of robustness, the study itself first.
+
+    Parameters
+    ----------
+    configuration : dict
+        With its quantities as the texts that the user wrote: they name loads.
+    selection : Selection
+        Surfaces of the study.
+    """
+    contact, other = configuration["contact"], configuration["robustness"]
+    baseline = Variant(
+        "baseline",
+        "as the study",
+        "baseline",
+        dict.fromkeys(selection.substrates, STUDY_VARIANT),
+        named_load(contact["preload"], contact["hardness"]),
+        "rough" if configuration["scales"]["sphere_roughness"] else "smooth",
+    )
+    probe = OTHER_PROBE[baseline.probe]
+    return [
+        baseline,
+        *_of_surfaces(configuration, selection, baseline),
+        _with(baseline, f"{probe}_sphere", f"{probe} sphere in Fig. 6", "sphere", probe=probe),
+        *(
+            _loaded(baseline, "preload", text, "uN", named_load(text, contact["hardness"]))
+            for text in other["preloads"]
+        ),
+        *(
+            _loaded(baseline, "hardness", text, "GPa", named_load(contact["preload"], text))
+            for text in other["hardnesses"]
+        ),
+    ]
+
+
+def _with(baseline: Variant, name: str, label: str, group: str, **choice: Any) -> Variant:
+    """Return the study with another name and one other choice."""
+    return replace(baseline, name=name, label=label, group=group, **choice)
+
+
+def _loaded(baseline: Variant, group: str, text: str, unit: str, other: NamedLoad) -> Variant:
+    label = f"{group} {printed(text)}"
+    return _with(baseline, f"{group}-{token(text, unit)}", label, group, load=other)
+
+
+def _of_surfaces(
+    configuration: Mapping[str, Any], selection: Selection, baseline: Variant
+) -> list[Variant]:
+    """Return a variant for each other way to make substitutes."""
+    made = []
+    for name, one in surface_variants(configuration).items():
+        if name == STUDY_VARIANT:
+            continue
+        label, group = _described(one, selection.labels)
+        of_surface = {
+            surface: name if one.changes(selection, surface) else STUDY_VARIANT
+            for surface in selection.substrates
+        }
+        made.append(_with(baseline, name, label, group, variant=of_surface))
+    return made
+
+
+def _described(one: SurfaceVariant, labels: Mapping[str, str]) -> tuple[str, str]:
+    """Return how another way to make substitutes is called, and the choice that it concerns."""
+    if one.surface is None:
+        return f"curvature of Table 1: {one.name.replace('_', ' ')}", "curvature"
+    label = labels[one.surface]
+    if one.skewness is not None:
+        return f"{label}: skewness {one.skewness:+g}", "heights"
+    return f"{label}: tip of {one.tip_radius:g} nm", "tip"

@@ -1,0 +1,386 @@
+"""Elastic contact with the solvers of ContactMechanics and Adhesion, without plasticity.
+
+A rough body of height -gap is pressed into, or pulled off, a flat periodic half space of the
+effective modulus. Towards the solvers lengths are in nm and forces in nN, so that pressures are
+in GPa and energies per area in J/m²: numbers near one, as their tolerances expect.
+
+Elastic contacts of one pair of scans: pressure at the preload, and pull-off.
+"""
+
+from typing import Any, NamedTuple, TypedDict
+
+import numpy as np
+import xarray as xr
+from Adhesion.Interactions import Exponential
+from Adhesion.System import BoundedSmoothContactSystem
+from ContactMechanics import PeriodicFFTElasticHalfSpace
+from ContactMechanics.Systems import NonSmoothContactSystem
+from numpy.typing import NDArray
+from scipy.optimize import minimize_scalar
+from SurfaceTopography import Topography
+from threadpoolctl import threadpool_limits
+
+from hardcontact.contact import hertz
+from hardcontact.contact.bearing_area import ContactSettings
+from hardcontact.contact.geometry import (
+    Bodies,
+    gap_map,
+    part_around_lowest,
+    sampled_contacts,
+    window_pixels,
+)
+from hardcontact.records.log import progress
+
+__all__ = [
+    "ElasticContact",
+    "ElasticPullOff",
+    "ElasticSettings",
+    "Material",
+    "adhesive_pull_off",
+    "contact_at_load",
+    "elastic_contacts_of_pair",
+]
+
+Floats = NDArray[np.float64]
+
+PASCAL_PER_GPA = 1e9
+NEWTON_PER_NN = 1e-9
+
+#: Overlap or open gap (nm) that pixels in contact may have.
+OVERLAP = 1e-4
+#: Residual force on a pixel that counts as equilibrium, over the largest adhesive force on one.
+RESIDUAL = 1e-4
+
+
+class ElasticContact(NamedTuple):
+    """Elastic contact under a load.
+
+    Attributes
+    ----------
+    pressure : numpy.ndarray
+        (n, n) in Pa.
+    iterations : int
+        Of the solver.
+    """
+
+    pressure: Floats
+    iterations: int
+
+
+class ElasticPullOff(NamedTuple):
+    """Pull-off of one window.
+
+    Attributes
+    ----------
+    rigid, elastic : float
+        Forces in N.
+    iterations : int
+        Of the solver.
+    """
+
+    rigid: float
+    elastic: float
+    iterations: int
+
+
+def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> ElasticContact:
+    """Return elastic contact without adhesion.
+
+    Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206).
+
+    Parameters
+    ----------
+    gap : numpy.ndarray
+        (n, n) in nm at any approach.
+    pixel_size : float
+        Edge of a pixel in nm.
+    modulus : float
+        Effective modulus in Pa.
+    load : float
+        In N.
+
+    Returns
+    -------
+    ElasticContact
+        Pressures and iterations.
+
+    Raises
+    ------
+    ValueError
+        If what the solver returns is no solution: not converged, another load, tension, an
+        overlap, a gap under pressure, or the uniform pressure from which the solver starts.
+    """
+    # The solver reports no contact if all heights are below zero; centred heights are not.
+    body, half_space = _body_and_half_space(gap.mean() - gap, pixel_size, modulus)
+    system = NonSmoothContactSystem(half_space, body)
+    solution = system.minimize_proxy(external_force=load / NEWTON_PER_NN, pentol=OVERLAP / 2)
+    _refuse(not solution.success, solution.message)
+    _refuse(solution.nit < 2, f"{solution.nit} iterations")
+    pressure = solution.jac / pixel_size**2 * PASCAL_PER_GPA
+    in_contact = pressure > 0
+    gap_left = system.compute_gap(solution.x, solution.offset)
+    carried = solution.jac.sum() * NEWTON_PER_NN
+    _refuse(abs(carried / load - 1) > 1e-6, f"a load of {carried:.3g} N")
+    _refuse(pressure.min() < 0, f"a tension of {-pressure.min():.3g} Pa")
+    _refuse(gap_left.min() < -OVERLAP, f"an overlap of {-gap_left.min():.2g} nm")
+    _refuse(
+        gap_left[in_contact].max() > OVERLAP, f"pressure across {gap_left[in_contact].max():.2g} nm"
+    )
+    _refuse(
+        in_contact.all() or pressure.max() > modulus,
+        f"{in_contact.mean():.0%} of all pixels in contact, peak pressure {pressure.max():.3g} Pa",
+    )
+    return ElasticContact(pressure, solution.nit)
+
+
+def adhesive_pull_off(
+    gap: Floats, pixel_size: float, modulus: float, work_of_adhesion: float, rho: float
+) -> ElasticPullOff:
+    """Return the pull-off forces of one window, rigid and elastic.
+
+    Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
+    bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
+    paper, elastic analysis).
+
+    Parameters
+    ----------
+    gap : numpy.ndarray
+        (n, n) in nm at any approach.
+    pixel_size : float
+        Edge of a pixel in nm.
+    modulus : float
+        Effective modulus in Pa.
+    work_of_adhesion : float
+        In J/m².
+    rho : float
+        Range of adhesion in nm.
+
+    Returns
+    -------
+    ElasticPullOff
+        Forces and iterations.
+
+    Raises
+    ------
+    ValueError
+        If no equilibrium was reached, and for bodies so soft that attraction stretches them by
+        more than a tenth of rho: their pull-off may lie outside the range that is searched.
+    """
+    heights = gap.min() - gap
+    attraction = work_of_adhesion / rho * pixel_size**2 * np.exp(heights / rho)
+    body, half_space = _body_and_half_space(heights, pixel_size, modulus)
+    system = BoundedSmoothContactSystem(half_space, Exponential(work_of_adhesion, rho), body)
+    # The attraction between rigid bodies displaces the surface nearly as much as that between
+    # elastic ones.
+    displacement = half_space.evaluate_disp(attraction)
+    elongation = -displacement.min()
+    _refuse(elongation > rho / 10, f"bodies stretched by {elongation:.2g} nm")
+    iterations = 0
+
+    def force(offset: float) -> float:
+        nonlocal displacement, iterations
+        solution = system.minimize_proxy(
+            offset=offset,
+            initial_displacements=np.maximum(displacement, heights + offset),
+            options={"ftol": 0, "gtol": RESIDUAL * attraction.max(), "maxiter": 5000},
+        )
+        displacement, iterations = system.disp, iterations + solution.nit
+        _check_equilibrium(solution, system, attraction.max())
+        # Attraction less the reaction of the wall: residual forces on free pixels do not count.
+        reaction = system.force[system.gap <= 0].sum()
+        return float(system.interaction_force.sum() - reaction)
+
+    # Pull-off is near the offset at which the bodies just touch with the surface still displaced.
+    largest = minimize_scalar(
+        force, bounds=(-1.5 * elongation, 0), method="bounded", options={"xatol": elongation / 6}
+    )
+    _refuse(not largest.success or iterations < 2, f"{largest.message}, {iterations} iterations")
+    rigid = attraction.sum() * NEWTON_PER_NN
+    return ElasticPullOff(rigid, -largest.fun * NEWTON_PER_NN, iterations)
+
+
+def _body_and_half_space(heights: Floats, pixel_size: float, modulus: float) -> tuple[Any, Any]:
+    """Return a rigid body and a half space of the same period; heights: (n, n) nm, modulus: Pa."""
+    size = tuple(pixels * pixel_size for pixels in heights.shape)
+    body = Topography(heights, size, periodic=True)
+    return body, PeriodicFFTElasticHalfSpace(heights.shape, modulus / PASCAL_PER_GPA, size)
+
+
+def _check_equilibrium(solution: Any, system: Any, largest: float) -> None:
+    """Raise ValueError unless the bodies rest: no overlap, no force but on a contact pixel."""
+    _refuse(not solution.success, solution.message)
+    _refuse(system.gap.min() < -OVERLAP, f"an overlap of {-system.gap.min():.2g} nm")
+    residual = np.where(system.gap > OVERLAP, np.abs(system.force), np.maximum(system.force, 0))
+    _refuse(
+        residual.max() > 2 * RESIDUAL * largest,
+        f"{residual.max() / largest:.2g} of the largest adhesive force left on a pixel",
+    )
+
+
+def _refuse(wrong: bool, what: str) -> None:
+    """Raise ValueError if something is wrong."""
+    if wrong:
+        raise ValueError(f"expected an elastic contact in equilibrium, found {what}")
+
+
+UNITS = {
+    "contact_area": "nm2",
+    "hard_share": "1",
+    "peak_pressure": "Pa",
+    "mean_pressure": "Pa",
+    "rigid_pull_off_force": "N",
+    "elastic_pull_off_force": "N",
+    "iterations": "1",
+}
+
+
+class Material(TypedDict):
+    """Young's modulus (Pa) and Poisson's ratio of a body."""
+
+    modulus: float
+    poisson_ratio: float
+
+
+class ElasticSettings(TypedDict):
+    """Materials, sample of contacts and window, as the configuration has them.
+
+    Attributes
+    ----------
+    sphere, substrate : Material
+        The two bodies.
+    contacts : int
+        Number of contacts in the sample.
+    window : float
+        Edge in nm of the part about the lowest gap that is solved for the pull-off.
+    """
+
+    sphere: Material
+    substrate: Material
+    contacts: int
+    window: float
+
+
+class _Solver(NamedTuple):
+    """What all contacts of a pair are solved with; period and window in pixels."""
+
+    bodies: Bodies
+    contact: ContactSettings
+    modulus: float
+    rho: float
+    work_of_adhesion: float
+    period: int
+    window: int
+
+    def numbers(self, place: NDArray[np.int_]) -> tuple[dict[str, float], NDArray[np.float64]]:
+        """Return the numbers of one contact, named as in UNITS, and the pressure at its peak."""
+        gap, pixel_size = gap_map(self.bodies, place), self.bodies.geometry.pixel_size
+        pressure, iterations = contact_at_load(
+            part_around_lowest(gap, self.period), pixel_size, self.modulus, self.contact["preload"]
+        )
+        near = part_around_lowest(gap, self.window)
+        pull_off = adhesive_pull_off(
+            near, pixel_size, self.modulus, self.work_of_adhesion, self.rho
+        )
+        contact_pressure = pressure[pressure > 0]
+        numbers = (
+            contact_pressure.size * pixel_size**2,
+            np.mean(contact_pressure > self.contact["hardness"]),
+            contact_pressure.max(),
+            contact_pressure.mean(),
+            pull_off.rigid,
+            pull_off.elastic,
+            iterations + pull_off.iterations,
+        )
+        peak = -part_around_lowest(-pressure, min(64, self.period))
+        return dict(zip(UNITS, numbers, strict=True)), peak
+
+    def attributes(self) -> dict[str, float]:
+        """Return what the contacts are solved with, in nm, N, Pa and J/m²."""
+        geometry, preload = self.bodies.geometry, self.contact["preload"]
+        return {
+            "hardness": self.contact["hardness"],
+            "preload": preload,
+            "effective_modulus": self.modulus,
+            "rho": self.rho,
+            "work_of_adhesion": self.work_of_adhesion,
+            "window": self.window * geometry.pixel_size,
+            "sphere_radius": geometry.radius,
+            "hertz_peak_pressure": hertz.contact(
+                preload, geometry.radius, self.modulus
+            ).peak_pressure,
+        }
+
+
+def _solver(
+    bodies: Bodies,
+    contact: ContactSettings,
+    elastic: ElasticSettings,
+    rho: float,
+    work_of_adhesion: float,
+) -> _Solver:
+    """Return what all contacts of a pair of scans are solved with."""
+    modulus = hertz.effective_modulus(
+        elastic["sphere"]["modulus"],
+        elastic["sphere"]["poisson_ratio"],
+        elastic["substrate"]["modulus"],
+        elastic["substrate"]["poisson_ratio"],
+    )
+    period = min(bodies.substrate.pixels, bodies.geometry.window)
+    window = min(window_pixels(elastic["window"], bodies.geometry.pixel_size), period)
+    return _Solver(bodies, contact, modulus, rho, work_of_adhesion, period, window)
+
+
+def elastic_contacts_of_pair(
+    bodies: Bodies,
+    contact: ContactSettings,
+    elastic: ElasticSettings,
+    rho: float,
+    work_of_adhesion: float,
+    rng: np.random.Generator,
+) -> xr.Dataset:
+    """Return some contacts of a pair of scans, elastic instead of rigid or plastic.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        With a rough sphere.
+    contact : ContactSettings
+        Array of contacts and load.
+    elastic : ElasticSettings
+        Materials, number of contacts and window.
+    rho : float
+        Range of adhesion in nm.
+    work_of_adhesion : float
+        In J/m².
+    rng : numpy.random.Generator
+        Draws the contacts.
+
+    Returns
+    -------
+    xarray.Dataset
+        The variables of UNITS by contact; of the first the pressure (y, x) about its peak.
+    """
+    solver = _solver(bodies, contact, elastic, rho, work_of_adhesion)
+    places = sampled_contacts(rng, contact["count"], elastic["contacts"])
+    # More threads wait for each other: twice the processor time for the same numbers.
+    with threadpool_limits(1, "blas"):
+        steps = progress(places, len(places), "elastic contacts")
+        solved = [solver.numbers(place) for place in steps]
+    pressure = solved[0][1]
+    position = (np.arange(pressure.shape[0]) - pressure.shape[0] // 2) * bodies.geometry.pixel_size
+    from_peak = {"units": "nm", "long_name": "position from the peak"}
+    variables = {
+        name: ("contact", [numbers[name] for numbers, _ in solved], {"units": unit})
+        for name, unit in UNITS.items()
+    }
+    example = {"units": "Pa", "long_name": "pressure, one contact"}
+    return xr.Dataset(
+        variables | {"pressure": (("y", "x"), pressure, example)},
+        {
+            "contact_y": ("contact", places[:, 0]),
+            "contact_x": ("contact", places[:, 1]),
+            "y": ("y", position, from_peak),
+            "x": ("x", position, from_peak),
+        },
+        solver.attributes(),
+    )

@@ -1,0 +1,321 @@
+"""Effective work of adhesion: that of the smooth sphere with the pull-off force of a rough one.
+
+Lengths in nm, forces in N, works of adhesion in J/m².
+
+Effective works of adhesion and classical models, for the published and the computed forces.
+
+Lengths in nm, forces in N, works of adhesion in J/m².
+"""
+
+from collections.abc import Mapping
+from decimal import Decimal
+from typing import Any, NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.contact import hertz
+from hardcontact.inference import smooth_sphere
+from hardcontact.inference.classical_fits import (
+    RoughnessSamples,
+    compare_models,
+    power_laws,
+    sample_roughness,
+)
+from hardcontact.inference.classical_models import MODELS, Contact, Roughness
+from hardcontact.numbers.statistics import Sampling, with_interval
+from hardcontact.records.dataset import stack
+
+__all__ = ["PerSurface", "apply_classical_models", "effective_works", "pull_off_coefficients"]
+
+
+class PerSurface(NamedTuple):
+    """A number of each surface, with its interval.
+
+    Attributes
+    ----------
+    value : array (surface,)
+        The number.
+    interval : array (surface, 2)
+        Low and high end.
+    """
+
+    value: np.ndarray
+    interval: np.ndarray
+
+
+def effective_works(
+    force: PerSurface, contact: Contact, value: Mapping[Any, float], confidence: float
+) -> xr.Dataset:
+    """Return the effective work of adhesion with three Tabor parameters.
+
+    These are the printed parameter, that of the published work of adhesion, and the self-consistent
+    one, that of the effective work itself. The work is computed with the fit of the transition
+    between JKR and DMT; `pull_off_coefficient`, F/πRW, is given by the fit and by the exact pair of
+    equations.
+
+    Parameters
+    ----------
+    force : PerSurface
+        Pull-off forces in N.
+    contact : Contact
+        Sphere and moduli.
+    value : mapping of str to float
+        Published `tabor_parameter` and `work_of_adhesion` in J/m².
+    confidence : float
+        Of the interval of the forces.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over transition, tabor and surface.
+    """
+    tabor, coefficient = ("tabor", "surface"), smooth_sphere.transition_coefficient
+    own, ends = (_tabor_parameters(forces, contact, value) for forces in force)
+    work, interval = (
+        smooth_sphere.effective_work_of_adhesion(
+            forces, contact.radius, coefficient(smooth_sphere.maugis_parameter(tabors))
+        )
+        for forces, tabors in zip(force, (own, ends), strict=True)
+    )
+    units = {"units": "J m-2"}
+    data = xr.Dataset(
+        with_interval("effective_work_of_adhesion", tabor, work, interval, units, confidence)
+        | {"effective_tabor_parameter": (tabor, own, {"units": "1"})},
+        {"tabor": ["printed", "computed", "self_consistent"]},
+    )
+    return data.assign(
+        pull_off_coefficient=pull_off_coefficients(data["effective_tabor_parameter"])
+    )
+
+
+def _tabor_parameters(
+    force: np.ndarray, contact: Contact, value: Mapping[Any, float]
+) -> np.ndarray:
+    """Return Tabor parameters (3, ...) for forces (...), as in `effective_works`."""
+    own = smooth_sphere.self_consistent_work_of_adhesion(force, *contact)
+    given = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *contact)
+    return np.stack(
+        [
+            np.full(force.shape, value["tabor_parameter"]),
+            np.full(force.shape, given),
+            smooth_sphere.tabor_parameter(own, *contact),
+        ]
+    )
+
+
+def pull_off_coefficients(tabor: xr.DataArray) -> xr.DataArray:
+    """Return the pull-off force over πRW by the fit and by the exact pair of equations.
+
+    Parameters
+    ----------
+    tabor : xarray.DataArray (...)
+        Tabor parameters.
+
+    Returns
+    -------
+    xarray.DataArray (transition, ...)
+        Dimensionless.
+    """
+    maugis = smooth_sphere.maugis_parameter(tabor.values)
+    both = {
+        "fit": smooth_sphere.transition_coefficient(maugis),
+        "maugis_dugdale": smooth_sphere.maugis_dugdale_coefficient(maugis),
+    }
+    return xr.DataArray(
+        np.stack(list(both.values())),
+        {"transition": list(both)} | dict(tabor.coords),
+        ("transition", *tabor.dims),
+        attrs={"units": "1"},
+    )
+
+
+NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
+
+#: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.
+METRICS = {"afm": "afm", "all_scales": "all"}
+
+#: Tabor parameters from DMT to JKR for which the transition is tabulated.
+TABOR_AXIS = np.geomspace(0.01, 10, 121)
+
+
+class _Published(NamedTuple):
+    """What the paper prints of the surfaces of which it prints both roughness and forces."""
+
+    surfaces: list[str]
+    force: PerSurface
+    work: PerSurface
+    roughness: dict[str, tuple[Roughness, Roughness]]  # mean and uncertainty by metrics
+
+
+def apply_classical_models(
+    inference: xr.Dataset,
+    constants: pd.DataFrame,
+    table1: pd.DataFrame,
+    printed: pd.DataFrame,
+    sampling: Sampling,
+) -> xr.Dataset:
+    """Return effective works of adhesion and the forces and fits of classical models.
+
+    Parameters
+    ----------
+    inference : xarray.Dataset
+        That of the study: `force_mean` in N with its interval, of which that of plastic contact at
+        the published pair is taken; label and basis of each surface; attributes sphere_radius in nm
+        and error_threshold.
+    constants, table1, printed : pandas.DataFrame
+        As from `published.constants`, `published.table1` and `published.printed_pull_off`.
+    sampling : Sampling
+        Roughness is drawn within the uncertainty of Table 1.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface, model, metrics, against, tabor, transition, tabor_axis and rms_parameter; NaN
+        for surfaces of which the paper prints no force or no roughness. The interval of a printed
+        number holds whatever is rounded to it.
+    """
+    value, confidence = constants["value"].to_dict(), sampling.confidence
+    contact = _contact(inference.attrs["sphere_radius"], value)
+    published = _published(inference["surface"].values.tolist(), table1, printed)
+    computed = _computed_forces(inference, published.surfaces)
+    forces = {"published": published.force, "computed": computed}
+    return (
+        _works_and_models(forces, published.roughness, contact, value, sampling)
+        .assign(_forces_and_works(published, computed, contact.radius, confidence))
+        .assign_coords(surface=published.surfaces)
+        .reindex(surface=inference["surface"].values)
+        .assign(_smooth_sphere(contact, value) | _descriptions_of_models())
+        .assign(label=inference["label"], basis=inference["basis"])
+        .assign_attrs(
+            sphere_radius=contact.radius,
+            equilibrium_spacing=contact.spacing,
+            error_threshold=inference.attrs["error_threshold"],
+            preload=value["preload"],
+            confidence=confidence,
+        )
+    )
+
+
+def _contact(radius: float, value: Mapping[Any, float]) -> Contact:
+    """Return the contact of the published sphere and substrate."""
+    modulus = hertz.effective_modulus(
+        value["sphere_youngs_modulus"],
+        value["sphere_poisson_ratio"],
+        value["substrate_youngs_modulus"],
+        value["substrate_poisson_ratio"],
+    )
+    return Contact(radius, modulus, value["equilibrium_spacing"])
+
+
+def _published(names: list[str], table1: pd.DataFrame, printed: pd.DataFrame) -> _Published:
+    """Return what the paper prints of those surfaces of which it prints roughness and forces."""
+    rows = table1.pivot(index="surface", columns="quantity", values=["value", "uncertainty"])
+    rows, printed = rows.dropna(), printed.dropna(subset="mean_force")
+    surfaces = [name for name in names if name in printed.index and name in rows.index]
+    rows, printed = rows.loc[surfaces], printed.loc[surfaces]
+    roughness = {
+        metrics: (_roughness(rows, "value", prefix), _roughness(rows, "uncertainty", prefix))
+        for metrics, prefix in METRICS.items()
+    }
+    force, work = (_rounded(printed[name]) for name in ("mean_force", "effective_work_of_adhesion"))
+    return _Published(surfaces, force, work, roughness)
+
+
+def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
+    """Return three rows of Table 1: `value` or `uncertainty` of each."""
+    names = [(column, f"{prefix}_rms_{name}") for name in Roughness._fields]
+    return Roughness(*(rows[name].to_numpy() for name in names))
+
+
+def _rounded(printed: "pd.Series[str]") -> PerSurface:
+    """Return printed numbers and the ends of what is rounded to them; NaN where none is printed."""
+    value = printed.astype(float).to_numpy()
+    half = printed.map(_half_unit, na_action="ignore").astype(float).to_numpy()
+    return PerSurface(value, np.stack([value - half, value + half], axis=-1))
+
+
+def _half_unit(printed: str) -> float:
+    """Return half a unit of the last digit of a printed number: 5e-8 of "8.8e-6"."""
+    exponent = Decimal(printed).as_tuple().exponent
+    return float(Decimal(5).scaleb(int(exponent) - 1))
+
+
+def _computed_forces(inference: xr.Dataset, surfaces: list[str]) -> PerSurface:
+    """Return the mean forces of plastic contacts at the published range and work of adhesion."""
+    plastic = inference.sel(contact_model="plastic", pair="published", surface=surfaces)
+    interval = plastic["force_mean_interval"].transpose("surface", "bound")
+    return PerSurface(plastic["force_mean"].values, interval.values)
+
+
+def _works_and_models(
+    forces: Mapping[str, PerSurface],
+    roughness: Mapping[str, tuple[Roughness, Roughness]],
+    contact: Contact,
+    value: Mapping[Any, float],
+    sampling: Sampling,
+) -> xr.Dataset:
+    """Return effective works, models and power laws against published and computed forces."""
+    effective = stack(
+        {
+            (against,): effective_works(force, contact, value, sampling.confidence)
+            for against, force in forces.items()
+        },
+        ["against"],
+    )
+    by_printed_tabor = effective["effective_work_of_adhesion"].sel(tabor="printed")
+    works = {against: by_printed_tabor.sel(against=against).values for against in forces}
+    targets = {against: force.value for against, force in forces.items()}
+    parts = {}
+    for metrics, (mean, uncertainty) in roughness.items():
+        rng = sampling.generator(metrics)
+        drawn = sample_roughness(rng, mean, uncertainty, sampling.samples)
+        samples = RoughnessSamples(mean, drawn, sampling)
+        models = compare_models(samples, contact, value["work_of_adhesion"], targets)
+        parts[(metrics,)] = models.merge(power_laws(samples, works))
+    return stack(parts, ["metrics"]).merge(effective)
+
+
+def _forces_and_works(
+    published: _Published, computed: PerSurface, radius: float, confidence: float
+) -> dict[str, Any]:
+    """Return forces and works of each surface, and the coefficients that the printed ones imply."""
+    force, work = published.force, published.work
+    implied = smooth_sphere.effective_work_of_adhesion(force.value, radius, work.value)
+    # The coefficient F/πRW is least for the least force and the greatest work.
+    ends = smooth_sphere.effective_work_of_adhesion(
+        force.interval, radius, work.interval[..., ::-1]
+    )
+    variables: dict[str, Any] = {}
+    for name, numbers, units in (
+        ("implied_pull_off_coefficient", PerSurface(implied, ends), ONE),
+        ("published_effective_work_of_adhesion", work, ENERGY),
+        ("published_mean_force", force, NEWTON),
+        ("computed_mean_force", computed, NEWTON),
+    ):
+        variables |= with_interval(name, "surface", *numbers, units, confidence)
+    return variables
+
+
+def _smooth_sphere(contact: Contact, value: Mapping[Any, float]) -> dict[str, Any]:
+    """Return parameters of the smooth sphere, and its transition between JKR and DMT."""
+    tabor = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *contact)
+    _, peak_pressure, _ = hertz.contact(value["preload"], contact.radius, contact.modulus)
+    axis = xr.DataArray(TABOR_AXIS, {"tabor_axis": ("tabor_axis", TABOR_AXIS, ONE)})
+    return {
+        "transition_coefficient": pull_off_coefficients(axis),
+        "tabor_parameter": ((), tabor, ONE),
+        "maugis_parameter": ((), smooth_sphere.maugis_parameter(tabor), ONE),
+        "printed_tabor_parameter": ((), value["tabor_parameter"], ONE),
+        "effective_modulus": ((), contact.modulus, {"units": "Pa"}),
+        "hertz_peak_pressure": ((), peak_pressure, {"units": "Pa"}),
+    }
+
+
+def _descriptions_of_models() -> dict[str, Any]:
+    """Return label, assumed asperities and source of the check of each model."""
+    return {
+        f"model_{field}": ("model", [getattr(model, field) for model in MODELS.values()])
+        for field in ("label", "roughness", "verified")
+    }

@@ -1,0 +1,1 @@
+"""Numbers: statistics, units, random generators named for what they are for, printing."""

@@ -1,0 +1,58 @@
+"""Numbers that the paper prints, as tables of `resources/paper`."""
+
+from pathlib import Path
+
+import pandas as pd
+
+__all__ = ["constants", "printed_pull_off", "pull_off", "table1"]
+
+#: Units of pull-off statistics: numbers in another one would be read as these.
+UNITS = {"mean_force": "N", "median_force": "N", "effective_work_of_adhesion": "J/m2"}
+
+
+def constants(path: str | Path) -> pd.DataFrame:
+    """Return `parameters.csv`: single numbers of the paper, indexed by quantity.
+
+    Columns: value and uncertainty (NaN where none is printed), both in `unit`; basis; source.
+    """
+    return pd.read_csv(path, index_col="quantity")
+
+
+def pull_off(path: str | Path) -> pd.DataFrame:
+    """Return `pull_off.csv`: statistics of the measured pull-off forces, indexed by surface.
+
+    Columns: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN where the
+    paper has none. Another unit, an unknown quantity or a repeated row is a ValueError of one line
+    each.
+    """
+    rows = pd.read_csv(path)
+    wrong = (rows["unit"] != rows["quantity"].map(UNITS)) | rows.duplicated(["surface", "quantity"])
+    known = ", ".join(f"{name} in {unit}" for name, unit in UNITS.items())
+    faults = [
+        f"{path}: line {line + 2}: expected each quantity of a surface once, one of {known}; "
+        f"found {quantity} of {surface} in {unit}"
+        for line, (surface, quantity, unit) in enumerate(
+            zip(rows["surface"], rows["quantity"], rows["unit"], strict=True)
+        )
+        if wrong[line]
+    ]
+    if faults:
+        raise ValueError("\n".join(faults))
+    return _by_surface(rows)
+
+
+def printed_pull_off(path: str | Path) -> pd.DataFrame:
+    """Return the same table as `pull_off`, as text with the digits that are printed."""
+    return _by_surface(pd.read_csv(path, dtype=str))
+
+
+def _by_surface(rows: pd.DataFrame) -> pd.DataFrame:
+    return rows.pivot(index="surface", columns="quantity", values="value")
+
+
+def table1(path: str | Path) -> pd.DataFrame:
+    """Return `table1.csv`: the roughness metrics of Table 1, one row a number.
+
+    Columns: surface; quantity; value and uncertainty, both in `unit`; basis; source.
+    """
+    return pd.read_csv(path)
