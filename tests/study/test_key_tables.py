@@ -46,19 +46,19 @@ def test_every_key_is_required_and_no_other_allowed():
         assert group["additionalProperties"] is False
 
 
-@pytest.mark.parametrize("key", KEYS)
-def test_a_key_says_what_it_means_and_what_it_recomputes(key):
-    (schema,) = at(tree(SCHEMA), key)
-    assert schema["description"].strip() and schema["recomputes"].strip()
-    assert ("unit" in schema) == ("between" in schema)
-    assert "pattern" not in schema or schema["expects"].strip()
+def test_every_key_says_what_it_means_and_what_it_recomputes():
+    for key in KEYS:
+        (schema,) = at(tree(SCHEMA), key)
+        assert schema["description"].strip() and schema["recomputes"].strip(), key
+        assert ("unit" in schema) == ("between" in schema), key
+        assert "pattern" not in schema or schema["expects"].strip(), key
 
 
-@pytest.mark.parametrize("key", KEYS)
-def test_the_default_is_that_of_the_configuration(key):
-    (schema,) = at(tree(SCHEMA), key)
-    default, value = schema["default"], at(PAPER, key)
-    assert (type(default), default) == (type(value), value)
+def test_defaults_are_those_of_the_configuration():
+    for key in KEYS:
+        (schema,) = at(tree(SCHEMA), key)
+        default, value = schema["default"], at(PAPER, key)
+        assert (type(default), default) == (type(value), value), key
 
 
 def test_columns_of_the_table_of_surfaces_are_those_of_the_schema():
@@ -78,9 +78,9 @@ def test_the_quick_study_changes_known_keys_only():
 DOCUMENTATION = (ROOT / "config/README.md").read_text("utf-8")
 
 
-@pytest.mark.parametrize("name", [*KEYS, *ROWS.splitlines()[0].split("\t")])
-def test_every_key_and_column_has_a_row(name):
-    assert f"\n| `{name}` |" in DOCUMENTATION
+def test_every_key_and_column_has_a_row():
+    for name in [*KEYS, *ROWS.splitlines()[0].split("\t")]:
+        assert f"\n| `{name}` |" in DOCUMENTATION, name
 
 
 def test_the_tables_are_those_of_the_schema():

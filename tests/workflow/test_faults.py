@@ -7,6 +7,8 @@ from refusals import assert_says
 from repository import run_snakemake
 from scan_files import cut
 
+pytestmark = pytest.mark.system
+
 LOG = f"results/quick/logs/{ALTERED}.log"
 
 

@@ -16,7 +16,8 @@ from SurfaceTopography import UniformLineScan
 from hardcontact.insight.closed_form import gaussian_share
 from hardcontact.numbers.random import generator
 
-pytestmark = pytest.mark.study
+#: Studies beside the one that all tests share: before a release, and after what they hold changes.
+long = pytest.mark.system
 
 needs_scans = pytest.mark.skipif(not SHARED.is_dir(), reason=f"no real scans in {SHARED}")
 
@@ -61,6 +62,7 @@ def assert_bounded(band):
 # Real scans
 
 
+@long
 @needs_scans
 @pytest.mark.parametrize(
     ("name", "files", "contacts"),
@@ -114,6 +116,7 @@ def several(folder):
     )  # fmt: skip
 
 
+@long
 def test_files_of_all_kinds_are_told_and_used(folder, several):
     results, said = several
     assert_says(said, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
@@ -127,6 +130,7 @@ def test_files_of_all_kinds_are_told_and_used(folder, several):
     assert film["label"] == "My film"
 
 
+@long
 def test_surfaces_on_different_grids_have_each_their_answer(several):
     results, _ = several
     assert_honest(results)
@@ -141,6 +145,7 @@ def test_surfaces_on_different_grids_have_each_their_answer(several):
 # Own forces
 
 
+@long
 def test_the_region_of_own_forces_holds_the_truth(measured):
     assert_honest(measured, fitted=True)
     fit = xr.load_dataset(measured / "fit.nc").sel(contact_model="plastic")
@@ -151,6 +156,7 @@ def test_the_region_of_own_forces_holds_the_truth(measured):
     assert np.isfinite(fit.region).all("bound").mean() < 0.7
 
 
+@long
 def test_own_forces_stand_on_the_page_as_measured(measured):
     text, fit = page_of(measured), numbers(measured)["fit"]
     assert fit is not None
@@ -162,6 +168,7 @@ def test_own_forces_stand_on_the_page_as_measured(measured):
 # A colloidal probe
 
 
+@pytest.mark.study
 def test_a_colloidal_probe_has_its_own_force(probe):
     assert_honest(probe)
     answer = numbers(probe)
@@ -177,6 +184,7 @@ def test_a_colloidal_probe_has_its_own_force(probe):
     assert surface["force"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
 
 
+@pytest.mark.study
 def test_the_report_shows_the_answer_and_nothing_of_the_paper(folder, probe):
     report = probe / "report.html"
     run = quick(folder, "probe", "--report", str(report.relative_to(folder)))
@@ -208,6 +216,7 @@ def gaussian_relative(adhesion, rms_height):
     return relative.mean([name for name in relative.dims if name not in AXES])
 
 
+@long
 def test_a_rough_sphere_sticks_less(folder):
     x = (np.arange(128) - 63.5) * 2500 / 128
     shape = -(x[:, None] ** 2 + x**2) / (2 * 250e3)

@@ -5,13 +5,11 @@ import re
 import pandas as pd
 import pytest
 import yaml
-from key_changes import KEYS_OF_OWN_SURFACES
 from own_studies import changed, quick
 from refusals import assert_says
 
-pytestmark = pytest.mark.study
 
-
+@pytest.mark.study
 def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
     first = {name: (probe / name).read_bytes() for name in ("answer.json", "answer.html")}
     for made_of_it in (probe, folder / "results/store-probe-quick"):
@@ -21,6 +19,7 @@ def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
     assert {name: (probe / name).read_bytes() for name in first} == first
 
 
+@pytest.mark.study
 def test_a_second_run_has_nothing_to_do(folder, probe):
     assert_says(quick(folder, "probe", "-n").stdout, "Nothing to be done")
 
@@ -59,6 +58,7 @@ def planned(run):
     return set(re.findall(r"^(?:local)?rule (\w+):\n", run.stdout, re.M)) - {"all"}
 
 
+@pytest.mark.system
 @pytest.mark.parametrize("key", KEYS)
 def test_a_key_makes_again_what_depends_on_it(folder, measured, key):
     value, rules = KEYS[key]
@@ -68,10 +68,7 @@ def test_a_key_makes_again_what_depends_on_it(folder, measured, key):
     assert planned(quick(folder, "pair", "-n", overlays=["other.yaml"])) == rules | PAGE
 
 
-def test_keys_of_own_surfaces_are_changed_here():
-    assert KEYS_OF_OWN_SURFACES <= {*KEYS, "published"}
-
-
+@pytest.mark.system
 def test_more_forces_make_the_fit_again(folder, measured):
     path = folder / "my.csv"
     with changed(path, path.read_text() + "bare,1.0,uN\n"):
@@ -88,6 +85,7 @@ COLUMNS = {
 }
 
 
+@pytest.mark.system
 @pytest.mark.parametrize("column", COLUMNS)
 def test_a_column_makes_again_what_depends_on_it(folder, measured, column):
     text, rules = COLUMNS[column]

@@ -1,128 +1,128 @@
-"""The rerun matrix: what a dry run would make after each possible change, and nothing else."""
+"""What a dry run would make after a change: what depends on it by the files, and nothing else.
 
+A change is a key, a column, a file, a script or a module; one or two of each stage are tried. What
+each job has as inputs is compared without a run: the modules that its script really loads.
+"""
+
+import ast
 import csv
+import importlib
 import multiprocessing
 import os
 import re
 import shutil
-import subprocess
 import sys
-from multiprocessing.pool import ThreadPool
+from pathlib import Path
 
+import pandas as pd
 import pytest
 import yaml
-from changes import ALL, CHANGES, COLUMNS, FILES, SCRIPTS, with_line
-from key_changes import KEYS, KEYS_OF_OWN_SURFACES, KEYS_OF_VARIANTS
-from repository import PAPER, PARTS, QUICK, ROOT, SCHEMAS, environment, leaves, run_snakemake
-from rule_graph import DRAWN, all_following
-from snakemake.cli import main as snakemake
+from repository import PARTS, QUICK, ROOT, run_snakemake
 
 pytestmark = pytest.mark.study
 
-LIBRARY = ROOT / "workflow/hardcontact"
-#: Modules that are changed: the first of every folder, and all beside the folders. Of all others
-#: it is enough that a job has them as inputs.
-MODULES = sorted(
-    path.relative_to(ROOT).as_posix()
-    for path in [
-        *(sorted(room.glob("[a-z]*.py"))[0] for room in LIBRARY.glob("[a-z]*/")),
-        *LIBRARY.glob("[a-z]*.py"),
-    ]
-)
 
-#: Imports what a script imports; then, for they may come later, all imports inside of functions.
-LOAD = """
-import ast, importlib, inspect, sys
-def imports(path):
-    for node in ast.walk(ast.parse(open(path).read())):
-        if isinstance(node, ast.Import | ast.ImportFrom) and "hardcontact" in ast.unparse(node):
-            yield ast.unparse(node)
-def modules():
-    return {m.__file__ for name, m in sys.modules.items() if name.split(".")[0] == "hardcontact"}
-pending, done = {sys.argv[1]}, set()
-for name in sys.argv[2:]:
-    importlib.import_module(name)
-while pending := (pending | modules()) - done:
-    for path in pending:
-        for line in imports(path):
-            exec(line)
-    done |= pending
-    pending = set()
-print(*modules(), sep="\\n")
-"""
+def forked(function, *arguments):
+    """Return what a function returns in a process of its own, which starts without the library."""
+    with multiprocessing.get_context("fork").Pool(1) as pool:
+        return pool.apply(function, arguments)
 
 
-def loaded(script, *modules):
-    """Return the modules of the library, as paths, that a script and given modules load."""
-    run = subprocess.run(
-        [sys.executable, "-c", LOAD, str(ROOT / "workflow/scripts" / script), *modules],
-        env=environment(ROOT),
-        stdout=subprocess.PIPE,
-        text=True,
-        check=True,
-    )
-    return {os.path.relpath(path, ROOT) for path in run.stdout.split()}
-
-
-def run_dry(folder):
-    """Run Snakemake dry in a folder, in this process; what it prints goes to a file there."""
-    os.chdir(folder)
-    # With its own library, not with that of this process.
+def without_library():
+    """Forget the library that this process has loaded."""
     for name in [name for name in sys.modules if name.partition(".")[0] == "hardcontact"]:
         del sys.modules[name]
-    sys.path.insert(0, str(folder / "workflow"))
-    sys.stdout = sys.stderr = open("output", "w", buffering=1)
-    snakemake(["-n", "--configfile", QUICK, "overlay.yaml"])
 
 
-def dry_run(folder):
-    """Return the rules of a dry run in a folder that shares the finished results, or its error.
-
-    In a process that is forked where Snakemake is imported: this saves half of the time.
-    """
-    process = multiprocessing.get_context("fork").Process(target=run_dry, args=(folder,))
-    process.start()
-    process.join()
-    text = (folder / "output").read_text()
-    if process.exitcode:
-        return text
-    return set(re.findall(r"^(?:local)?rule (\w+):\n", text, re.M)) - {"all"}
+def imports(path):
+    """Yield the lines of a file that import from the library, also those inside of functions."""
+    for node in ast.walk(ast.parse(Path(path).read_text("utf-8"))):
+        if isinstance(node, ast.Import | ast.ImportFrom) and "hardcontact" in ast.unparse(node):
+            yield ast.unparse(node)
 
 
-@pytest.fixture(scope="module")
-def loads():
-    """Rule -> modules that its script loads, those included that it draws by."""
-    programs = {
-        rule: ("draw_figure.py", f"hardcontact.figures.{rule.removeprefix('draw_')}")
-        if rule in DRAWN
-        else (f"{rule}.py",)
-        for rule in sorted(ALL)
-    }
-    with ThreadPool(2) as pool:
-        return dict(zip(programs, pool.starmap(loaded, programs.values()), strict=True))
-
-
-@pytest.fixture(scope="module")
-def inputs(finished):
-    """Rule -> the modules among the inputs of each of its jobs, as Snakemake sums them up."""
-    lines = run_snakemake(finished, "--detailed-summary").stdout.splitlines()
-    header = next(number for number, line in enumerate(lines) if line.startswith("output_file\t"))
-    modules = {}
-    for row in csv.DictReader(lines[header:], delimiter="\t"):
-        paths = row["input-file(s)"].split(",")
-        library = {path for path in paths if path.startswith("workflow/hardcontact/")}
-        modules.setdefault(row["rule"], []).append(library)
+def load(script, *names):
+    """Return the modules of the library, as paths, that a script and given modules load."""
+    without_library()
+    os.chdir(ROOT)
+    sys.path.insert(0, str(ROOT / "workflow"))
+    for name in names:
+        importlib.import_module(name)
+    pending, done, modules = {f"workflow/scripts/{script}"}, set(), set()
+    while pending:
+        for line in (line for path in pending for line in imports(path)):
+            exec(line, {})
+        done |= pending
+        library = (module for name, module in sys.modules.items() if name[:11] == "hardcontact")
+        modules = {os.path.relpath(module.__file__) for module in library}
+        pending = modules - done
     return modules
 
 
+def run_dry(folder):
+    """Return the rules, with outputs, of a dry run in a folder, or what it says of an error."""
+    from snakemake.cli import main
+
+    os.chdir(folder)
+    without_library()
+    sys.path.insert(0, str(folder / "workflow"))
+    sys.stdout = sys.stderr = open("output", "w", buffering=1)
+    code = 0
+    try:
+        main(["-n", "--configfile", QUICK, "overlay.yaml"])
+    except SystemExit as error:
+        code = error.code
+    text = Path("output").read_text()
+    assert not code, text
+    found = re.findall(
+        r"^(?:local)?rule (\w+):\n(?:    input: .*\n)?(?:    output: (.*)\n)?", text, re.M
+    )
+    return [(rule, output) for rule, output in found if output]
+
+
+class Graph:
+    """The jobs of a finished study, from Snakemake's own summary of its files.
+
+    Attributes
+    ----------
+    inputs : dict of str to set of str
+        Output file -> its inputs.
+    rule : dict of str to str
+        Output file -> its rule.
+    """
+
+    def __init__(self, finished):
+        lines = run_snakemake(finished, "--detailed-summary").stdout.splitlines()
+        header = next(n for n, line in enumerate(lines) if line.startswith("output_file\t"))
+        self.inputs, self.rule = {}, {}
+        for row in csv.DictReader(lines[header:], delimiter="\t"):
+            self.inputs[row["output_file"]] = set(row["input-file(s)"].split(","))
+            self.rule[row["output_file"]] = row["rule"]
+
+    def readers(self, path):
+        """Return the rules that have a file among their inputs."""
+        return {self.rule[made] for made, inputs in self.inputs.items() if path in inputs}
+
+    def following(self, rules):
+        """Return some rules, and those of all files that are made from theirs."""
+        made = {path for path, rule in self.rule.items() if rule in rules}
+        while more := {path for path, inputs in self.inputs.items() if inputs & made} - made:
+            made |= more
+        return {self.rule[path] for path in made}
+
+
 @pytest.fixture(scope="module")
-def reruns(finished, tmp_path_factory):
-    """Name of a change -> the rules of a dry run after it."""
-    top = tmp_path_factory.mktemp("reruns")
-    requests = {}
-    changes = CHANGES | {path: ({}, with_line(path), None) for path in MODULES}
-    for number, (name, (overlay, change, _)) in enumerate(changes.items()):
-        folder = top / str(number)
+def graph(finished):
+    return Graph(finished)
+
+
+@pytest.fixture(scope="module")
+def dry(finished, tmp_path_factory):
+    """Return what makes dry runs of the finished study after a change, in copies of its files."""
+    top = tmp_path_factory.mktemp("dry")
+
+    def planned(overlay=None, change=lambda folder: None):
+        folder = top / str(len(list(top.iterdir())))
         folder.mkdir()
         for part in PARTS:
             copy = shutil.copytree if (finished / part).is_dir() else shutil.copy2
@@ -130,57 +130,169 @@ def reruns(finished, tmp_path_factory):
         for part in ("results", ".snakemake"):
             (folder / part).symlink_to(finished / part)
         change(folder)
-        (folder / "overlay.yaml").write_text(yaml.safe_dump(overlay))
-        requests[name] = folder
-    with ThreadPool(2) as pool:
-        rules = pool.map(dry_run, requests.values(), chunksize=1)
-    shutil.rmtree(top)
-    return dict(zip(requests, rules, strict=True))
+        (folder / "overlay.yaml").write_text(yaml.safe_dump(overlay or {}))
+        return forked(run_dry, folder)
+
+    return planned
 
 
-def test_every_key_is_in_the_matrix():
-    matrix = [*KEYS, *KEYS_OF_VARIANTS, *KEYS_OF_OWN_SURFACES, "effort"]
-    assert sorted(matrix) == sorted(leaves(PAPER))
+def rules_of(jobs):
+    return {rule for rule, _ in jobs} - {"all"}
 
 
-def test_every_column_is_in_the_matrix():
-    """But for one that a substitute has no text in: test_job_counts.py changes it."""
-    assert {*COLUMNS, "dataset"} == SCHEMAS["surfaces"]["properties"].keys()
+# What a job has as inputs
 
 
-def test_every_resource_is_in_the_matrix():
-    used = {
-        path.relative_to(ROOT).as_posix()
-        for folder in ("paper", "spectra")
-        for path in (ROOT / "resources" / folder).glob("*.csv")
+def scripts():
+    """Return the script of each rule, and the module that one is called with."""
+    programs = {path.stem: (path.name,) for path in (ROOT / "workflow/scripts").glob("*.py")}
+    figures = (ROOT / "workflow/hardcontact/figures").glob("*.py")
+    return programs | {
+        f"draw_{path.stem}": ("draw_figure.py", f"hardcontact.figures.{path.stem}")
+        for path in figures
     }
-    other = {  # alternatives that no surface names
-        f"resources/spectra/{name}.csv" for name in ("ncd-published", "uncd-measured", "uncd-tem")
-    }
-    of_crn = ROOT / "config/crn.tsv"  # surfaces of a study of their own
-    other |= {line.split("\t")[4] for line in of_crn.read_text("utf-8").splitlines()}
-    assert used - other <= set(FILES)
 
 
-@pytest.mark.parametrize("name", CHANGES)
-def test_a_change_reruns_what_depends_on_it(reruns, name):
-    assert reruns[name] == CHANGES[name][2]
-
-
-@pytest.mark.parametrize("rule", sorted(ALL))
-def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(loads, inputs, rule):
-    """So that a change of one has the effect of a change of the script, which is in the matrix."""
-    assert rule in inputs
-    for modules in inputs[rule]:
-        assert modules == loads[rule]
-
-
-@pytest.mark.parametrize("path", MODULES)
-def test_a_module_reruns_the_rules_whose_scripts_load_it(reruns, loads, path):
-    assert reruns[path] == all_following({rule for rule in loads if path in loads[rule]})
+def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
+    """So that a change of one has the effect of a change of the script, which is tried below."""
+    programs = scripts()
+    tried = {}
+    for path, rule in graph.rule.items():
+        library = {one for one in graph.inputs[path] if one.startswith("workflow/hardcontact/")}
+        tried.setdefault(rule, set()).add(frozenset(library))
+    for rule, found in sorted(tried.items()):
+        script, *names = programs[rule]
+        assert found == {frozenset(forked(load, script, *names))}, rule
+        assert rule in graph.readers(f"workflow/scripts/{script}")
 
 
 def test_no_script_reads_the_configuration():
-    for name in SCRIPTS:
-        text = (ROOT / "workflow/scripts" / name).read_text()
-        assert not re.search(r"snakemake\.config|config\[|\.yaml['\"]", text), name
+    for path in (ROOT / "workflow/scripts").glob("*.py"):
+        assert not re.search(r"snakemake\.config|config\[|\.yaml['\"]", path.read_text()), path
+
+
+# Nothing changed
+
+
+def checked_out(folder):
+    """Write all files again with the same content, as a checkout does."""
+    for part in PARTS:
+        for path in [folder / part, *(folder / part).rglob("*")]:
+            if path.is_file():
+                content = path.read_bytes()
+                path.unlink()
+                path.write_bytes(content)
+
+
+def said_otherwise(folder):
+    """Write the configuration with its keys in another order and with other comments."""
+    for name in ("config/config.yaml", QUICK):
+        content = yaml.safe_load((folder / name).read_text())
+        reordered = yaml.safe_dump(dict(reversed(content.items())), sort_keys=False)
+        (folder / name).write_text(f"# the same\n{reordered}")
+
+
+def test_what_says_the_same_makes_nothing(dry):
+    assert dry(change=checked_out) == []
+    assert dry(change=said_otherwise) == []
+
+
+# A key: the rules that it concerns, and all that is made from theirs
+
+#: Every value stands in the configuration kept with the results and on pages.
+KEPT = {"keep_configuration", "describe_study", "answer_paper", "answer_insight"}
+
+
+def overlay(key, value):
+    """Return the overlay that gives this value to a key with dots."""
+    for part in reversed(key.split(".")):
+        value = {part: value}
+    return value
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "concerned"),
+    [
+        ("scales.tolerance", 0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
+                                   "compare_closed_form", "compare_laws", "scale_edges",
+                                   "try_scan_sizes"}),
+        ("inference.force_floor", "20 nN", {"infer", "judge_sets"}),
+        ("elastic.contacts", 2, {"solve_elastic_contact"}),
+        ("asperities.share", 0.8, {"find_asperities"}),
+        ("sets.pool", 12, {"compute_pool", "judge_sets"}),
+        ("insight.reach", "18 um", {"compute_law_forces"}),
+        ("scales.small.transition", "90 nm", {
+            "synthesize_small_scale_master", "vary_scales", "compute_law_forces",
+            "compute_scaled_pull_off", "aggregate_scales"}),
+    ],
+)  # fmt: skip
+def test_a_key_makes_again_what_depends_on_it(dry, graph, key, value, concerned):
+    assert rules_of(dry(overlay(key, value))) == graph.following(concerned | KEPT)
+
+
+def test_a_realization_more_computes_that_realization_alone(dry):
+    jobs = dry(overlay("scales.realizations", 3))
+    of_forces = [output for _, output in jobs if "store-quick" in output]
+    assert of_forces and all("realization-3" in output for output in of_forces)
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "token"),
+    [
+        ("contact.preload", "12 uN", "F12uN"),
+        ("sphere.radius", "300 um", "R300um"),
+        ("scales.range", "3 nm", "rho3nm"),
+    ],
+)
+def test_swept_values_lie_side_by_side_and_share_masters(dry, key, value, token):
+    jobs = dry(overlay(key, value))
+    assert not any("/masters/" in output for _, output in jobs)
+    filtered = [output for rule, output in jobs if rule == "compute_filtered_pull_off"]
+    assert filtered and all(token in output for output in filtered)
+
+
+def test_another_study_shares_all_intermediates(dry):
+    assert all("results/second/" in output for _, output in dry({"study": "second"}))
+
+
+# A column, a file, a script, a module
+
+
+def relabelled(folder):
+    """Give the rows of a surface another label."""
+    path = folder / "config/surfaces.tsv"
+    table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
+    table.loc[table.surface == "mcd", "label"] = "another"
+    table.to_csv(path, sep="\t", index=False)
+
+
+def test_a_label_computes_no_forces(dry):
+    jobs = rules_of(dry(change=relabelled))
+    assert "aggregate_adhesion" in jobs
+    assert not {"compute_pull_off", "compute_filtered_pull_off", "compute_pool"} & jobs
+
+
+def with_line(path):
+    """Return a change that adds a line without meaning: a comment, or an empty row."""
+
+    def change(folder):
+        with open(folder / path, "a") as file:
+            file.write("\n" if path.endswith((".csv", ".tsv")) else "\n# another line\n")
+
+    return change
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "resources/paper/pull_off.csv",
+        "resources/spectra/mcd.csv",
+        "workflow/scripts/solve_elastic_contact.py",
+        "workflow/hardcontact/adhesion/force_sum.py",
+        "workflow/hardcontact/numbers/statistics.py",
+    ],
+)
+def test_a_file_makes_again_what_is_made_from_it(dry, graph, path):
+    readers = graph.readers(path)
+    assert readers
+    assert rules_of(dry(change=with_line(path))) == graph.following(readers)

@@ -5,13 +5,18 @@ import re
 import pytest
 import yaml
 from repository import PAPER, ROOT, snakemake
-from rule_graph import APART, DRAWN, OF_MEASURED
 
 from hardcontact.config.configuration import made
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 
 FILES = [ROOT / "Snakefile", ROOT / "workflow/redraw.smk", *(ROOT / "workflow/rules").glob("*.smk")]
+DRAWN = {f"draw_{name}" for name in FIGURES}
+#: What targets make that are no part of the study.
+APART = {"compare_finer_master", *(f"draw_{name}" for name in OF_ATOMIC)}
 #: Rules that a study of own surfaces has and the paper's has not.
-OF_OWN_SURFACES = OF_MEASURED - {"measure_spectrum"}
+OF_OWN_SURFACES = {
+    "aggregate_spectra", "find_band_edges", "predict_force", "fit_forces", "answer_surfaces",
+}  # fmt: skip
 BLOCKS = dict(
     re.findall(
         r"^rule (\w+):\n((?:(?: {4}.*)?\n)+)",
