@@ -54,7 +54,6 @@ include: "workflow/rules/provenance.smk"
 
 onstart:
     start.hold_folders(PATTERNS.results, PATTERNS.store)
-    start.lift_rate_limit(workflow)
     start.say_left_out(STUDY)
 
 

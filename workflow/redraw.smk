@@ -34,7 +34,6 @@ DRAWN = [target for target in made(STUDY) if target in ("figures", "pages", "ans
 
 onstart:
     start.hold_folders(PATTERNS.results)
-    start.lift_rate_limit(workflow)
 
 
 onsuccess:

@@ -26,11 +26,14 @@ def of_pair(value, pixels):
 def test_pull_off_forces_of_pairs():
     keys = [("a", 1, 1), ("a", 1, 2), ("b", 1, 1), ("b", 2, 1)]
     pairs = {key: of_pair(float(k), 10 + k) for k, key in enumerate(keys)}
-    changes = {
-        key: xr.Dataset({"window_change": ((), value, {"units": "1"})})
-        for key, value in ((("a", 1), 0.1), (("b", 1), 0.2), (("b", 2), 0.3))
+    changes = {("a", 1): 0.1, ("b", 1): 0.2, ("b", 2): 0.3}
+    scans = {
+        scan: all_surfaces.over_sphere_scans(
+            {key[2]: pair for key, pair in pairs.items() if key[:2] == scan}
+        ).assign(window_change=((), change, {"units": "1"}))
+        for scan, change in changes.items()
     }
-    forces = all_surfaces.stacked_pull_off_forces(pairs, changes, DESCRIBED)
+    forces = all_surfaces.stacked_pull_off_forces(scans, DESCRIBED)
     for k, (surface, scan, sphere_scan) in enumerate(keys):
         place = {"surface": surface, "scan": scan, "sphere_scan": sphere_scan}
         np.testing.assert_array_equal(forces.pull_off_force.sel(place), k)
@@ -42,49 +45,6 @@ def test_pull_off_forces_of_pairs():
     assert forces.label.values.tolist() == ["A", "B"]
     assert forces.basis.values.tolist() == ["measured", "substitute"]
     assert forces.attrs["work_of_adhesion"] == 1.0
-
-
-def test_filtered_forces_and_their_ratio():
-    masters = {}
-    for side in ("small", "large"):
-        for cutoff, force in (("none", 4.0), ("500nm", 3.0), ("43nm", 1.0)):
-            part = of_pair(force, 5)[["pull_off_force"]]
-            part.attrs |= {"shortest_wavelength": 1.2, "longest_wavelength": 5000.0}
-            masters["a", 1, side, cutoff] = part
-    scales = all_surfaces.stacked_filtered_forces(masters, DESCRIBED)
-    assert scales.cutoff_wavelength.values.tolist() == [43.0, 500.0]
-    np.testing.assert_array_equal(scales.ratio.sel(surface="a", side="small"), [[0.25, 0.75]])
-    np.testing.assert_array_equal(scales.unfiltered_pull_off_force, 4.0)
-    ends = scales.unfiltered_wavelength.sel(surface="a")
-    assert float(ends.sel(side="small")) == 1.2 and float(ends.sel(side="large")) == 5000.0
-
-
-def test_ratios_of_masters_at_one_load():
-    masters = {
-        ("a", realization, side): xr.Dataset(
-            {
-                "pull_off_force": (("cutoff_wavelength", "load"), [[2.0, 9.0], [force, 9.0]]),
-                "unfiltered_pull_off_force": ("load", [4.0, 1.0]),
-                "unfiltered_wavelength": ((), end),
-            },
-            {"cutoff_wavelength": cutoffs, "load": ["light", "heavy"]},
-        )
-        for side, cutoffs, end in (("small", [20.0, 43.0], 1.2), ("large", [1e3, 500.0], 2e4))
-        for realization, force in ((1, 1.0), (2, 3.0))
-    }
-    curves = all_surfaces.stacked_ratios(masters, "light")
-    assert curves.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
-    of_a = curves.ratio.sel(surface="a").transpose("side", "realization", ...)
-    missing = [np.nan, np.nan]
-    np.testing.assert_array_equal(
-        of_a.sel(side="small"), [[0.5, 0.25, *missing], [0.5, 0.75, *missing]]
-    )
-    np.testing.assert_array_equal(
-        of_a.sel(side="large"), [[*missing, 0.25, 0.5], [*missing, 0.75, 0.5]]
-    )
-    assert curves.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]
-    message = refusal(all_surfaces.stacked_ratios, masters, "other")
-    assert_says(message, "at the load other", "light, heavy")
 
 
 def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():
@@ -123,8 +83,7 @@ def test_a_surface_without_label_is_an_error():
         )
 
 
-def test_transitions_stand_with_their_side():
-    scales = xr.Dataset(coords={"side": ["large", "small"]})
-    with_both = all_surfaces.with_transitions(scales, {"small": 20.0, "large": 1000.0})
-    assert with_both.transition.sel(side="small").item() == 20.0
-    assert with_both.transition.sel(side="large").item() == 1000.0
+def test_forces_at_a_load_that_is_not_there_are_refused():
+    forces = xr.DataArray([1.0, 2.0], {"load": ["light", "heavy"]}, ["load"])
+    assert all_surfaces.at_load(forces, "heavy").item() == 2.0
+    assert_says(refusal(all_surfaces.at_load, forces, "other"), "at the load other", "light, heavy")

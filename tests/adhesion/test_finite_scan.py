@@ -28,7 +28,7 @@ RADIUS, PIXEL = 250e3, 10e3 / 256
 def mean_force(surface):
     pair = bodies(surface, None, RADIUS, {"window": 10e3, "count": 4})
     load = {"preload": 10e-6, "hardness": 25e9}
-    return pull_off_of_pair(pair, load, [5.6]).variables["pull_off_force"][1][1].mean()
+    return pull_off_of_pair(pair, load, [5.6])["pull_off_force"].values[1].mean()
 
 
 def force_ratio(rms_height, pixels):

@@ -6,7 +6,7 @@ from periodic_maps import RADIUS, height_map, over
 
 from hardcontact.contact import geometry
 from hardcontact.contact.geometry import gap_map
-from hardcontact.records import netcdf
+from hardcontact.records import dataset
 
 ARRAY = {"window": 3000.0, "count": 4}
 
@@ -54,7 +54,7 @@ def test_bodies_of_files_are_those_of_their_maps(tmp_path):
     maps = height_map(20.0 * heights(50), 40.0), height_map(heights(96), 25.0)
     paths = [str(tmp_path / name) for name in ("substrate.nc", "sphere.nc")]
     for surface, path in zip(maps, paths, strict=True):
-        netcdf.write(surface.arrays(), path)
+        dataset.write(surface.dataset(), path)
     pair = geometry.read_bodies(*paths, RADIUS, ARRAY)
     expected = geometry.bodies(*maps, RADIUS, ARRAY)
     assert pair.substrate.pixels == 80 and pair.geometry.pixel_size == 25.0

@@ -32,14 +32,14 @@ VARIANTS = [
 VARIANTS = [one | {"label": one["name"].title(), "group": "any"} for one in VARIANTS]
 
 
-def pair_forces(surface, factor=1.0):
+def scan_forces(surface, factor=1.0):
     """Range 4 nm and 0.05 J/m² at the first load, 2 nm and 0.1 J/m² at the second."""
     index = SUBSTRATES.index(surface)
     forces = [power_curves(4.0, 0.05)[index], power_curves(2.0, 0.1)[index]]
     return xr.Dataset(
         {"pull_off_force": (("load", "rho"), factor * np.array(forces))},
         {"load": LOADS, "rho": RHOS},
-    )
+    ).expand_dims(scan=[1, 2], sphere_scan=[1, 2])
 
 
 def master_forces(side, change):
@@ -58,12 +58,10 @@ def master_forces(side, change):
 
 @pytest.fixture(scope="module")
 def varied():
-    pairs = {
-        (surface, variant, scan, sphere): pair_forces(surface, 1.0 if variant == "study" else 2.0)
+    adhesion = {
+        (surface, variant): scan_forces(surface, 1.0 if variant == "study" else 2.0)
         for surface in SUBSTRATES
         for variant in ("study", "other")
-        for scan in (1, 2)
-        for sphere in (1, 2)
         if variant == "study" or surface == "mcd"
     }
     masters = {
@@ -73,7 +71,7 @@ def varied():
         for side in CUTOFFS
         for probe in ("smooth", "rough")
     }
-    return robustness(pairs, masters, VARIANTS, TABLE.iloc[::-1], CHOICES)
+    return robustness(adhesion, masters, VARIANTS, TABLE.iloc[::-1], CHOICES)
 
 
 def test_loads_are_chosen_by_name(varied):
@@ -139,6 +137,6 @@ def test_variants_are_described(varied):
 
 def test_a_load_that_was_not_computed_is_refused():
     unknown = VARIANTS[0] | {"load": "H1GPa-F1uN"}
-    pairs = {(surface, "study", 1, 1): pair_forces(surface) for surface in SUBSTRATES}
+    adhesion = {(surface, "study"): scan_forces(surface) for surface in SUBSTRATES}
     with pytest.raises(ValueError, match="expected .* H1GPa-F1uN, found .* H25GPa-F10uN, H25GPa"):
-        robustness(pairs, {}, [unknown], TABLE, CHOICES)
+        robustness(adhesion, {}, [unknown], TABLE, CHOICES)

@@ -8,7 +8,7 @@ from scipy.special import erf
 from hardcontact.insight import edge_scaling as scaling
 from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.scales.filtered_pull_off import mean_filtered_pull_off
+from hardcontact.scales.filtered_pull_off import filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
@@ -32,7 +32,7 @@ def master(rms):
 
 def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
     computed = scaled_pull_off(master(0.0), COMBINATIONS)
-    force = computed.variables["unfiltered_pull_off_force"][1]
+    force = computed["unfiltered_pull_off_force"].values
     radius, rho = (np.array(COMBINATIONS[name]) for name in ("radii", "ranges"))
     radius = radius[:, None]
     # 2 pi R W, but for what lies outside the window of 640 nm.
@@ -50,7 +50,7 @@ def test_every_combination_is_that_of_single_contacts():
     computed = scaled_pull_off(master(3.0), COMBINATIONS)
     radius, rho, preload = 2000.0, 5.0, 20e-6
     loads = [{"name": "one", "preload": preload, "hardness": 25e9}]
-    single = mean_filtered_pull_off(
+    single = filtered_pull_off(
         master(3.0),
         None,
         {
@@ -65,10 +65,11 @@ def test_every_combination_is_that_of_single_contacts():
     )
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
-            computed.variables[name][1][..., 1, 1, 1], single.variables[name][1][..., 0]
+            computed[name].values[..., 1, 1, 1],
+            single[name].mean(("contact_y", "contact_x"))[..., 0],
         )
-    assert computed.coordinates["area"][1] == pytest.approx([100.0, 800.0])
-    assert computed.variables["contact_area"][1] == pytest.approx([100.0, 800.0])
+    assert computed["area"].values == pytest.approx([100.0, 800.0])
+    assert computed["contact_area"].values == pytest.approx([100.0, 800.0])
 
 
 RADII, AREAS, RANGES = [1e4, 1e5, 1e6], [50.0, 400.0, 3200.0], [1.4, 2.8, 5.6, 11.2]

@@ -37,19 +37,19 @@ def test_coarser_pixels_keep_their_waves_alone():
 def test_forces_are_those_of_each_map_and_cutoff_alone():
     master = height_map(periodic_noise(PIXELS, 2.0, 1), SIZE / PIXELS)
     found = on_several_pixels(master, GIVEN)
-    common = {"side": "small", "radius": 500.0, "rho": 3.0, "contact": GIVEN.contact}
+    array = {key: GIVEN.contact[key] for key in ("window", "count")}
+    load = {"name": "one", "preload": 1e-7, "hardness": 1e9}
+    common = {"side": "small", "radius": 500.0, "rho": 3.0, "loads": [load], **array}
     for pixels in GIVEN.pixels:
         surface, of_pixels = on_coarser_pixels(master, pixels), found.sel(pixels=pixels)
-        whole, cut = (
-            filtered_pull_off(surface, None, {**common, "cutoff": cutoff, "pixels": pixels})
-            .variables["pull_off_force"][1]
-            for cutoff in (None, 20.0)
-        )  # fmt: skip
+        scales = {"pixels": pixels, "cutoffs": [20.0]}
+        alone = filtered_pull_off(surface, None, {**common, "scales": scales}).isel(load=0)
+        whole, cut = alone.unfiltered_pull_off_force, alone.pull_off_force[0]
         np.testing.assert_array_equal(of_pixels.unfiltered_pull_off_force, whole)
         filtered = of_pixels.pull_off_force.sel(cutoff_wavelength=20)
         np.testing.assert_allclose(filtered, cut, rtol=1e-4)  # heights are stored in float32
         ratio = of_pixels.ratio.sel(cutoff_wavelength=20).item()
-        assert ratio == pytest.approx(cut.mean() / whole.mean())
+        assert ratio == pytest.approx(float(cut.mean() / whole.mean()))
         low, high = of_pixels.ratio_interval.sel(cutoff_wavelength=20).values
         assert low < ratio < high
     finest = found.unfiltered_pull_off_force.mean(["contact_y", "contact_x"])

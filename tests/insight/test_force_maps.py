@@ -20,7 +20,7 @@ RHOS = [0.2, 1.0, 5.6, 40.0]
 def test_map_is_the_single_contacts_at_common_positions(rms):
     heights = periodic_noise(192, rms, 1).astype("float32")
     pair = over(heights, None, 8.0, 600, 5)
-    single = pull_off_of_pair(pair, LOAD, RHOS).variables["pull_off_force"][1][0]
+    single = pull_off_of_pair(pair, LOAD, RHOS)["pull_off_force"].values[0]
     places = pair.geometry.positions
     forces = rigid_pull_off(at_every_pixel(pair, 192), RHOS)
     assert forces.shape == (4, 192, 192)

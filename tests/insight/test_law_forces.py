@@ -119,15 +119,15 @@ def test_a_filter_that_removes_nothing_changes_no_force():
     master = height_map(periodic_noise(128, 10.0, 5), 20.0)
     given = parameters(20.0, 5, [1.0, 5.6], 2)
     filters = {"pixels": 128, "cutoffs": [50.0, 400.0]}
-    made = filtered_range_forces(master, None, "small", filters, given).variables
-    whole = made["unfiltered_pull_off_force"][1]
+    made = filtered_range_forces(master, None, "small", filters, given)
+    whole = made["unfiltered_pull_off_force"].values
     np.testing.assert_allclose(whole, mean_range_forces(master, None, given))
-    nothing, much = made["pull_off_force"][1] / whole
+    nothing, much = made["pull_off_force"].values / whole
     assert abs(nothing - 1).max() < abs(much - 1).max()
 
 
 def test_half_the_window_lacks_most_at_large_ranges():
     scan = height_map(periodic_noise(128, 10.0, 5), 50.0)
-    made = scan_range_forces(scan, None, parameters(50.0, 5, [1.0, 100.0], 2, 20e3)).variables
-    growth = made["pull_off_force"][1] / made["half_window_pull_off_force"][1] - 1
+    made = scan_range_forces(scan, None, parameters(50.0, 5, [1.0, 100.0], 2, 20e3))
+    growth = made["pull_off_force"].values / made["half_window_pull_off_force"].values - 1
     assert 0 <= growth[0] < 1e-6 < 1e-2 < growth[1]

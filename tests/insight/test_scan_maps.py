@@ -10,7 +10,7 @@ from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.scan_maps import force_maps, rigid_pull_off
 from hardcontact.insight.surface_maps import maps_of_scans, maps_of_surfaces
-from hardcontact.records import netcdf
+from hardcontact.records import dataset
 from hardcontact.surfaces.topography import mirror_stitch
 
 SETTINGS = {
@@ -40,7 +40,7 @@ def some_maps(scans=3, settings=SETTINGS):
 def test_map_of_a_scan_is_that_of_its_contacts():
     scan, one = stitched(1), force_maps(stitched(1), SETTINGS)
     pair = bodies(scan, None, 250e3, SETTINGS["contact"])
-    single = pull_off_of_pair(pair, LOAD, [2.0, 5.6]).variables["pull_off_force"][1][0]
+    single = pull_off_of_pair(pair, LOAD, [2.0, 5.6])["pull_off_force"].values[0]
     np.testing.assert_allclose(one["contacts_mean"], single.mean(axis=(1, 2)), rtol=1e-12)
     first = pair.geometry.positions[pair.geometry.positions < 48]
     drawn = one["pull_off_force"].values[np.ix_(first, first)]
@@ -130,7 +130,7 @@ def test_scans_of_different_sizes_are_padded():
 
 
 def test_maps_of_files_carry_labels(tmp_path):
-    netcdf.write(stitched(1).arrays(), tmp_path / "scan.nc")
+    dataset.write(stitched(1).dataset(), tmp_path / "scan.nc")
     files = [(("flat", 1), str(tmp_path / "scan.nc"))]
     maps = maps_of_surfaces(files, SETTINGS, {"flat": "Flat"}, {"flat": "measured"})
     assert maps["label"].item() == "Flat" and maps["basis"].item() == "measured"

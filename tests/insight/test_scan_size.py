@@ -21,14 +21,14 @@ def surface(rms):
 
 def mean_force(one):
     pair = bodies(one, None, 2000.0, {"window": 640.0, "count": 2})
-    return mean_pull_off_of_pair(pair, [LOAD], RANGES).variables["pull_off_force"][1][0]
+    return mean_pull_off_of_pair(pair, [LOAD], RANGES)["pull_off_force"].values[0]
 
 
 def test_windows_of_a_flat_surface_have_its_force():
     forces = window_forces(surface(0.0), WINDOWS)
-    values = forces.variables["pull_off_force"][1]
+    values = forces["pull_off_force"].values
     np.testing.assert_allclose(values, np.broadcast_to(values[-1:], values.shape))
-    assert forces.coordinates["scan_size"][1].tolist() == [320, 640, 640]
+    assert forces["scan_size"].values.tolist() == [320, 640, 640]
 
 
 def test_windows_are_cut_along_the_diagonal_levelled_and_mirrored():
@@ -38,7 +38,7 @@ def test_windows_are_cut_along_the_diagonal_levelled_and_mirrored():
         for part in (slice(0, 32), slice(32, 64))
     ]
     expected = np.mean([mean_force(mirror_stitch(level(one))) for one in windows], axis=0)
-    forces = window_forces(whole, WINDOWS).variables["pull_off_force"][1]
+    forces = window_forces(whole, WINDOWS)["pull_off_force"].values
     np.testing.assert_allclose(forces[0], expected)
     np.testing.assert_allclose(forces[-1], mean_force(whole))
 

@@ -33,12 +33,12 @@ def density(wavevector):
 
 def forces(side, master):
     """Forces (cutoff, contact_y, contact_x) of a master, the unfiltered one first."""
-    settings = {"side": side, "pixels": PIXELS[side], "radius": RADIUS, "rho": RHO}
-    return [
-        filtered_pull_off(master, None, settings | {"cutoff": cutoff, "contact": CONTACT})
-        .variables["pull_off_force"][1]
-        for cutoff in [None, *CUTOFFS[side]]
-    ]  # fmt: skip
+    array = {key: CONTACT[key] for key in ("window", "count")}
+    load = {"name": "one", "preload": CONTACT["preload"], "hardness": CONTACT["hardness"]}
+    settings = {"side": side, "radius": RADIUS, "rho": RHO, "loads": [load], **array}
+    scales = {"pixels": PIXELS[side], "cutoffs": CUTOFFS[side]}
+    found = filtered_pull_off(master, None, settings | {"scales": scales}).isel(load=0)
+    return [found.unfiltered_pull_off_force.values, *found.pull_off_force.values]
 
 
 def scales(draws):

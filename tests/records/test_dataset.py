@@ -16,6 +16,24 @@ def test_what_is_written_is_read_back(tmp_path, file_format):
     xr.testing.assert_identical(dataset.read(tmp_path / "a.nc"), values)
 
 
+def test_equal_datasets_make_equal_files(tmp_path):
+    for name in ("a.nc", "b.nc"):
+        dataset.write(xr.Dataset({"texts": ("x", ["a", "ü"]), "n": ("x", [1, 2])}), tmp_path / name)
+    assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
+
+
+@pytest.mark.parametrize("content", [b"", b"CDF", b"\x89HDF\r\n\x1a\n", b"no netCDF", bytes(4096)])
+def test_another_file_is_refused(tmp_path, content):
+    (tmp_path / "a.nc").write_bytes(content)
+    assert_says(
+        refusal(dataset.read, tmp_path / "a.nc"), "expected a complete netCDF file, found: "
+    )
+
+
+def test_a_missing_file_is_refused(tmp_path):
+    assert_says(refusal(dataset.read, tmp_path / "a.nc"), "a.nc: expected", "No such file")
+
+
 @pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 0.9, 0.999])
 def test_a_truncated_file_is_refused(tmp_path, share):
     path = tmp_path / "a.nc"

@@ -6,19 +6,19 @@ import shutil
 
 import numpy as np
 import pytest
+import xarray as xr
 from refusals import assert_says, refusal
 from repository import run_snakemake
 
-from hardcontact.records import crate, dataset, netcdf, provenance
-from hardcontact.records.netcdf import Arrays
+from hardcontact.records import crate, dataset, provenance
 from hardcontact.records.origin import Origin, canonical, digest, digests
 
 # A small study of a store, a dataset and a table
 
 
 def write(path, origin, value):
-    arrays = Arrays({"a": (("x",), np.full(3, value), {})}, {}, origin.attributes())
-    netcdf.write(arrays, path)
+    arrays = xr.Dataset({"a": (("x",), np.full(3, value), {})}, {}, origin.attributes())
+    dataset.write(arrays, path)
 
 
 @pytest.fixture

@@ -2,8 +2,13 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
-from hardcontact.scales.filtered_masters import forces_at_cutoffs
+from hardcontact.scales.filtered_masters import (
+    forces_at_cutoffs,
+    stacked_forces,
+    with_transitions,
+)
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
@@ -30,11 +35,62 @@ def curves(side):
 )
 def test_a_wave_is_kept_on_its_side_of_the_cutoffs(side, kept, end):
     found = curves(side)
-    dims, values, attributes = found.variables["pull_off_force"]
+    force = found["pull_off_force"]
     # The mean of cos² is 1/2, that of cos⁴ is 3/8.
     whole = np.array([AMPLITUDE**2 / 2, 3 * AMPLITUDE**4 / 8])
-    assert dims == ("cutoff_wavelength", "moment") and attributes["units"] == "N"
-    np.testing.assert_allclose(values, np.outer(kept, whole), atol=1e-4)
-    np.testing.assert_allclose(found.variables["unfiltered_pull_off_force"][1], whole, rtol=1e-6)
-    assert found.variables["unfiltered_wavelength"][1] == end
-    assert list(found.coordinates["cutoff_wavelength"][1]) == CUTOFFS
+    assert force.dims == ("cutoff_wavelength", "moment") and force.attrs["units"] == "N"
+    np.testing.assert_allclose(force, np.outer(kept, whole), atol=1e-4)
+    np.testing.assert_allclose(found["unfiltered_pull_off_force"].values, whole, rtol=1e-6)
+    assert found["unfiltered_wavelength"].values == end
+    assert list(found["cutoff_wavelength"].values) == CUTOFFS
+
+
+def of_master(forces, whole, cutoffs, end):
+    """Forces (cutoff, load, contact, contact), the same at all contacts but for their spread."""
+    spread = np.array([[0.5, 1.5], [1.0, 1.0]])
+    return xr.Dataset(
+        {
+            "pull_off_force": (
+                ("cutoff_wavelength", "load", "contact_y", "contact_x"),
+                np.multiply.outer(forces, spread),
+            ),
+            "unfiltered_pull_off_force": (
+                ("load", "contact_y", "contact_x"),
+                np.multiply.outer(whole, spread),
+            ),
+            "unfiltered_wavelength": ((), end),
+        },
+        {"cutoff_wavelength": cutoffs, "load": ["light", "heavy"]},
+    )
+
+
+def test_ratios_of_masters_are_those_of_means_over_contacts_each_in_its_place():
+    masters = {
+        (surface, realization, side): of_master(
+            [[2.0, 9.0], [realization, 9.0]], [4.0, 1.0], cutoffs, end
+        )
+        for surface, count in (("a", 1), ("b", 2))
+        for realization in range(1, count + 1)
+        for side, cutoffs, end in (("small", [43.0, 20.0], 1.2), ("large", [500.0, 1e3], 2e4))
+    }
+    scales = stacked_forces(masters)
+    assert scales.cutoff_wavelength.values.tolist() == [20.0, 43.0, 500.0, 1e3]
+    missing = [np.nan, np.nan]
+    of_b = scales.ratio.sel(surface="b", load="light").transpose("side", "realization", ...)
+    np.testing.assert_array_equal(
+        of_b.sel(side="small"), [[0.25, 0.5, *missing], [0.5, 0.5, *missing]]
+    )
+    np.testing.assert_array_equal(
+        of_b.sel(side="large"), [[*missing, 0.5, 0.25], [*missing, 0.5, 0.5]]
+    )
+    np.testing.assert_array_equal(scales.ratio.sel(load="heavy").max(), 9.0)
+    assert scales.ratio.sel(surface="a", realization=2).isnull().all()
+    assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
+    assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]
+
+
+def test_transitions_stand_with_their_side():
+    scales = xr.Dataset(coords={"side": ["large", "small"]})
+    with_both = with_transitions(scales, {"small": 20.0, "large": 1000.0})
+    assert with_both.transition.sel(side="small").item() == 20.0
+    assert with_both.transition.sel(side="large").item() == 1000.0

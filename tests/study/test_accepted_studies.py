@@ -145,7 +145,7 @@ def stitched_scan(config, rng, density, radius=None):
 
 
 def assert_forces(arrays):
-    forces = arrays.variables["pull_off_force"][1]
+    forces = arrays["pull_off_force"].values
     assert np.isfinite(forces).all() and (forces > 0).all()
 
 

@@ -9,21 +9,12 @@ from small_study import PATTERNS, files, selection
 pytestmark = pytest.mark.usefixtures("at_root")
 
 
-def test_every_substrate_scan_meets_every_scan_of_the_sphere():
-    study = files(scans=[1, 2, 4])
-    assert [(pair.surface, pair.scan, pair.sphere_scan) for pair in study.pairs] == list(
-        product(SUBSTRATES, [1, 2, 4], [1, 2, 4])
-    )
-    paths = study.of_pairs(PATTERNS.pull_off, study.pairs)
-    assert len(set(paths)) == len(study.pairs)
-    assert paths[1] == (
-        "results/store/pull_off/R250um/H25GPa-F10uN/polished_uncd/study/scan-1/sphere-scan-2.nc"
-    )
-
-
 def test_scans_of_the_sphere_are_taken_in_turn():
     pairs = files(scans=[1, 2]).pairs_in_turn
     assert [(pair.scan, pair.sphere_scan) for pair in pairs] == [(1, 1), (2, 2)] * len(SUBSTRATES)
+    assert files(scans=[1, 2]).of_pairs(PATTERNS.elastic, pairs)[1] == (
+        "results/store/elastic/R250um/H25GPa-F10uN/polished_uncd/study/scan-2/sphere-scan-2.nc"
+    )
 
 
 def test_swept_values_stand_in_paths():
@@ -33,20 +24,20 @@ def test_swept_values_stand_in_paths():
         contact__hardness="0.03 TPa",
         scales__range="0.5 nm",
     )
-    assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.window_changes[0]
+    assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.pull_offs[0]
     assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.filtered_pull_offs[0]
     assert study.stitched("ruby", 1).endswith("ruby/study/scan-1-sphere-R300um.nc")
     assert study.stitched("uncd", 1).endswith("uncd/study/scan-1-flat.nc")
 
 
-def test_topography_is_of_all_scans_and_windows_of_those_of_substrates():
+def test_topography_is_of_all_scans_and_forces_are_of_those_of_substrates():
     study = files(scans=[1, 3])
     assert study.scans == list(product(SURFACES, [1, 3]))
     assert study.substrate_scans == list(product(SUBSTRATES, [1, 3]))
-    assert len(study.topographies) == len(study.scans)
-    assert len(study.window_changes) == len(study.substrate_scans)
-    assert len(study.spectra) == len(study.first_scans) == len(SURFACES)
-    assert [path.split("/")[-3:-1] for path in study.topographies[2:4]] == [["uncd", "study"]] * 2
+    assert len(study.levelled_scans) == len(study.scans)
+    assert len(study.pull_offs) == len(study.substrate_scans)
+    assert len(study.spectra) == len(SURFACES)
+    assert [path.split("/")[-3:-1] for path in study.levelled_scans[2:4]] == [["uncd", "study"]] * 2
     assert [path.split("/")[-1] for path in study.stitched_spheres] == [
         "scan-1-sphere-R250um.nc",
         "scan-3-sphere-R250um.nc",
@@ -56,9 +47,7 @@ def test_topography_is_of_all_scans_and_windows_of_those_of_substrates():
 
 def test_measured_scans_are_read_where_they_lie():
     study = files(measured=["mcd"])
-    assert study.scan("mcd", 2) == "mcd-2.nc"
     assert study.spectrum("mcd") == "results/store/spectra/mcd/study/measured-flat.nc"
-    assert study.scan("uncd", 2) == "results/store/substitutes/uncd/study/scan-2-flat.nc"
     assert study.spectrum("uncd") == "results/store/spectra/uncd/study/calibrated.nc"
 
 
@@ -97,17 +86,19 @@ def test_only_substitutes_are_conditioned():
     assert conditionings["ruby"] == "results/store/conditioning/ruby/study/group-0.nc"
 
 
-def test_every_cutoff_of_every_realization_and_the_unfiltered_surface():
-    cutoffs = {"scales__small__cutoffs": ["43 nm", "0.1 um"], "scales__large__cutoffs": ["2 um"]}
-    study = files(scales__realizations=2, **cutoffs)
-    small = [cutoff for *_, side, cutoff in study.filters if side == "small"]
-    large = [cutoff for *_, side, cutoff in study.filters if side == "large"]
-    assert small == ["none", "43nm", "100nm"] * 2 * len(SUBSTRATES)
-    assert large == ["none", "2000nm"] * 2 * len(SUBSTRATES)
-    assert len(set(study.filtered_pull_offs)) == len(study.filters) == 10 * len(SUBSTRATES)
+def test_every_master_of_every_realization_is_filtered():
+    study = files(scales__realizations=2)
+    assert study.masters == list(product(SUBSTRATES, [1, 2], ["small", "large"]))
+    assert len(set(study.filtered_pull_offs)) == len(study.masters)
     assert study.filtered_pull_offs[1].endswith(
-        "rho5.6nm/polished_uncd/study/realization-1/small/cutoff-43nm.nc"
+        "rho5.6nm/polished_uncd/study/realization-1/large.nc"
     )
+
+
+def test_scans_are_made_in_the_groups_that_are_conditioned_together():
+    study = files(measured=["mcd"], scans=[1, 3], sets__realizations=5)
+    others = [surface for surface in SURFACES if surface != "mcd"]
+    assert study.scan_groups == {(1, 3): others, (4, 5): others, (6, 7): others}
 
 
 def test_indents_are_made_on_one_surface():
@@ -122,9 +113,8 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     )
     made = list(product(SUBSTRATES, ["study"])) + list(product(SUBSTRATES, ["laplacian"]))
     made += [("mcd", "skewness-0.5"), ("uncd", "tip-17nm")]
-    assert [pair[:2] for pair in study.varied_pairs if pair.scan == 1] == made
-    assert len(study.varied_pairs) == 2 * len(made)
-    assert {pair.sphere_scan for pair in study.varied_pairs} == {1}
+    assert study.varied_surfaces == made
+    assert len(set(study.varied_adhesion)) == len(made)
     masters = {(name, variant, probe) for name, variant, _, _, probe in study.varied_masters}
     assert masters == {(*one, "smooth") for one in made} | {
         (name, "study", "rough") for name in SUBSTRATES

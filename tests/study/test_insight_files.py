@@ -24,4 +24,4 @@ def test_lists_of_all_files_are_those_of_the_study(at_root):
     ours, all_files = insight_files(insight__realizations=1), files([1, 2, 4])
     assert ours.scans == all_files.scans == list(product(SURFACES, [1, 2, 4]))
     assert ours.substrate_scans == all_files.substrate_scans
-    assert ours.topographies == all_files.topographies
+    assert ours.levelled_scans == all_files.levelled_scans

@@ -27,7 +27,6 @@ VALUES = {
     "realization": ["1"],
     "side": ["small", "large"],
     "probe": ["smooth", "rough"],
-    "cutoff": ["none", "43nm", "1.5e+06nm"],
     "radius": ["R250um", "R0.5um"],
     "load": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],
     "range": ["rho5.6nm"],
@@ -74,7 +73,7 @@ def test_every_wildcard_has_a_constraint():
     ("name", "value"),
     [
         ("surface", "uncd/study"), ("surface", "bxc"), ("variant", "other"), ("scan", "1a"),
-        ("shape", "sphere"), ("cutoff", "43"), ("load", "H25GPa"), ("side", "both"),
+        ("shape", "sphere"), ("load", "H25GPa"), ("side", "both"),
     ],
 )  # fmt: skip
 def test_other_values_are_refused(name, value):
@@ -91,7 +90,12 @@ def test_stitched_scans_of_both_bodies_are_stitched_scans():
 
 def test_masters_of_both_sides_are_masters():
     for side in ("small", "large"):
-        assert getattr(PATTERNS, f"{side}_master") == PATTERNS.master.replace("{side}", side)
+        for of_both, of_one in (
+            (PATTERNS.master, f"{side}_master"),
+            (PATTERNS.varied_scales, f"{side}_varied"),
+            (PATTERNS.scaled, f"{side}_scaled"),
+        ):
+            assert getattr(PATTERNS, of_one) == of_both.replace("{side}", side)
 
 
 @pytest.mark.parametrize("name", INTERMEDIATES)

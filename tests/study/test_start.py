@@ -1,6 +1,5 @@
-"""Where a study may run, and the fault of Snakemake that its start goes around."""
+"""Where a study may run, and what it says at its end."""
 
-import re
 import shutil
 import subprocess
 import sys
@@ -41,64 +40,6 @@ def test_the_library_of_another_copy_is_refused(repository, tmp_path):
     (tmp_path / "workflow").symlink_to(repository / "workflow")
     line = said(snakemake(tmp_path, "-n"))
     assert_says(line, f"expected the library of {tmp_path}", f"found that of {repository}")
-
-
-# Snakemake's faults, and what can go with them
-
-CHAIN = """
-workflow.looks = 0
-onstart:
-    {at_start}
-rule all:
-    input: "3"
-for number in (1, 2, 3):
-    rule:
-        input: [str(number - 1)] if number > 1 else []
-        output: str(number)
-        shell: "sleep 1; touch {{output}}"
-onsuccess:
-    print("looks for work:", workflow.looks)
-"""
-COUNTED = """
-from snakemake.scheduling.job_scheduler import JobScheduler
-from snakemake.cli import main
-workflow, looks = None, []
-again = JobScheduler._schedule_reevalutation
-def counted(self, delay):
-    looks.append(delay)
-    again(self, delay)
-    self.workflow.looks = len(looks)
-JobScheduler._schedule_reevalutation = counted
-main()
-"""
-
-
-def looks_for_work(folder, at_start):
-    """Return how often Snakemake looks for work again in a chain of three jobs of a second."""
-    folder.mkdir()
-    (folder / "Snakefile").write_text(CHAIN.format(at_start=at_start))
-    run = subprocess.run(
-        [sys.executable, "-c", COUNTED, "--cores", "1"],
-        cwd=folder,
-        env=environment(ROOT),
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
-    assert run.returncode == 0, run.stdout
-    return int(re.search(r"looks for work: (\d+)", run.stdout)[1])
-
-
-@pytest.mark.study
-def test_snakemake_still_looks_for_work_without_end(tmp_path):
-    """Should this fail, Snakemake is mended: `start.lift_rate_limit` can go, and this test."""
-    assert looks_for_work(tmp_path / "default", "pass") > 3
-
-
-@pytest.mark.study
-def test_the_study_lets_snakemake_look_for_work_when_a_job_ends(tmp_path):
-    lifted = "from hardcontact.config import start; start.lift_rate_limit(workflow)"
-    assert looks_for_work(tmp_path / "lifted", lifted) == 0
 
 
 ANSWER = """

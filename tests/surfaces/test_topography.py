@@ -128,21 +128,21 @@ def test_a_prepared_scan_is_levelled_and_stitched():
     scan = scan_of(np.random.default_rng(1).standard_normal((16, 16)) + 3 * x - y)
     levelled, stitched = prepared_scan(scan)
     expected = level(scan).heights.astype(np.float32)
-    np.testing.assert_array_equal(levelled.variables["heights"][1], expected)
-    np.testing.assert_array_equal(stitched.variables["heights"][1][16:, 16:], expected[::-1, ::-1])
-    assert levelled.attributes == {"periodic": 0, "basis": "measured"}
-    assert stitched.attributes == {"periodic": 1, "basis": "measured"}
-    assert list(levelled.variables) == list(stitched.variables) == ["heights"]
+    np.testing.assert_array_equal(levelled["heights"].values, expected)
+    np.testing.assert_array_equal(stitched["heights"].values[16:, 16:], expected[::-1, ::-1])
+    assert levelled.attrs == {"periodic": 0, "basis": "measured"}
+    assert stitched.attrs == {"periodic": 1, "basis": "measured"}
+    assert list(levelled.data_vars) == list(stitched.data_vars) == ["heights"]
 
 
 def test_a_prepared_scan_of_the_sphere_keeps_what_was_scanned(sphere):
     levelled, stitched = prepared_scan(sphere, RADIUS)
-    dimensions, as_scanned, attributes = levelled.variables["as_scanned"]
-    assert dimensions == ("y", "x") and attributes["units"] == "nm"
+    as_scanned = levelled["as_scanned"]
+    assert as_scanned.dims == ("y", "x") and as_scanned.attrs["units"] == "nm"
     np.testing.assert_array_equal(as_scanned, sphere.heights.astype(np.float32))
     expected = subtract_sphere(sphere, RADIUS).heights
-    np.testing.assert_allclose(levelled.variables["heights"][1], expected, atol=1e-6)
-    assert list(stitched.variables) == ["heights"]
+    np.testing.assert_allclose(levelled["heights"].values, expected, atol=1e-6)
+    assert list(stitched.data_vars) == ["heights"]
 
 
 @pytest.mark.parametrize("radius", [None, RADIUS])
@@ -151,10 +151,10 @@ def test_a_prepared_scan_keeps_how_it_was_levelled_and_what_its_file_says(sphere
     levelled, stitched = prepared_scan(sphere, radius, level_lines, said)
     bare = sphere if radius is None else subtract_sphere(sphere, radius)
     expected = level_lines(bare).heights
-    np.testing.assert_allclose(levelled.variables["heights"][1], expected, atol=1e-5)
-    np.testing.assert_allclose(stitched.variables["heights"][1][:64, :64], expected, atol=1e-5)
+    np.testing.assert_allclose(levelled["heights"].values, expected, atol=1e-5)
+    np.testing.assert_allclose(stitched["heights"].values[:64, :64], expected, atol=1e-5)
     for arrays, periodic in ((levelled, 0), (stitched, 1)):
-        assert arrays.attributes == {"periodic": periodic, "basis": "measured"} | said
+        assert arrays.attrs == {"periodic": periodic, "basis": "measured"} | said
 
 
 def test_rows_of_table1_are_variables_of_the_topography():

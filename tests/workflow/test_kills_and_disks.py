@@ -177,7 +177,6 @@ def test_a_read_only_folder(finished_copy, name):
 @pytest.mark.parametrize(
     "write",
     [
-        'netcdf.write(Arrays({"heights": heights}, {}, {}), "made/a.nc")',
         'dataset.write(xarray.Dataset({"heights": heights}), "made/a.nc")',
         'dataset.write(xarray.Dataset({"heights": heights}), "made/a.nc", "NETCDF3_64BIT")',
     ],
@@ -186,8 +185,7 @@ def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, write, room):
     """Even where there is no room for its log; netCDF must not crash."""
     job = f"""
 import numpy, xarray
-from hardcontact.records import dataset, log, netcdf
-from hardcontact.records.netcdf import Arrays
+from hardcontact.records import dataset, log
 heights = (("y", "x"), numpy.ones((512, 512)), {{}})
 with log.job_log("a.log"):
     {write}

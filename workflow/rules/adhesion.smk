@@ -2,10 +2,10 @@
 
 
 rule compute_pull_off:
-    """Compute rigid and plastic pull-off of one pair of scans, at every contact and range."""
+    """Compute rigid and plastic pull-off of one scan on all scans of the sphere."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        sphere=lambda w: FILES.sphere(int(w.sphere_scan)),
+        spheres=FILES.stitched_spheres,
         code=code_inputs("compute_pull_off.py"),
     output:
         PATTERNS.pull_off,
@@ -18,8 +18,10 @@ rule compute_pull_off:
     params:
         canonical=canonical(
             {
+                "sphere_scans": SELECTION.sphere_scans,
                 "contact": STUDY["contact"],
                 "ranges": RANGES,
+                "reference_range": STUDY["scales"]["range"],
                 "radius": STUDY["sphere"]["radius"],
             }
         ),
@@ -27,37 +29,10 @@ rule compute_pull_off:
         "../scripts/compute_pull_off.py"
 
 
-rule measure_window_change:
-    """Measure how much a wider window changes the forces of one scan, at the reference range."""
-    input:
-        substrate=PATTERNS.stitched_substrate,
-        spheres=FILES.stitched_spheres,
-        code=code_inputs("measure_window_change.py"),
-    output:
-        PATTERNS.window_change,
-    log:
-        PATTERNS.log("measure_window_change", PATTERNS.window_change),
-    benchmark:
-        PATTERNS.benchmark("measure_window_change", PATTERNS.window_change)
-    resources:
-        mem_mb=1000,
-    params:
-        canonical=canonical(
-            {
-                "contact": STUDY["contact"],
-                "reference_range": STUDY["scales"]["range"],
-                "radius": STUDY["sphere"]["radius"],
-            }
-        ),
-    script:
-        "../scripts/measure_window_change.py"
-
-
 rule aggregate_adhesion:
     """Gather the pull-off forces of all pairs of scans: adhesion.nc."""
     input:
-        pairs=FILES.of_pairs(PATTERNS.pull_off, FILES.pairs),
-        window_changes=FILES.window_changes,
+        scans=FILES.pull_offs,
         code=code_inputs("aggregate_adhesion.py"),
     output:
         PATTERNS.dataset("adhesion"),
@@ -68,7 +43,6 @@ rule aggregate_adhesion:
     params:
         canonical=canonical(
             {
-                "pairs": [[pair.surface, pair.scan, pair.sphere_scan] for pair in FILES.pairs],
                 "scans": FILES.substrate_scans,
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,

@@ -5,10 +5,12 @@ PROBE = FILES.variants[0].probe
 
 
 rule vary_adhesion:
-    """Compute the mean forces of one scan of one variant of a surface, on one scan of the sphere."""
+    """Compute the mean forces of the scans of one variant of a surface, on one of the sphere."""
     input:
-        substrate=PATTERNS.stitched_substrate,
-        sphere=PATTERNS.stitched_sphere,
+        substrates=lambda w: [
+            FILES.stitched(w.surface, scan, w.variant) for scan in SELECTION.scans(w.surface)
+        ],
+        sphere=FILES.sphere(SELECTION.sphere_scans[0]),
         code=code_inputs("vary_adhesion.py"),
     output:
         PATTERNS.varied_adhesion,
@@ -22,6 +24,8 @@ rule vary_adhesion:
         canonical=lambda w: canonical(
             {
                 "surface": w.surface,
+                "scans": SELECTION.scans(w.surface),
+                "sphere_scan": SELECTION.sphere_scans[0],
                 "loads": FILES.loads(PROBE),
                 "count": SIZE["count"],
                 "window": STUDY["contact"]["window"],
@@ -34,18 +38,19 @@ rule vary_adhesion:
 
 
 rule vary_scales:
-    """Compute the mean forces of one master without the scales beyond each cutoff, at every load."""
+    """Compute the forces of both masters of one realization at every cutoff and load."""
     input:
         scan=lambda w: FILES.stitched_of_set_realization(w.surface, int(w.realization), w.variant),
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
         sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
         code=code_inputs("vary_scales.py"),
     output:
-        PATTERNS.varied_scales,
+        small=PATTERNS.small_varied,
+        large=PATTERNS.large_varied,
     log:
-        PATTERNS.log("vary_scales", PATTERNS.varied_scales),
+        PATTERNS.log("vary_scales", PATTERNS.small_varied),
     benchmark:
-        PATTERNS.benchmark("vary_scales", PATTERNS.varied_scales)
+        PATTERNS.benchmark("vary_scales", PATTERNS.small_varied)
     resources:
         mem_mb=2000,
     params:
@@ -53,9 +58,8 @@ rule vary_scales:
             {
                 "surface": w.surface,
                 "realization": int(w.realization),
-                "side": w.side,
                 "seed": STUDY["seed"],
-                "scales": STUDY["scales"][w.side] | SIZE[w.side],
+                "sides": {side: STUDY["scales"][side] | SIZE[side] for side in SIDES},
                 "rho": STUDY["scales"]["range"],
                 "loads": FILES.loads(w.probe),
                 "count": SIZE["count"],
@@ -70,7 +74,7 @@ rule vary_scales:
 rule aggregate_robustness:
     """Infer adhesion and the critical band again under every variant: robustness.nc."""
     input:
-        adhesion=FILES.of_pairs(PATTERNS.varied_adhesion, FILES.varied_pairs),
+        adhesion=FILES.varied_adhesion,
         scales=FILES.varied_scales,
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
@@ -91,7 +95,7 @@ rule aggregate_robustness:
                     for key in ("samples", "confidence", "error_threshold")
                 },
                 "variants": [variant.parameters() for variant in FILES.variants],
-                "pairs": FILES.varied_pairs,
+                "surfaces": FILES.varied_surfaces,
                 "masters": FILES.varied_masters,
                 "substrates": SELECTION.substrates,
                 "probe": PROBE,

@@ -61,7 +61,7 @@ rule synthesize_large_scale_master:
 
 
 rule compute_filtered_pull_off:
-    """Compute the forces of one master without the scales beyond one cutoff, or with all scales."""
+    """Compute the forces of one master with all scales, and without those beyond each cutoff."""
     input:
         master=PATTERNS.master,
         sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
@@ -77,12 +77,12 @@ rule compute_filtered_pull_off:
     params:
         canonical=lambda w: canonical(
             {
-                "contact": STUDY["contact"],
+                "side": w.side,
+                "scales": {key: STUDY["scales"][w.side][key] for key in ("pixels", "cutoffs")},
                 "radius": STUDY["sphere"]["radius"],
                 "rho": STUDY["scales"]["range"],
-                "pixels": STUDY["scales"][w.side]["pixels"],
-                "side": w.side,
-                "cutoff": None if w.cutoff == "none" else float(w.cutoff.removesuffix("nm")),
+                "loads": [FILES.load],
+                **{key: STUDY["contact"][key] for key in ("window", "count")},
             }
         ),
     script:
@@ -92,7 +92,7 @@ rule compute_filtered_pull_off:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        filtered=FILES.filtered_pull_offs,
+        masters=FILES.filtered_pull_offs,
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
@@ -103,7 +103,8 @@ rule aggregate_scales:
     params:
         canonical=canonical(
             {
-                "filters": FILES.filters,
+                "masters": FILES.masters,
+                "load": FILES.load["name"],
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,
                 "rho": STUDY["scales"]["range"],

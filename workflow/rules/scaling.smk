@@ -4,17 +4,18 @@ SCALING = INSIGHT["scaling"]
 
 
 rule compute_scaled_pull_off:
-    """Pull-off of a filtered master over radii, ranges of adhesion and contact areas."""
+    """Pull-off of both masters of a scan, filtered, over radii, ranges of adhesion and contact areas."""
     input:
         scan=PATTERNS.stitched_substrate,
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
         code=code_inputs("compute_scaled_pull_off.py"),
     output:
-        PATTERNS.scaled,
+        small=PATTERNS.small_scaled,
+        large=PATTERNS.large_scaled,
     log:
-        PATTERNS.log("compute_scaled_pull_off", PATTERNS.scaled),
+        PATTERNS.log("compute_scaled_pull_off", PATTERNS.small_scaled),
     benchmark:
-        PATTERNS.benchmark("compute_scaled_pull_off", PATTERNS.scaled)
+        PATTERNS.benchmark("compute_scaled_pull_off", PATTERNS.small_scaled)
     resources:
         mem_mb=1000,
     params:
@@ -22,13 +23,14 @@ rule compute_scaled_pull_off:
             {
                 "surface": w.surface,
                 "realization": int(w.scan),
-                "side": w.side,
                 "seed": STUDY["seed"],
-                "transition": STUDY["scales"][w.side]["transition"],
                 "window": STUDY["contact"]["window"],
                 "hardness": STUDY["contact"]["hardness"],
                 **{key: SCALING[key] for key in ("radii", "ranges", "preloads", "count")},
-                **SCALING[w.side],
+                "sides": {
+                    side: {"transition": STUDY["scales"][side]["transition"]} | SCALING[side]
+                    for side in SIDES
+                },
             }
         ),
     script:

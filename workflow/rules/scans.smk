@@ -85,39 +85,47 @@ rule condition_scans:
         "../scripts/condition_scans.py"
 
 
-rule synthesize_scan:
-    """Make a substitute scan, as a file that the scan reader knows."""
-    input:
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        conditioning=lambda w: FILES.conditioning(w.surface, int(w.scan), w.variant),
-        code=code_inputs("synthesize_scan.py"),
-    output:
-        PATTERNS.substitute,
-    log:
-        PATTERNS.log("synthesize_scan", PATTERNS.substitute),
-    benchmark:
-        PATTERNS.benchmark("synthesize_scan", PATTERNS.substitute)
-    resources:
-        mem_mb=1000,
-    params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "number": int(w.scan),
-                "scan": SCAN_GRID,
-                "seed": STUDY["seed"],
-                **FILES.surface_variants[w.variant].heights(SELECTION.skewness(w.surface)),
-                "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-            }
-        ),
-    script:
-        "../scripts/synthesize_scan.py"
+for scans, surfaces in FILES.scan_groups.items():
+
+    rule:
+        """Make substitute scans that are conditioned together, and prepare them."""
+        name:
+            f"make_scans_{scans[0]}"
+        input:
+            spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
+            conditioning=lambda w, scan=scans[0]: FILES.conditioning(w.surface, scan, w.variant),
+            code=code_inputs("make_scans.py"),
+        output:
+            substitutes=expand(PATTERNS.substitute, scan=scans, allow_missing=True),
+            scans=expand(PATTERNS.levelled, scan=scans, allow_missing=True),
+            stitched=expand(PATTERNS.stitched, scan=scans, allow_missing=True),
+        log:
+            PATTERNS.log("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}")),
+        benchmark:
+            PATTERNS.benchmark("make_scans", PATTERNS.levelled.replace("{scan}", f"{scans[0]}"))
+        wildcard_constraints:
+            surface=any_of(surfaces),
+        resources:
+            mem_mb=1000,
+        params:
+            canonical=lambda w, scans=scans: canonical(
+                {
+                    "surface": w.surface,
+                    "scans": scans,
+                    "scan": SCAN_GRID,
+                    "seed": STUDY["seed"],
+                    **FILES.surface_variants[w.variant].heights(SELECTION.skewness(w.surface)),
+                    "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
+                }
+            ),
+        script:
+            "../scripts/make_scans.py"
 
 
 rule prepare_scan:
-    """Level a scan, subtract the sphere if it shows one, and stitch it to its mirror images."""
+    """Level a measured scan, subtract the sphere if it shows one, and stitch its mirror images."""
     input:
-        scan=lambda w: FILES.scan(w.surface, int(w.scan), w.variant),
+        scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
         code=code_inputs("prepare_scan.py"),
     output:
         scan=PATTERNS.levelled,
@@ -126,15 +134,14 @@ rule prepare_scan:
         PATTERNS.log("prepare_scan", PATTERNS.levelled),
     benchmark:
         PATTERNS.benchmark("prepare_scan", PATTERNS.levelled)
+    wildcard_constraints:
+        surface=any_of(SELECTION.measured_surfaces),
     params:
         canonical=lambda w: canonical(
             {
-                "source": SELECTION.basis[w.surface],
                 "dataset": SELECTION.dataset(w.surface, int(w.scan)),
-                "undefined_pixels": SELECTION.undefined_pixels(
-                    w.surface, STUDY["scan"]["undefined_pixels"]
-                ),
-                "levelling": SELECTION.levelling(w.surface, STUDY["scan"]["levelling"]),
+                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "levelling": STUDY["scan"]["levelling"],
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }
         ),

@@ -1,30 +1,12 @@
 # Topography: rms metrics and PSDs by scan; Table 1.
 
 
-rule measure_topography:
-    """Measure rms metrics and power spectra of one levelled scan."""
-    input:
-        scan=PATTERNS.levelled,
-        code=code_inputs("measure_topography.py"),
-    output:
-        PATTERNS.topography,
-    log:
-        PATTERNS.log("measure_topography", PATTERNS.topography),
-    benchmark:
-        PATTERNS.benchmark("measure_topography", PATTERNS.topography)
-    params:
-        canonical=canonical({}),
-    script:
-        "../scripts/measure_topography.py"
-
-
 rule aggregate_topography:
-    """Gather the topography of all scans, with averages: topography.nc."""
+    """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
-        scans=FILES.topographies,
+        scans=FILES.levelled_scans,
         spectra=FILES.spectra,
         conditionings=FILES.conditionings.values(),
-        examples=FILES.first_scans,
         code=code_inputs("aggregate_topography.py"),
     output:
         PATTERNS.dataset("topography"),

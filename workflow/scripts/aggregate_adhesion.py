@@ -6,11 +6,7 @@ from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters
-    forces = stacked_pull_off_forces(
-        read_all(given["pairs"], this.input.pairs),
-        read_all(given["scans"], this.input.window_changes),
-        given,
-    )
+    forces = stacked_pull_off_forces(read_all(given["scans"], this.input.scans), given)
     this.write(
         forces.assign_attrs({name: given[name] for name in ("reference_rho", "sphere_radius")}),
         title="pull-off forces at a work of adhesion of 1 J/m2",

@@ -28,7 +28,7 @@ with job(snakemake) as this:
         ),
     )
     varied = robustness(
-        dataset.read_all(given["pairs"], this.input.adhesion),
+        dataset.read_all(given["surfaces"], this.input.adhesion),
         dataset.read_all(given["masters"], this.input.scales),
         given["variants"],
         published.pull_off(this.input.published_pull_off),

@@ -1,14 +1,16 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered one."""
 
-from hardcontact.adhesion.all_surfaces import stacked_filtered_forces, with_transitions
+from hardcontact.adhesion.all_surfaces import at_load, with_names
 from hardcontact.records.dataset import read_all
 from hardcontact.records.job import job
+from hardcontact.scales.filtered_masters import stacked_forces, with_transitions
 
 with job(snakemake) as this:
     given = this.parameters
-    forces = stacked_filtered_forces(read_all(given["filters"], this.input.filtered), given)
+    masters = read_all(given["masters"], this.input.masters)
+    forces = stacked_forces({key: at_load(one, given["load"]) for key, one in masters.items()})
     this.write(
-        with_transitions(forces, given["transitions"]).assign_attrs(
+        with_transitions(with_names(forces, given), given["transitions"]).assign_attrs(
             {name: given[name] for name in ("rho", "sphere_radius")}
         ),
         title="plastic pull-off forces of filtered masters",

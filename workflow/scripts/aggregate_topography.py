@@ -2,18 +2,21 @@
 
 from hardcontact.records import dataset
 from hardcontact.records.job import job
-from hardcontact.surfaces.roughness_table import TableSettings, roughness_table
+from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.roughness_table import TableSettings, measured_roughness, roughness_table
 
 with job(snakemake) as this:
     keys = [tuple(key) for key in this.parameters.pop("scans")]
+    paths = dict(zip(keys, this.input.scans, strict=True))
+    first = {surface: path for (surface, _), path in reversed(paths.items())}
     surfaces = dict.fromkeys(surface for surface, _ in keys)
     substitutes = this.parameters.pop("conditioned")
     this.write(
         roughness_table(
-            dict(zip(keys, map(dataset.read, this.input.scans), strict=True)),
+            {key: measured_roughness(read_height_map(path)) for key, path in paths.items()},
             dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True)),
             dict(zip(substitutes, map(dataset.read, this.input.conditionings), strict=True)),
-            dict(zip(surfaces, map(dataset.read, this.input.examples), strict=True)),
+            {surface: dataset.read(path) for surface, path in first.items()},
             TableSettings(**this.parameters),
         ),
         title="topography of all surfaces: rms metrics and power spectral densities",

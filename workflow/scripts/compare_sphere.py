@@ -7,7 +7,7 @@ from hardcontact.surfaces.height_map import read_height_map
 with job(snakemake) as this:
     given = this.parameters
     scans = zip(given["scans"], this.input.scans, strict=True)
-    this.write_arrays(
+    this.write(
         on_smooth_sphere(
             {number: read_height_map(path) for number, path in scans},
             given["contact"],

@@ -19,7 +19,7 @@ with job(snakemake) as this:
     sphere = read_height_map(this.input.sphere) if this.input.sphere else None
     contacts = given["contact"] | {name: given[name] for name in ("radius", "reach")}
     ranges = range_grid(given["anchor"], **MIXED_RANGES).tolist()
-    this.write_arrays(
+    this.write(
         scan_range_forces(scan, sphere, contacts | {"ranges": ranges}),
         title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",
         output="scan",
@@ -33,7 +33,7 @@ with job(snakemake) as this:
             scales,
             read_spectrum(this.input.spectrum),
         )
-        this.write_arrays(
+        this.write(
             filtered_range_forces(master, None, side, scales, contacts | {"ranges": ranges}),
             title=f"pull-off forces of a filtered {side}-scale master of {surface} at these ranges",
             output=side,

@@ -1,13 +1,20 @@
-"""Rigid and plastic pull-off of one pair of scans, at every contact and range of adhesion."""
+"""Rigid and plastic pull-off of one scan on all scans of the sphere, and how the window matters."""
 
-from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.adhesion.all_surfaces import over_sphere_scans
+from hardcontact.adhesion.pull_off import pull_off_of_pair, window_change
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    contact, radius = this.parameters["contact"], this.parameters["radius"]
-    pair = read_bodies(this.input.substrate, this.input.sphere or None, radius, contact)
-    this.write_arrays(
-        pull_off_of_pair(pair, contact, this.parameters["ranges"]),
-        title="pull-off forces of one pair of substrate and sphere scan",
+    given, contact = this.parameters, this.parameters["contact"]
+    pairs = {
+        number: read_bodies(this.input.substrate, sphere, given["radius"], contact)
+        for number, sphere in zip(given["sphere_scans"], this.input.spheres or [None], strict=True)
+    }
+    forces = over_sphere_scans(
+        {number: pull_off_of_pair(pair, contact, given["ranges"]) for number, pair in pairs.items()}
+    )
+    this.write(
+        forces.assign(window_change(pairs.values(), contact, given["reference_range"])),
+        title="pull-off forces of one substrate scan on all scans of the sphere",
     )

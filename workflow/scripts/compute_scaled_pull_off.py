@@ -1,4 +1,4 @@
-"""Mean pull-off of one filtered master over radii, ranges of adhesion and contact areas."""
+"""Mean pull-off of the filtered masters of a scan over radii, ranges and contact areas."""
 
 from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.numbers.random import generator
@@ -8,16 +8,13 @@ from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import synthesized_master
 
 with job(snakemake) as this:
-    given = this.parameters
-    surface, realization, side = given["surface"], given["realization"], given["side"]
-    master = synthesized_master(
-        side,
-        generator(given["seed"], surface, realization, f"{side}-scale scaling"),
-        read_height_map(this.input.scan),
-        given,
-        read_spectrum(this.input.spectrum),
-    )
-    this.write_arrays(
-        scaled_pull_off(master, given),
-        title=f"pull-off of a filtered {side}-scale master of {surface}, scaled",
-    )
+    given, surface = this.parameters, this.parameters["surface"]
+    scan, spectrum = read_height_map(this.input.scan), read_spectrum(this.input.spectrum)
+    for side, scales in given["sides"].items():
+        rng = generator(given["seed"], surface, given["realization"], f"{side}-scale scaling")
+        master = synthesized_master(side, rng, scan, scales, spectrum)
+        this.write(
+            scaled_pull_off(master, {**given, **scales, "side": side}),
+            title=f"pull-off of a filtered {side}-scale master of {surface}, scaled",
+            output=side,
+        )

@@ -1,22 +1,24 @@
 """The numbers of many equally good sets of substitute scans, all sets in one dataset."""
 
-from hardcontact.adhesion.all_surfaces import stacked_ratios
+from hardcontact.adhesion.all_surfaces import at_load
 from hardcontact.claims.evaluation import read_statements
 from hardcontact.inference.inference import Pair, Published
 from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
 from hardcontact.records.job import job
+from hardcontact.scales.filtered_masters import stacked_forces
 from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
 
 with job(snakemake) as this:
     given = this.parameters
     constants = published.constants(this.input.published_constants)
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
+    masters = read_all(given["masters"], this.input.masters)
     sources = gathered_sources(
         {name: read(this.input[name]) for name in ("topography", "adhesion")},
         read_all(given["chunks"], this.input.pools),
         dict(zip(given["pooled"], map(read, this.input.smooth_spheres), strict=True)),
-        stacked_ratios(read_all(given["masters"], this.input.masters), given["load"]),
+        stacked_forces({key: at_load(one, given["load"]) for key, one in masters.items()}),
     )
     paper = Paper(
         read_statements(this.input.statements),

@@ -1,18 +1,9 @@
-"""A scan, measured or substitute: levelled, the sphere subtracted if there is one; stitched."""
+"""A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
 from hardcontact.records.job import job
-from hardcontact.surfaces.scans import described, height_map, read_measurement
-from hardcontact.surfaces.topography import LEVELLING, prepared_scan
+from hardcontact.surfaces.prepared_scans import LEVELLED, STITCHED, prepared_file
 
 with job(snakemake) as this:
-    measurement = read_measurement(
-        this.input.scan, this.parameters["dataset"], this.parameters["undefined_pixels"]
-    )
-    levelled, stitched = prepared_scan(
-        height_map(measurement, this.parameters["source"]),
-        this.parameters["sphere_radius"],
-        LEVELLING[this.parameters["levelling"]],
-        described(measurement),
-    )
-    this.write_arrays(levelled, "levelled scan, the sphere subtracted if it shows one", "scan")
-    this.write_arrays(stitched, "scan and its mirror images, periodic", "stitched")
+    levelled, stitched = prepared_file(this.input.scan, basis="measured", **this.parameters)
+    this.write(levelled, LEVELLED, "scan")
+    this.write(stitched, STITCHED, "stitched")

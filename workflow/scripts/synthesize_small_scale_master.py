@@ -15,6 +15,6 @@ with job(snakemake) as this:
         this.parameters["transition"],
         read_spectrum(this.input.spectrum),
     )
-    this.write_arrays(
-        master.arrays(), title=f"small-scale master: realization {realization} of {surface}"
+    this.write(
+        master.dataset(), title=f"small-scale master: realization {realization} of {surface}"
     )

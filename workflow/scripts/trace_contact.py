@@ -18,7 +18,7 @@ with job(snakemake) as this:
         constants["work_of_adhesion"],
     )
     named = {name: given[name] for name in NAMED}
-    this.write_arrays(
-        traced._replace(attributes=named | traced.attributes),
+    this.write(
+        traced.assign_attrs(named),
         title=f"contact {given['contact']} on {given['label']}",
     )

@@ -5,6 +5,7 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.adhesion.force_sum import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
@@ -16,9 +17,9 @@ from hardcontact.contact.bearing_area import (
     stacked_gaps,
 )
 from hardcontact.contact.geometry import Bodies
-from hardcontact.records.netcdf import Arrays, Variable
 
 __all__ = [
+    "Axis",
     "FORCE",
     "WORK_OF_ADHESION",
     "contact_axes",
@@ -29,6 +30,9 @@ __all__ = [
     "window_change",
 ]
 
+#: Dimension, values and attributes of a coordinate.
+Axis = tuple[tuple[str], Any, dict[str, str]]
+
 #: J/m², of all stored forces: they are proportional to it.
 WORK_OF_ADHESION = 1.0
 
@@ -36,24 +40,24 @@ WORK_OF_ADHESION = 1.0
 FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
 
 
-def contact_axes(bodies: Bodies) -> dict[str, Variable]:
+def contact_axes(bodies: Bodies) -> dict[str, Axis]:
     """Return the coordinates of the array of contacts: positions on the substrate in nm."""
     positions = bodies.geometry.positions * bodies.geometry.pixel_size
     return {axis: ((axis,), positions, {"units": "nm"}) for axis in ("contact_y", "contact_x")}
 
 
-def load_axis(loads: Sequence[NamedLoad]) -> dict[str, Variable]:
+def load_axis(loads: Sequence[NamedLoad]) -> dict[str, Axis]:
     """Return the coordinate of loads, by name."""
     return {"load": (("load",), [load["name"] for load in loads], {"long_name": "load"})}
 
 
-def range_axis(ranges: Sequence[float]) -> dict[str, Variable]:
+def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
     """Return the coordinate of ranges of adhesion."""
     attributes = {"units": "nm", "long_name": "range of adhesion"}
     return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
 
 
-def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arrays:
+def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
 
     Parameters
@@ -67,7 +71,7 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arr
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` (contact_model, rho, contact_y, contact_x), ``closest_approach``
         (contact_model, contact_y, contact_x), ``penetration`` (contact_y, contact_x) and
         ``contact_pixels`` (contact_model).
@@ -82,7 +86,7 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arr
     forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
     contact_yx = ("contact_y", "contact_x")
-    return Arrays(
+    return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *contact_yx), forces, FORCE),
             "closest_approach": (
@@ -110,7 +114,7 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> Arr
 
 def mean_pull_off_of_pair(
     bodies: Bodies, loads: Sequence[NamedLoad], ranges: Sequence[float]
-) -> Arrays:
+) -> xr.Dataset:
     """Return the plastic pull-off of one pair of scans, averaged over contacts, at several loads.
 
     Parameters
@@ -124,7 +128,7 @@ def mean_pull_off_of_pair(
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` (load, rho).
     """
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
@@ -140,14 +144,14 @@ def mean_pull_off_of_pair(
         ]
     )
     forces = pull_off_force(totals, rhos, pixel_size, WORK_OF_ADHESION)
-    return Arrays(
+    return xr.Dataset(
         {"pull_off_force": (("load", "rho"), forces, FORCE)},
         load_axis(loads) | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
 
 
-def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> Arrays:
+def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> xr.Dataset:
     """Return the largest change of the plastic force in a window larger by a period on each side.
 
     Parameters
@@ -161,7 +165,7 @@ def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> Arrays:
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``window_change``, over all contacts of all pairs.
     """
     change = max(_window_change(bodies, load, rho) for bodies in pairs)
@@ -169,7 +173,7 @@ def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> Arrays:
         "units": "1",
         "long_name": "change of the force by a further period a side",
     }
-    return Arrays({"window_change": ((), change, attributes)}, {}, {"rho": rho})
+    return xr.Dataset({"window_change": ((), change, attributes)}, {}, {"rho": rho})
 
 
 def _window_change(bodies: Bodies, load: Load, rho: float) -> float:

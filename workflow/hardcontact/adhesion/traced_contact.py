@@ -3,11 +3,11 @@
 from typing import Any
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.adhesion.force_sum import force_separation, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
-from hardcontact.records.netcdf import Arrays
 
 __all__ = ["traced_contact"]
 
@@ -18,7 +18,7 @@ def traced_contact(
     load: Load,
     rho: float,
     work_of_adhesion: float,
-) -> Arrays:
+) -> xr.Dataset:
     """Return the gap, the adhesive pressure and the force of one plastic contact.
 
     Parameters
@@ -36,7 +36,7 @@ def traced_contact(
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
         (separation) in N, and the pull-off force as an attribute.
     """
@@ -52,7 +52,7 @@ def traced_contact(
     from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
     before = {"units": "nm", "long_name": "gap before flattening"}
     force = force_separation(pull_off, rho, separation)
-    return Arrays(
+    return xr.Dataset(
         {
             "gap": (("y", "x"), gap.astype(np.float32), before),
             "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), {"units": "Pa"}),

@@ -5,7 +5,7 @@ Every list of files: those of each surface, pair of scans, realization and varia
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property
-from itertools import cycle
+from itertools import cycle, product
 from typing import Any, NamedTuple
 
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
@@ -35,6 +35,13 @@ class SingleFiles:
         Surfaces and scans of the study.
     patterns : Patterns
         Paths of the study.
+
+    Attributes
+    ----------
+    load : NamedLoad
+        Of the study.
+    surface_variants : dict of str to SurfaceVariant
+        Ways to make substitutes, by their names.
     """
 
     def __init__(
@@ -43,9 +50,10 @@ class SingleFiles:
         self._selection = selection
         self._patterns = patterns
         contact, scales = configuration["contact"], configuration["scales"]
+        self.load = named_load(contact["preload"], contact["hardness"])
         self._swept = {
             "radius": f"R{token(configuration['sphere']['radius'], 'um')}",
-            "load": named_load(contact["preload"], contact["hardness"])["name"],
+            "load": self.load["name"],
             "range": f"rho{token(scales['range'], 'nm')}",
         }
         self.surface_variants: dict[str, SurfaceVariant] = surface_variants(configuration)
@@ -62,12 +70,6 @@ class SingleFiles:
         """Return what a substitute scan shares with the others of its group."""
         group, made = self._selection.group(surface, scan), self.surface_variants[variant].spectrum
         return self._of_surface(self._patterns.conditioning, surface, made, group=group)
-
-    def scan(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return the file that a scan is read from, measured or a substitute."""
-        if self._selection.basis[surface] == "measured":
-            return self._selection.path(surface, scan)
-        return self._of_surface(self._patterns.substitute, surface, variant, scan=scan)
 
     def levelled(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return a levelled scan."""
@@ -167,21 +169,26 @@ class Files(SingleFiles):
         return [(name, scan) for name in self._selection.surfaces for scan in self._scans(name)]
 
     @property
-    def topographies(self) -> list[str]:
-        """The measured topography of every scan."""
-        return [self._topography(surface, scan) for surface, scan in self.scans]
+    def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
+        """The numbers of scans that are made together, and the substitutes that have such scans."""
+        most = max(self._configuration[key]["realizations"] for key in ("sets", "robustness"))
+        groups: dict[tuple[int, ...], list[str]] = {}
+        for surface in self.conditionings:
+            last = self._selection.group(surface, self._selection.own_scan(surface, most))
+            for group in range(last + 1):
+                scans = tuple(self._selection.scans_of_group(surface, group))
+                groups.setdefault(scans, []).append(surface)
+        return groups
+
+    @property
+    def levelled_scans(self) -> list[str]:
+        """Every levelled scan."""
+        return [self.levelled(surface, scan) for surface, scan in self.scans]
 
     @property
     def spectra(self) -> list[str]:
         """The spectrum of every surface."""
         return [self.spectrum(surface) for surface in self._selection.surfaces]
-
-    @property
-    def first_scans(self) -> list[str]:
-        """The first levelled scan of every surface."""
-        return [
-            self.levelled(surface, self._scans(surface)[0]) for surface in self._selection.surfaces
-        ]
 
     @property
     def conditionings(self) -> dict[str, str]:
@@ -193,11 +200,6 @@ class Files(SingleFiles):
         }
 
     # Adhesion and contact
-
-    @property
-    def pairs(self) -> list[Pair]:
-        """Every substrate scan with every scan of the sphere."""
-        return self._pairs((surface, STUDY_VARIANT) for surface in self._selection.substrates)
 
     @property
     def pairs_in_turn(self) -> list[Pair]:
@@ -228,9 +230,9 @@ class Files(SingleFiles):
         ]
 
     @property
-    def window_changes(self) -> list[str]:
-        """What a wider window changes, one file a scan of a substrate."""
-        pattern = self._patterns.window_change
+    def pull_offs(self) -> list[str]:
+        """The pull-off forces of every scan of a substrate."""
+        pattern = self._patterns.pull_off
         return [
             self._of_surface(pattern, surface, STUDY_VARIANT, scan=scan)
             for surface, scan in self.substrate_scans
@@ -239,31 +241,28 @@ class Files(SingleFiles):
     @property
     def indent_pairs(self) -> list[tuple[int, int]]:
         """Scan of the indented surface and of the sphere, every pair."""
-        surface = self._configuration["indent"]["surface"]
-        return [(pair.scan, pair.sphere_scan) for pair in self._pairs([(surface, STUDY_VARIANT)])]
+        scans = self._scans(self._configuration["indent"]["surface"])
+        return list(product(scans, self._selection.sphere_scans))
 
     # Scales
 
     @property
-    def filters(self) -> list[tuple[str, int, str, str]]:
-        """Surface, realization, side and cutoff of every filtered surface."""
+    def masters(self) -> list[tuple[str, int, str]]:
+        """Surface, realization and side of every master of the study."""
         return [
-            (surface, realization, side, cutoff)
+            (surface, realization, side)
             for surface in self._selection.substrates
             for realization in self.realizations
             for side in SIDES
-            for cutoff in ("none", *self._cutoffs(side))
         ]
 
     @property
     def filtered_pull_offs(self) -> list[str]:
-        """The pull-off forces of every filtered surface."""
+        """The pull-off forces of every master at all cutoffs."""
         pattern = self._patterns.filtered_pull_off
         return [
-            self._of_surface(
-                pattern, surface, STUDY_VARIANT, realization=realization, side=side, cutoff=cutoff
-            )
-            for surface, realization, side, cutoff in self.filters
+            self._of_surface(pattern, surface, STUDY_VARIANT, realization=realization, side=side)
+            for surface, realization, side in self.masters
         ]
 
     # Sets
@@ -315,15 +314,16 @@ class Files(SingleFiles):
     # Robustness
 
     @cached_property
-    def varied_pairs(self) -> list[Pair]:
-        """Every scan that some variant asks for, with the first scan of the sphere."""
+    def varied_surfaces(self) -> list[tuple[str, str]]:
+        """Every surface and variant of it that some variant asks for."""
         made = (item for variant in self.variants for item in variant.variant.items())
-        first = self._selection.sphere_scans[0]
-        return [
-            Pair(surface, variant, scan, first)
-            for surface, variant in dict.fromkeys(made)
-            for scan in self._scans(surface)
-        ]
+        return list(dict.fromkeys(made))
+
+    @property
+    def varied_adhesion(self) -> list[str]:
+        """The mean forces of the scans of these, one file a surface and variant."""
+        pattern = self._patterns.varied_adhesion
+        return [self._of_surface(pattern, *of_surface) for of_surface in self.varied_surfaces]
 
     @cached_property
     def varied_masters(self) -> list[Master]:
@@ -356,18 +356,3 @@ class Files(SingleFiles):
 
     def _scans(self, surface: str) -> list[int]:
         return self._selection.scans(surface)
-
-    def _pairs(self, surfaces: Iterable[tuple[str, str]]) -> list[Pair]:
-        return [
-            Pair(surface, variant, scan, sphere_scan)
-            for surface, variant in surfaces
-            for scan in self._scans(surface)
-            for sphere_scan in self._selection.sphere_scans
-        ]
-
-    def _topography(self, surface: str, scan: int) -> str:
-        return self._of_surface(self._patterns.topography, surface, STUDY_VARIANT, scan=scan)
-
-    def _cutoffs(self, side: str) -> list[str]:
-        """Return the cutoffs of a side as they stand in paths."""
-        return [token(cutoff, "nm") for cutoff in self._configuration["scales"][side]["cutoffs"]]

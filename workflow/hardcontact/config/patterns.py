@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
-__all__ = ["PUBLISHED", "Patterns", "STUDY_VARIANT", "wildcard_constraints"]
+__all__ = ["PUBLISHED", "Patterns", "STUDY_VARIANT", "any_of", "wildcard_constraints"]
 
 #: The tables of what the paper prints, by the names under which rules and figures get them.
 PUBLISHED = {
@@ -51,21 +51,16 @@ class Patterns:
         self.stitched_sphere = (
             f"{store}/stitched/{sphere}/{STUDY_VARIANT}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
         )
-        self.topography = f"{store}/topography/{_SCAN}"
 
-        self.pull_off = f"{store}/pull_off/{_PAIR}"
         self.elastic = f"{store}/elastic/{_PAIR}"
         self.asperities = f"{store}/asperities/{_PAIR}"
         self.repeated_contact = f"{store}/repeated_contact/{_PAIR}"
         self.elastic_limit = f"{store}/elastic_limit/{_PAIR}"
-        self.window_change = (
-            f"{store}/window_change/{{radius}}/{{load}}/{{range}}/"
-            "{surface}/{variant}/scan-{scan}.nc"
-        )
 
         of_surface = "{radius}/{load}/{surface}/{variant}"
         self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
         at_range = of_surface.replace("{surface}", "{range}/{surface}")
+        self.pull_off = f"{store}/pull_off/{at_range}/scan-{{scan}}.nc"
         self.filtered_windows = f"{store}/filtered_windows/{at_range}/forces.nc"
         self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
         of_scan = f"{store}/laws/{of_surface}/scan-{{scan}}"
@@ -74,15 +69,21 @@ class Patterns:
         )
         # Of all radii, loads and ranges that the edges of the band are scaled by.
         self.scaled = f"{store}/scaling/{{surface}}/{{variant}}/scan-{{scan}}-{{side}}.nc"
+        self.small_scaled, self.large_scaled = (
+            self.scaled.replace("{side}", side) for side in ("small", "large")
+        )
 
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
         self.small_master = self.master.replace("{side}", "small")
         self.large_master = self.master.replace("{side}", "large")
         loaded = f"{{radius}}/{{load}}/{{range}}/{_REALIZATION}"
-        self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}/cutoff-{{cutoff}}.nc"
+        self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}.nc"
 
-        self.varied_adhesion = f"{store}/robustness/{_PAIR}"
+        self.varied_adhesion = f"{store}/robustness/{of_surface}/forces.nc"
         self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"
+        self.small_varied, self.large_varied = (
+            self.varied_scales.replace("{side}", side) for side in ("small", "large")
+        )
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
@@ -120,6 +121,11 @@ class Patterns:
         return "/".join((self.store, kind, rule, *parts))
 
 
+def any_of(names: Iterable[str]) -> str:
+    """Return the regular expression of names, which nothing meets where there are none."""
+    return "|".join(map(re.escape, names)) or "(?!)"
+
+
 def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must meet.
 
@@ -129,8 +135,8 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
         All names of surfaces and of their variants.
     """
     return {
-        "surface": "|".join(map(re.escape, surfaces)),
-        "variant": "|".join(map(re.escape, variants)),
+        "surface": any_of(surfaces),
+        "variant": any_of(variants),
         "group": r"\d+",
         "scan": r"\d+",
         "sphere_scan": r"\d+",
@@ -140,7 +146,6 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
         "realization": r"\d+",
         "side": "small|large",
         "probe": "smooth|rough",
-        "cutoff": f"none|{_NUMBER}nm",
         "radius": f"R{_NUMBER}um",
         "load": f"H{_NUMBER}GPa-F{_NUMBER}uN",
         "range": f"rho{_NUMBER}nm",

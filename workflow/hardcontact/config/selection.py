@@ -87,6 +87,11 @@ class Selection:
         """Numbers of the scans of the sphere; of a smooth one NO_SCAN alone."""
         return self.scans(self.sphere) or [NO_SCAN]
 
+    @property
+    def measured_surfaces(self) -> list[str]:
+        """Surfaces whose scans are measured."""
+        return [surface for surface in self.surfaces if self.basis[surface] == "measured"]
+
     def measured(self, surface: str) -> list[Measured]:
         """Return every scan of a measured surface, also those that only enter its spectrum."""
         rows = self._all_rows[self._all_rows.surface == surface]
@@ -134,14 +139,6 @@ class Selection:
     def dataset(self, surface: str, scan: int) -> str:
         """Return which dataset of its container a scan is; empty of a plain file."""
         return self._cell(surface, scan, "dataset") if self.basis[surface] == "measured" else ""
-
-    def undefined_pixels(self, surface: str, choice: str) -> str:
-        """Return what is done with undefined pixels of a surface: substitutes have none."""
-        return choice if self.basis[surface] == "measured" else "refuse"
-
-    def levelling(self, surface: str, choice: str) -> str:
-        """Return how scans of a surface are levelled: substitutes have no scan lines."""
-        return choice if self.basis[surface] == "measured" else "plane"
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""

@@ -9,7 +9,6 @@ import sys
 from collections.abc import Mapping
 from copy import deepcopy
 from functools import partial
-from importlib.metadata import version
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
@@ -32,7 +31,6 @@ __all__ = [
     "checked_selection",
     "hold_folders",
     "kept_configuration",
-    "lift_rate_limit",
     "prepare",
     "say_answer",
     "say_left_out",
@@ -44,8 +42,6 @@ ROOT = LIBRARY.parents[1]
 SCHEMAS = LIBRARY.parent / "schemas"
 #: The locks of this run, open until it ends.
 _LOCKS: list[TextIO] = []
-#: How many jobs Snakemake starts in how many seconds, unless told otherwise.
-RATE = (100, 1)
 
 
 def _refuse(message: object) -> NoReturn:
@@ -199,20 +195,3 @@ def hold_folders(*folders: str) -> None:
         _LOCKS.extend(hold(folder) for folder in folders)
     except ValueError as error:
         _refuse(error)
-
-
-def lift_rate_limit(workflow: Any) -> None:
-    """Set no limit to the number of jobs a second, unless the user asked for one.
-
-    To keep to its default, Snakemake 9.27 looks for work again a second after each time it did,
-    without end: after a thousand jobs a thousand times a second.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        The run that starts.
-    """
-    limit = workflow.scheduling_settings.max_jobs_per_timespan
-    default = limit and (limit.max_jobs, limit.timespan) == RATE
-    if default and version("snakemake").startswith("9.27."):
-        workflow.scheduler.job_rate_limiter = None

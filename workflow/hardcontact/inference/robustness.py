@@ -14,13 +14,13 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import at_load, stacked_ratios
+from hardcontact.adhesion.all_surfaces import at_load
 from hardcontact.adhesion.force_curves import at_range
 from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records import log
-from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band
+from hardcontact.scales.filtered_masters import stacked_forces
 
 __all__ = ["Choices", "robustness"]
 
@@ -75,7 +75,7 @@ class Choices:
 
 
 def robustness(
-    pairs: Mapping[tuple[Any, ...], xr.Dataset],
+    adhesion: Mapping[tuple[Any, ...], xr.Dataset],
     masters: Mapping[tuple[Any, ...], xr.Dataset],
     variants: Sequence[dict[str, Any]],
     published: pd.DataFrame,
@@ -85,11 +85,10 @@ def robustness(
 
     Parameters
     ----------
-    pairs : mapping of tuple to xarray.Dataset
-        pull_off_force (load, rho) in N by surface, variant, scan and sphere_scan.
+    adhesion : mapping of tuple to xarray.Dataset
+        pull_off_force (scan, sphere_scan, load, rho) in N by surface and variant.
     masters : mapping of tuple to xarray.Dataset
-        pull_off_force (cutoff_wavelength, load), unfiltered_pull_off_force (load) in N and
-        unfiltered_wavelength in nm by surface, variant, realization, side and probe.
+        `filtered_pull_off` by surface, variant, realization, side and probe.
     variants : sequence of dict
         As this module describes them.
     published : pandas.DataFrame
@@ -105,7 +104,7 @@ def robustness(
         of all substrates pooled.
     """
     target = published.mean_force.reindex(choices.substrates).to_numpy()
-    forces = _stacked_forces(pairs)
+    forces = {key: one["pull_off_force"] for key, one in adhesion.items()}
     parts = [
         xr.merge([_range_and_work(forces, target, one, choices), _band(masters, one, choices)])
         for one in log.progress(variants, len(variants), "variants")
@@ -123,20 +122,8 @@ def robustness(
     )
 
 
-def _stacked_forces(
-    pairs: Mapping[tuple[Any, ...], xr.Dataset],
-) -> dict[tuple[str, str], xr.DataArray]:
-    """Return forces (scan, sphere_scan, load, rho) by surface and variant."""
-    parts: dict[tuple[str, str], dict[tuple[Any, ...], xr.Dataset]] = {}
-    for (surface, variant, *scans), pair in pairs.items():
-        parts.setdefault((surface, variant), {})[tuple(scans)] = pair
-    return {
-        key: stack(group, ["scan", "sphere_scan"]).pull_off_force for key, group in parts.items()
-    }
-
-
 def _range_and_work(
-    forces: Mapping[tuple[str, str], xr.DataArray],
+    forces: Mapping[tuple[Any, ...], xr.DataArray],
     target: np.ndarray,
     variant: dict[str, Any],
     choices: Choices,
@@ -169,10 +156,10 @@ def _band(
 ) -> xr.Dataset:
     """Return CRITICAL (side) of all substrates of one variant pooled."""
     chosen = {
-        (name, realization, side): master
+        (name, realization, side): at_load(master, variant["load"])
         for (name, made, realization, side, probe), master in masters.items()
         if (made, probe) == (variant["variant"].get(name), variant["probe"])
     }
-    curves = stacked_ratios(chosen, variant["load"]).sel(surface=choices.substrates)
+    curves = stacked_forces(chosen).sel(surface=choices.substrates)
     band = critical_band(curves, choices.tolerance, choices.sampling)
     return band[CRITICAL].sel(group="pooled", drop=True)

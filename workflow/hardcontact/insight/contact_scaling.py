@@ -3,11 +3,11 @@
 from typing import TypedDict
 
 import numpy as np
+import xarray as xr
 
-from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+from hardcontact.adhesion.pull_off import Axis, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
 from hardcontact.contact.geometry import ContactArray, bodies
-from hardcontact.records.netcdf import Arrays, Variable
 from hardcontact.scales.filtered_masters import forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -48,7 +48,7 @@ class ScaledContacts(TypedDict):
     preloads: list[float]
 
 
-def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> Arrays:
+def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> xr.Dataset:
     """Return the plastic pull-off from filtered masters in all combinations, meaned over contacts.
 
     The sphere is smooth. Where a pixel is not small against the contact area, the area is that of
@@ -63,7 +63,7 @@ def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> Arrays:
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` (cutoff_wavelength, radius, area, rho) and ``unfiltered_pull_off_force``
         (radius, area, rho) in N at 1 J/m²; ``contact_area`` (area) in nm², of the pixels that
         touch; ``unfiltered_wavelength``, the end of the unfiltered spectrum. The coordinate area
@@ -71,7 +71,7 @@ def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> Arrays:
     """
     nm = {"units": "nm"}
     areas = np.asarray(parameters["preloads"]) / parameters["hardness"] * 1e18
-    axes: dict[str, Variable] = {
+    axes: dict[str, Axis] = {
         "radius": (("radius",), np.array(parameters["radii"]), nm),
         "area": (("area",), areas, {"units": "nm2", "long_name": "preload over hardness"}),
         "rho": (("rho",), np.array(parameters["ranges"]), nm),
@@ -84,7 +84,7 @@ def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> Arrays:
         contact_pixel_count(load, pixel_size) * pixel_size**2 for load in _loads(parameters)
     ]
     contact_area = (("area",), touching, {"units": "nm2", "long_name": "touching pixels"})
-    return curves._replace(variables=curves.variables | {"contact_area": contact_area})
+    return curves.assign(contact_area=contact_area)
 
 
 def _loads(parameters: ScaledContacts) -> list[NamedLoad]:
@@ -102,7 +102,7 @@ def _forces(surface: HeightMap, parameters: ScaledContacts) -> np.ndarray:
         [
             mean_pull_off_of_pair(
                 bodies(surface, None, radius, array), _loads(parameters), parameters["ranges"]
-            ).variables["pull_off_force"][1]
+            )["pull_off_force"].values
             for radius in parameters["radii"]
         ]
     )

@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.all_surfaces import Described, with_names
 from hardcontact.numbers.statistics import Sampling, bounds, jackknife_interval, with_interval
-from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import POOLED, critical_band
+from hardcontact.scales.filtered_masters import stacked_forces
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 
 __all__ = [
@@ -72,19 +72,11 @@ def stacked_scaling(
         in nm, the latter the wavelength whose octave holds most of the variance of heights; label
         and basis.
     """
-    parts = {
-        key: one[["unfiltered_wavelength", "contact_area"]].assign(
-            ratio=one["pull_off_force"] / one["unfiltered_pull_off_force"]
-        )
-        for key, one in masters.items()
-    }
-    stacked = stack(parts, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
-    first = stacked.isel(realization=0, drop=True)
+    stacked = stacked_forces(masters)
     of_surfaces = [spectra[name] for name in stacked["surface"].values.tolist()]
     nm = {"units": "nm"}
     return with_names(stacked, described).assign(
-        unfiltered_wavelength=first["unfiltered_wavelength"],
-        contact_area=first["contact_area"].isel(surface=0, drop=True),
+        contact_area=stacked["contact_area"].isel(surface=0, realization=0, drop=True),
         rms_height=("surface", [all_scales_moments(one)[0] for one in of_surfaces], nm),
         roll_off=("surface", [roll_off(one) for one in of_surfaces], nm),
     )

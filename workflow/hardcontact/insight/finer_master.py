@@ -14,8 +14,8 @@ from hardcontact.numbers.statistics import jackknife_interval, with_interval
 from hardcontact.records.log import progress
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
-from hardcontact.scales.filtered_pull_off import FilteredContact, filtered_pull_off
-from hardcontact.surfaces.filters import filtered, lowpass
+from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
 
 __all__ = ["FinerMaster", "on_coarser_pixels", "on_several_pixels"]
@@ -109,16 +109,21 @@ def on_several_pixels(master: HeightMap, given: FinerMaster) -> xr.Dataset:
 
 def _forces(master: HeightMap, given: FinerMaster) -> np.ndarray:
     """Return the forces (1 + cutoff, contact, contact) in N, of all roughness first."""
-    unfiltered: FilteredContact = {
-        "side": "small", "cutoff": None, "pixels": master.pixels, "radius": given.radius,
-        "rho": given.rho, "contact": given.contact,
-    }  # fmt: skip
-    forces, band = [filtered_pull_off(master, None, unfiltered)], master
-    for cutoff in progress(given.cutoffs, len(given.cutoffs), "cutoffs"):
-        # What a shorter cutoff left holds all longer waves, on far fewer pixels.
-        band = lowpass(band, cutoff)
-        forces.append(filtered_pull_off(band, None, unfiltered))
-    return np.array([one.variables["pull_off_force"][1] for one in forces])
+    contact = given.contact
+    found = filtered_pull_off(
+        master,
+        None,
+        {
+            "side": "small",
+            "scales": {"pixels": master.pixels, "cutoffs": list(given.cutoffs)},
+            "radius": given.radius,
+            "rho": given.rho,
+            "window": contact["window"],
+            "count": contact["count"],
+            "loads": [{"name": "", "preload": contact["preload"], "hardness": contact["hardness"]}],
+        },
+    ).isel(load=0)
+    return np.array([found["unfiltered_pull_off_force"], *found["pull_off_force"]])
 
 
 def _without_blocks(forces: np.ndarray) -> np.ndarray:

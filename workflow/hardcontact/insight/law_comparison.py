@@ -32,6 +32,7 @@ from hardcontact.insight.law_forces import law_forces, range_grid
 from hardcontact.numbers.statistics import Sampling, jackknife_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band, last_cutoff
+from hardcontact.scales.filtered_masters import stacked_forces
 
 __all__ = [
     "CASES",
@@ -65,14 +66,8 @@ def stacked_law_forces(
         Each scan is one realization of its masters.
     """
     forces = stack(scans, ["surface", "scan"])
-    surfaces = [str(surface) for surface in forces.surface.values]
-    by_side = {(*key, side): part for side, parts in sides.items() for key, part in parts.items()}
-    masters = stack(
-        dict(sorted(by_side.items(), key=lambda one: surfaces.index(str(one[0][0])))),
-        ["surface", "realization", "side"],
-    )
-    ends = masters.unfiltered_wavelength.mean("realization")
-    return with_names(forces, described), masters.assign(unfiltered_wavelength=ends)
+    masters = {(*key, side): parts[key] for key in scans for side, parts in sides.items()}
+    return with_names(forces, described), stacked_forces(masters)
 
 
 def _scales(law: Law, length: float, masters: xr.Dataset) -> xr.Dataset:

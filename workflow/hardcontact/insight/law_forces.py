@@ -10,6 +10,7 @@ contact pixels are therefore flattened to the gap 0 before each sum, which then 
 from dataclasses import replace
 
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.force_curves import on_fine_grid
@@ -25,7 +26,6 @@ from hardcontact.contact.bearing_area import (
 )
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
 from hardcontact.insight.interaction_laws import Law, work_shares
-from hardcontact.records.netcdf import Arrays
 from hardcontact.scales.filtered_masters import Cutoffs, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -138,7 +138,7 @@ def filtered_range_forces(
     side: str,
     scales: Cutoffs,
     parameters: RangeContacts,
-) -> Arrays:
+) -> xr.Dataset:
     """Return the mean plastic pull-off of a master, whole and filtered, at all ranges.
 
     Parameters
@@ -156,7 +156,7 @@ def filtered_range_forces(
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` (cutoff_wavelength, rho), ``unfiltered_pull_off_force`` (rho) and
         ``unfiltered_wavelength``.
     """
@@ -179,7 +179,7 @@ def mean_range_forces(
 
 def scan_range_forces(
     substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
-) -> Arrays:
+) -> xr.Dataset:
     """Return `mean_range_forces` of a scan as they are stored, in the window and in half of it.
 
     Parameters
@@ -193,13 +193,13 @@ def scan_range_forces(
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` and ``half_window_pull_off_force`` (rho): how much the former exceeds the
         latter tells what may lie beyond the window.
     """
     half: RangeContacts = {**parameters, "reach": parameters["reach"] / 2}
     whole, narrow = (mean_range_forces(substrate, sphere, one) for one in (parameters, half))
-    return Arrays(
+    return xr.Dataset(
         {
             "pull_off_force": (("rho",), whole, FORCE),
             "half_window_pull_off_force": (("rho",), narrow, FORCE),

@@ -322,7 +322,7 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
     for realization in range(trials["realizations"]):
         rng = generator(trials["seed"], name, realization, "scan size")
         surface = random_surface(rng, trials["pixels"], pixel_size, spectrum)
-        forces.append(window_forces(surface, contacts).variables["pull_off_force"][1])
+        forces.append(window_forces(surface, contacts)["pull_off_force"].values)
     force = xr.DataArray(
         forces,
         {"scan_size": [*contacts["sizes"], trials["size"]], "rho": contacts["ranges"]},

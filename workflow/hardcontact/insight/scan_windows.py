@@ -16,8 +16,7 @@ from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.contact.geometry import ContactArray, bodies, window_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.records.log import progress
-from hardcontact.records.netcdf import Arrays
-from hardcontact.surfaces.filters import filtered
+from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
 from hardcontact.surfaces.substitute_scans import substitute_scan
@@ -65,7 +64,7 @@ class WindowContacts(TypedDict):
     load: NamedLoad
 
 
-def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
+def window_forces(surface: HeightMap, parameters: WindowContacts) -> xr.Dataset:
     """Return the plastic pull-off of a smooth sphere on a surface and on windows cut out of it.
 
     A window is levelled and mirrored, as the paper does with its scans.
@@ -79,7 +78,7 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` (scan_size, rho) in N at 1 J/m², means over contacts and windows. The
         last scan size is that of the surface itself, which is not mirrored.
     """
@@ -94,7 +93,7 @@ def window_forces(surface: HeightMap, parameters: WindowContacts) -> Arrays:
         for size in parameters["sizes"]
     ]
     nm = {"units": "nm"}
-    return Arrays(
+    return xr.Dataset(
         {
             "pull_off_force": (
                 ("scan_size", "rho"),
@@ -151,7 +150,7 @@ def mean_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.fl
     array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
     pair = bodies(surface, None, parameters["radius"], array)
     found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])
-    return np.asarray(found.variables["pull_off_force"][1][0])
+    return np.asarray(found["pull_off_force"].values[0])
 
 
 class WindowFilters(NamedTuple):
@@ -249,7 +248,7 @@ def filtered_forces(
     surface : HeightMap
         Periodic.
     cutoffs : list of float
-        In nm; wavelengths above are removed.
+        In nm, ascending; wavelengths above are removed.
     contacts : WindowContacts
         Contacts at one range of adhesion.
 
@@ -259,15 +258,12 @@ def filtered_forces(
         (1 + cutoff,): the force in N at 1 J/m², then ratios to it. NaN at cutoffs above the
         period, which would remove nothing: that is no sign that longer waves do not matter.
     """
-    force = mean_forces(surface, contacts)[0]
     limit = surface.size * (1 + 1e-12)
-    ratios = [
-        mean_forces(filtered(surface, "large", cutoff, surface.pixels), contacts)[0] / force
-        if cutoff <= limit
-        else np.nan
-        for cutoff in cutoffs
-    ]
-    return np.array([force, *ratios])
+    known = [None, *(cutoff for cutoff in cutoffs if cutoff <= limit)]
+    surfaces = filtered_series(surface, "large", known, surface.pixels)
+    force, *others = (mean_forces(one, contacts)[0] for one in surfaces)
+    beyond = [np.nan] * (len(cutoffs) - len(others))  # the longest, as cutoffs ascend
+    return np.array([force, *(other / force for other in others), *beyond])
 
 
 def _of_realization(

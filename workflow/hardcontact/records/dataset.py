@@ -7,7 +7,7 @@ from typing import Any, Literal
 import pandas as pd
 import xarray as xr
 
-from hardcontact.records.netcdf import damaged, whole_netcdf
+from hardcontact.records.whole_file import whole_file
 
 __all__ = ["read", "read_all", "stack", "write"]
 
@@ -17,8 +17,11 @@ FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 
 def write(dataset: xr.Dataset, path: str | Path, file_format: FileFormat = "NETCDF4") -> None:
     """Write a dataset whole or not at all; a file that cannot be written is a ValueError."""
-    with whole_netcdf(path) as temporary:
-        dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+    with whole_file(path) as temporary:
+        try:
+            dataset.to_netcdf(temporary, format=file_format, engine="netcdf4")
+        except RuntimeError as error:  # netCDF raises it for any error of the system
+            raise OSError(str(error)) from error
 
 
 def read(path: str | Path) -> xr.Dataset:
@@ -27,7 +30,10 @@ def read(path: str | Path) -> xr.Dataset:
         with xr.open_dataset(path, engine="netcdf4") as dataset:
             return dataset.load()
     except (OSError, RuntimeError, ValueError) as error:
-        raise damaged(path, error) from None
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise ValueError(
+            f"{path}: expected a complete netCDF file, found: {reason}; delete it and run again"
+        ) from None
 
 
 def read_all(

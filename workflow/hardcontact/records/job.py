@@ -5,17 +5,15 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from hardcontact.records import log, netcdf
-from hardcontact.records.netcdf import Arrays
+import xarray as xr
+
+from hardcontact.records import dataset as labelled
+from hardcontact.records import log
+from hardcontact.records.dataset import FileFormat
 from hardcontact.records.origin import Origin, canonical, digests
 from hardcontact.records.whole_file import whole_file
-
-if TYPE_CHECKING:
-    import xarray as xr
-
-    from hardcontact.records.dataset import FileFormat
 
 __all__ = ["Job", "job"]
 
@@ -50,21 +48,14 @@ class Job(NamedTuple):
             **self.origin.attributes(),
         }
 
-    def write_arrays(self, arrays: Arrays, title: str, output: int | str = 0) -> None:
-        """Write arrays, with their origin, to an output by its place or name."""
-        complete = arrays._replace(attributes=arrays.attributes | self.attributes(title))
-        netcdf.write(complete, self._path(output))
-
     def write(
         self,
-        dataset: "xr.Dataset",
+        dataset: xr.Dataset,
         title: str,
         output: int | str = 0,
-        file_format: "FileFormat" = "NETCDF4",
+        file_format: FileFormat = "NETCDF4",
     ) -> None:
         """Write a labelled dataset, with its origin, to an output by its place or name."""
-        from hardcontact.records import dataset as labelled
-
         complete = dataset.assign_attrs(self.attributes(title))
         labelled.write(complete, self._path(output), file_format)
 

@@ -24,7 +24,6 @@ from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.records.log import progress
-from hardcontact.records.netcdf import Arrays
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
@@ -194,7 +193,7 @@ def _log_forces(scan: HeightMap, factor: float, settings: PoolSettings) -> Float
     stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
     contact = settings["contact"]
     pair = bodies(stitched, None, settings["radius"], contact)
-    forces = pull_off_of_pair(pair, contact, settings["ranges"]).variables["pull_off_force"][1]
+    forces = pull_off_of_pair(pair, contact, settings["ranges"])["pull_off_force"].values
     return np.asarray(np.log(forces))
 
 
@@ -203,7 +202,7 @@ def on_smooth_sphere(
     contact: ContactSettings,
     radius: float,
     ranges: Sequence[float],
-) -> Arrays:
+) -> xr.Dataset:
     """Return the mean forces of some scans of one substrate on a smooth sphere.
 
     Parameters
@@ -219,17 +218,17 @@ def on_smooth_sphere(
 
     Returns
     -------
-    Arrays
+    xarray.Dataset
         ``pull_off_force`` (scan, contact_model, rho), averaged over contacts.
     """
     pairs = [
         pull_off_of_pair(bodies(surface, None, radius, contact), contact, ranges)
         for surface in progress(stitched.values(), len(stitched), "scans on a smooth sphere")
     ]
-    forces = [pair.variables["pull_off_force"][1].mean(axis=(-2, -1)) for pair in pairs]
+    forces = [pair["pull_off_force"].values.mean(axis=(-2, -1)) for pair in pairs]
     scans = (("scan",), np.array(list(stitched)), {"long_name": "number of the scan"})
-    kept = {name: pairs[0].coordinates[name] for name in ("contact_model", "rho")}
-    return Arrays(
+    kept = {name: pairs[0][name] for name in ("contact_model", "rho")}
+    return xr.Dataset(
         {"pull_off_force": (("scan", "contact_model", "rho"), np.array(forces), FORCE)},
         {"scan": scans} | kept,
         {"work_of_adhesion": WORK_OF_ADHESION},

@@ -148,7 +148,7 @@ class Sources(NamedTuple):
         (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
         substrates with a pool.
     masters : xarray.Dataset
-        Of `all_surfaces.stacked_ratios`.
+        Of `filtered_masters.stacked_forces` at one load.
     """
 
     topography: xr.Dataset
@@ -259,7 +259,7 @@ def set_band(
     Parameters
     ----------
     masters : xarray.Dataset
-        Of `all_surfaces.stacked_ratios`.
+        Of `filtered_masters.stacked_forces` at one load.
     realizations : int
         Masters of each substrate in a set.
     tolerance : float

@@ -5,13 +5,14 @@ exactly, and interpolated when pixels are needed. `scipy.fft` is imported where 
 jobs that import this module transform nothing, and the import takes longer than they do.
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["filtered", "highpass", "interpolate", "lowpass"]
+__all__ = ["filtered", "filtered_series", "highpass", "interpolate", "lowpass"]
 
 ROWS = 512  # rows a block, so that no step holds a second full-size array in double precision
 
@@ -146,3 +147,28 @@ def filtered(master: HeightMap, side: str, cutoff: float | None, pixels: int) ->
     if master.pixels != pixels:
         master = interpolate(master, pixels)
     return replace(master, pixel_size=size / pixels)
+
+
+def filtered_series(
+    master: HeightMap, side: str, cutoffs: Sequence[float | None], pixels: int
+) -> Iterator[HeightMap]:
+    """Yield a master without the scales beyond each cutoff in turn.
+
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic and square.
+    side : str
+        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
+    cutoffs : sequence of float or None
+        In nm; None removes nothing.
+    pixels : int
+        Along an edge of the results.
+
+    Yields
+    ------
+    HeightMap
+        As of `filtered`.
+    """
+    for cutoff in cutoffs:
+        yield filtered(master, side, cutoff, pixels)

@@ -3,9 +3,9 @@
 from dataclasses import dataclass
 
 import numpy as np
+import xarray as xr
 
-from hardcontact.records import netcdf
-from hardcontact.records.netcdf import Arrays, Variable
+from hardcontact.records import dataset
 
 __all__ = ["HeightMap", "read_height_map"]
 
@@ -41,9 +41,9 @@ class HeightMap:
         """Edge of a square map in nm."""
         return self.pixels * self.pixel_size
 
-    def arrays(self) -> Arrays:
+    def dataset(self) -> xr.Dataset:
         """Return the map as it is stored: float32 heights with coordinates in nm."""
-        coordinates: dict[str, Variable] = {
+        coordinates = {
             axis: (
                 (axis,),
                 (0.5 + np.arange(count)) * self.pixel_size,
@@ -56,7 +56,7 @@ class HeightMap:
             "long_name": "surface height",
             "pixel_size": float(self.pixel_size),
         }
-        return Arrays(
+        return xr.Dataset(
             {"heights": (("y", "x"), self.heights.astype("float32"), attributes)},
             coordinates,
             {"periodic": int(self.periodic), "basis": self.basis},
@@ -64,12 +64,12 @@ class HeightMap:
 
 
 def read_height_map(path: str) -> HeightMap:
-    """Read a netCDF file of `HeightMap.arrays`; one that cannot be read is a ValueError."""
-    stored = netcdf.read(path)
-    _, heights, attributes = stored.variables["heights"]
+    """Read a netCDF file of `HeightMap.dataset`; one that cannot be read is a ValueError."""
+    stored = dataset.read(path)
+    heights = stored["heights"]
     return HeightMap(
-        heights,
-        float(attributes["pixel_size"]),
-        bool(stored.attributes["periodic"]),
-        str(stored.attributes["basis"]),
+        heights.values,
+        float(heights.attrs["pixel_size"]),
+        bool(stored.attrs["periodic"]),
+        str(stored.attrs["basis"]),
     )

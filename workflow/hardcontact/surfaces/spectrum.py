@@ -7,17 +7,14 @@ Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.records import netcdf
+from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.topography import library_map
-
-if TYPE_CHECKING:
-    import xarray as xr
 
 __all__ = [
     "BIN_EDGES",
@@ -71,19 +68,16 @@ class Spectrum:
 
 def read_spectrum(path: str) -> Spectrum:
     """Read a spectrum that the study wrote; a file that cannot be read is a ValueError."""
-    stored = netcdf.read(path)
-    return Spectrum(stored.coordinates["wavevector"][1], stored.variables["spectrum"][1])
+    return spectrum_from(dataset.read(path))
 
 
-def spectrum_from(stored: "xr.Dataset") -> Spectrum:
+def spectrum_from(stored: xr.Dataset) -> Spectrum:
     """Return a spectrum that `spectrum_dataset` holds."""
     return Spectrum(stored["wavevector"].values, stored["spectrum"].values)
 
 
-def spectrum_dataset(density: NDArray[np.float64]) -> "xr.Dataset":
+def spectrum_dataset(density: NDArray[np.float64]) -> xr.Dataset:
     """Return C_iso (nm⁴) on WAVEVECTORS as it is stored."""
-    import xarray as xr
-
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},

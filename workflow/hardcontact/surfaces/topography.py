@@ -9,9 +9,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.records.netcdf import Arrays
 from hardcontact.surfaces.height_map import HeightMap
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ def prepared_scan(
     sphere_radius: float | None = None,
     levelled: Callable[[HeightMap], HeightMap] = level,
     described: Mapping[str, str] | None = None,
-) -> tuple[Arrays, Arrays]:
+) -> tuple[xr.Dataset, xr.Dataset]:
     """Return a scan levelled, and then mirror-stitched, both as they are stored.
 
     Parameters
@@ -154,18 +154,16 @@ def prepared_scan(
 
     Returns
     -------
-    levelled, stitched : Arrays
+    levelled, stitched : xarray.Dataset
         That of the sphere also keeps the scan as it was read, in the variable `as_scanned`.
     """
     flat = flat_map(scan, sphere_radius, levelled)
-    stored = flat.arrays()
+    stored = flat.dataset()
     if sphere_radius is not None:
         attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
-        stored.variables["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
-    stitched = mirror_stitch(flat).arrays()
-    for arrays in (stored, stitched):
-        arrays.attributes.update(described or {})
-    return stored, stitched
+        stored["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
+    stitched = mirror_stitch(flat).dataset()
+    return stored.assign_attrs(described or {}), stitched.assign_attrs(described or {})
 
 
 def metrics(scan: HeightMap) -> dict[str, float]:
