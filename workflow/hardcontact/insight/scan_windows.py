@@ -17,7 +17,7 @@ from hardcontact.contact.geometry import ContactArray, bodies, window_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.records.log import progress
 from hardcontact.records.netcdf import Arrays
-from hardcontact.surfaces.filters import filtered
+from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
 from hardcontact.surfaces.substitute_scans import substitute_scan
@@ -259,15 +259,13 @@ def filtered_forces(
         (1 + cutoff,): the force in N at 1 J/m², then ratios to it. NaN at cutoffs above the
         period, which would remove nothing: that is no sign that longer waves do not matter.
     """
-    force = mean_forces(surface, contacts)[0]
-    limit = surface.size * (1 + 1e-12)
-    ratios = [
-        mean_forces(filtered(surface, "large", cutoff, surface.pixels), contacts)[0] / force
-        if cutoff <= limit
-        else np.nan
-        for cutoff in cutoffs
-    ]
-    return np.array([force, *ratios])
+    below = [cutoff for cutoff in cutoffs if cutoff <= surface.size * (1 + 1e-12)]
+    series = filtered_series(surface, "large", [None, *below], surface.pixels)
+    force, *left = (mean_forces(one, contacts)[0] for one in series)
+    ratios = dict.fromkeys(cutoffs, np.nan) | {
+        cutoff: one / force for cutoff, one in zip(below, left, strict=True)
+    }
+    return np.array([force, *ratios.values()])
 
 
 def _of_realization(
