@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.surfaces.filters import filtered, highpass, interpolate, lowpass
+from hardcontact.surfaces.filters import filtered, filtered_series, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 
 
@@ -38,14 +38,6 @@ def test_interpolation_refuses_a_coarser_grid():
         interpolate(noise(16), 8)
 
 
-@pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0, 640.0])
-def test_lowpass_and_highpass_make_the_surface(cutoff):
-    surface = noise(64)
-    low = interpolate(lowpass(surface, cutoff), 64)
-    high = highpass(surface, cutoff)
-    np.testing.assert_allclose(low.heights + high.heights, surface.heights, atol=1e-6)
-
-
 @pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0])
 def test_lowpass_keeps_just_the_long_waves(cutoff):
     surface = noise(64)
@@ -61,7 +53,7 @@ def test_a_wave_at_the_cutoff_is_kept_once():
     x = np.arange(64) / 64
     wave = periodic(np.cos(2 * np.pi * 8 * x)[None] * np.ones((64, 1)))  # 80 nm
     assert np.std(lowpass(wave, 80.0).heights) == pytest.approx(np.std(wave.heights))
-    np.testing.assert_allclose(highpass(wave, 80.0).heights, 0, atol=1e-6)
+    np.testing.assert_allclose(filtered(wave, "large", 80.0, 64).heights, 0, atol=1e-6)
 
 
 def test_a_cutoff_of_two_pixels_is_refused():
@@ -70,7 +62,7 @@ def test_a_cutoff_of_two_pixels_is_refused():
 
 
 @pytest.mark.parametrize("pixels", [64, 100])
-@pytest.mark.parametrize("cutoff", [60.0, 333.0])
+@pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0, 640.0, 900.0])
 def test_what_either_side_removes_makes_the_master(pixels, cutoff):
     master = noise(64)
     whole, long, short = (
@@ -97,3 +89,27 @@ def test_a_master_on_fewer_pixels_is_refused():
     for cutoff in (None, 100.0):
         with pytest.raises(ValueError, match="at least 64 pixels to interpolate to, found 32"):
             filtered(noise(64), "large", cutoff, 32)
+
+
+@pytest.mark.parametrize("pixels", [64, 100])
+@pytest.mark.parametrize("side", ["small", "large"])
+def test_a_series_is_the_master_cut_off_at_each_wavelength(side, pixels):
+    master, cutoffs = noise(64), [None, 25.0, 640.0, 60.0, None, 333.0]
+    whole = interpolate(master, pixels).heights
+    for cutoff, surface in zip(
+        cutoffs, filtered_series(master, side, cutoffs, pixels), strict=True
+    ):
+        expected = whole
+        if cutoff is not None:
+            low = interpolate(lowpass(master, cutoff), pixels).heights
+            expected = low if side == "small" else whole - low
+        np.testing.assert_allclose(surface.heights, expected, atol=2e-6)
+        assert surface.size == pytest.approx(master.size)
+
+
+def test_short_waves_left_out_need_no_more_pixels_than_the_rest():
+    shorter = filtered(noise(64), "small", 100.0, 32)
+    expected = interpolate(lowpass(noise(64), 100.0), 32)
+    np.testing.assert_allclose(shorter.heights, expected.heights, atol=1e-6)
+    with pytest.raises(ValueError, match="at least 52 pixels to interpolate to, found 32"):
+        filtered(noise(64), "small", 25.0, 32)

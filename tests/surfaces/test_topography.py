@@ -9,6 +9,7 @@ from hardcontact.surfaces.topography import (
     METRICS,
     level,
     level_lines,
+    library_map,
     metrics,
     mirror_stitch,
     prepared_scan,
@@ -121,6 +122,19 @@ def test_metrics_of_a_wave():
     assert values["rms_half_laplacian"] == pytest.approx(values["rms_laplacian"] / 2)
     assert values["kurtosis"] == pytest.approx(1.5) and values["skewness"] == pytest.approx(0)
     assert values["peak_to_valley"] == pytest.approx(2 * amplitude)
+
+
+@pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
+def test_metrics_are_those_of_the_library(shape):
+    scan = scan_of(np.random.default_rng(3).standard_normal(shape).cumsum(axis=0), 4.9)
+    values, expected = metrics(scan), library_map(scan)
+    for name, value in (
+        ("rms_height", expected.Sq()),
+        ("rms_gradient", expected.rms_gradient()),
+        ("rms_profile_slope", expected.Rdq()),
+        ("rms_half_laplacian", expected.rms_curvature_from_area()),
+    ):
+        assert values[name] == pytest.approx(value, rel=1e-13)
 
 
 def test_a_prepared_scan_is_levelled_and_stitched():

@@ -44,7 +44,7 @@ class ContactPixels:
     Attributes
     ----------
     row, column : numpy.ndarray
-        (pixels,) of each on the substrate.
+        (pixels,) of each on the substrate, by rows.
     """
 
     def __init__(self, bodies: Bodies, contacts: Contacts) -> None:
@@ -63,11 +63,10 @@ class ContactPixels:
             place: _image_gaps(bodies, place, offsets) for place, (_, offsets) in contacts.items()
         }
 
-    def left_out(self, heights: NDArray[np.floating]) -> NDArray[np.floating]:
-        """Return a copy of heights (n, n) in which these pixels are infinitely deep."""
-        rest = heights.copy()
-        rest[self.row, self.column] = -np.inf
-        return rest
+    def leave_out(self, terms: Floats, first_row: int = 0) -> None:
+        """Set these pixels to zero in the rows of the substrate (k, n) from the first one on."""
+        part = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
+        terms[self.row[part] - first_row, self.column[part]] = 0.0
 
     def outside(
         self,
@@ -108,14 +107,15 @@ def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_
     apex.
     """
     pixels, geometry = bodies.substrate.pixels, bodies.geometry
-    reach = -(-geometry.window // pixels)
-    steps = np.stack(np.meshgrid(*[np.arange(-reach, reach + 1) * pixels] * 2), -1).reshape(-1, 2)
-    places = (offsets[:, None] + steps).reshape(-1, 2)
-    places = places[geometry.inside(places).all(axis=1)]
-    code = (4 * geometry.window, 1)  # one number a pixel, in the order of rows and columns
-    codes, first = np.unique(places @ code, return_index=True)
-    places = places[first[~np.isin(codes, offsets @ code)]]
-    return gaps_at(bodies, geometry.positions[list(place)], places)
+    reach = -(-geometry.window // (2 * pixels))
+    within, which = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
+    periods = pixels * np.arange(-reach, reach)
+    y, x = (one[:, None] + periods for one in np.divmod(within, pixels))
+    wanted = geometry.inside(y)[:, :, None] & geometry.inside(x)[:, None, :]
+    own_y, own_x = (offsets // pixels + reach).T
+    wanted[which, own_y, own_x] = False
+    images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
+    return gaps_at(bodies, geometry.positions[list(place)], images[wanted])
 
 
 #: Sums (contact, contact) over all pixels but those of contacts, and the factor of the sphere at
@@ -126,14 +126,24 @@ ROWS = 64  # in a block: small enough for the cache, and the same for any number
 
 
 def _product(
-    heights: NDArray[np.floating], highest: float, fold: Floats, rho: float, threads: int
+    heights: NDArray[np.floating],
+    contact_pixels: ContactPixels,
+    highest: float,
+    fold: Floats,
+    rho: float,
+    threads: int,
 ) -> Floats:
-    """Return G exp((h - highest)/rho) G^T, (contact, contact); fold: G, (contact, n)."""
+    """Return G exp((h - highest)/rho) G^T, (contact, contact), without the contact pixels.
+
+    heights: h, (n, n); fold: G, (contact, n).
+    """
     columns = np.ascontiguousarray(fold.T)
 
     def block(start: int) -> Floats:
         rows = slice(start, start + ROWS)
-        return np.asarray(fold[:, rows] @ (_attraction(heights[rows], highest, rho) @ columns))
+        attraction = _attraction(heights[rows], highest, rho)
+        contact_pixels.leave_out(attraction, start)
+        return np.asarray(fold[:, rows] @ (attraction @ columns))
 
     with ThreadPoolExecutor(threads) as pool:
         return np.asarray(sum(pool.map(block, range(0, len(heights), ROWS))))
@@ -187,7 +197,6 @@ def outside_sums(
     """
     substrate, roughness = bodies.substrate, bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
-    rest = contact_pixels.left_out(substrate.heights)
     touching = substrate.heights[contact_pixels.row, contact_pixels.column]
     h_max = float(substrate.heights.max())
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
@@ -195,7 +204,7 @@ def outside_sums(
     of_sphere = partial(_of_smooth_sphere, threads) if roughness is None else _of_rough_sphere
     with threadpool_limits(1, "blas"):
         for k, rho in enumerate(rhos):
-            total, factor = of_sphere(bodies, contact_pixels, rest, h_max, rho)
+            total, factor = of_sphere(bodies, contact_pixels, h_max, rho)
             attraction = _attraction(touching, h_max, rho)
             for place in contacts:
                 outside[k][place] = contact_pixels.outside(
@@ -208,24 +217,22 @@ def _of_smooth_sphere(
     threads: int,
     bodies: Bodies,
     contact_pixels: ContactPixels,
-    rest: NDArray[np.floating],
     h_max: float,
     rho: float,
 ) -> OfSphere:
-    """Return the sums over `rest`, heights without contact pixels, and the factor at these.
+    """Return the sums over all pixels but contact pixels, and the factor at these.
 
     The sum is G exp((h - h_max)/rho) G^T, a product over both axes, because exp(-s/rho) is one.
     """
     fold = _folded(bodies.substrate.pixels, bodies.geometry, rho)
     rows, columns = fold[:, contact_pixels.row], fold[:, contact_pixels.column]
-    total = _product(rest, h_max, fold, rho, threads)
+    total = _product(bodies.substrate.heights, contact_pixels, h_max, fold, rho, threads)
     return total, lambda place: rows[place[0]] * columns[place[1]]
 
 
 def _of_rough_sphere(
     bodies: Bodies,
     contact_pixels: ContactPixels,
-    rest: NDArray[np.floating],
     h_max: float,
     rho: float,
 ) -> OfSphere:
@@ -235,11 +242,13 @@ def _of_rough_sphere(
     roughness = bodies.roughness.heights
     attraction = _attraction(roughness, float(roughness.max()), rho)
     kernel = _kernel(pixels, attraction, bodies.geometry, rho)
+    outside = _attraction(bodies.substrate.heights, h_max, rho)
+    contact_pixels.leave_out(outside)
     #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
     rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
     columns = (contact_pixels.column - positions[:, None]) % pixels
     return (
-        _correlation(_attraction(rest, h_max, rho), kernel, positions),
+        _correlation(outside, kernel, positions),
         lambda place: kernel.take(rows[place[0]] + columns[place[1]]),
     )
 

@@ -182,11 +182,10 @@ class _Window:
             substrate.in_window(index, geometry.window) for index in position
         )
         self.offset_y, self.offset_x = first_y - position[0], first_x - position[1]
-        bound = (
-            _sphere_lowest_in_tile(self.offset_y, geometry)[:, None]
-            + _sphere_lowest_in_tile(self.offset_x, geometry)
-            - substrate.maxima[np.ix_(self.tile_y, self.tile_x)]
+        bound = _sphere_lowest_in_tile(self.offset_y, geometry)[:, None] + _sphere_lowest_in_tile(
+            self.offset_x, geometry
         )
+        bound -= substrate.maxima[self.tile_y].take(self.tile_x, axis=1)
         if roughness is not None:
             bound -= roughness.upper_bound(self.offset_y, self.offset_x)
         self.shape, self.bound = bound.shape, bound.ravel()
@@ -291,6 +290,10 @@ def _lowest(first: LowestGaps, second: LowestGaps, contact_pixels: int) -> Lowes
     """Return the smallest gaps of two sets, ascending; equal ones in the order of offsets."""
     gaps = np.append(first.gaps, second.gaps)
     offsets = np.concatenate([first.offsets, second.offsets])
+    if gaps.size > contact_pixels:
+        # Few are left to sort, and equal gaps at the end are all among them.
+        low = gaps <= np.partition(gaps, contact_pixels - 1)[contact_pixels - 1]
+        gaps, offsets = gaps[low], offsets[low]
     order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixels]
     return LowestGaps(gaps[order], offsets[order])
 

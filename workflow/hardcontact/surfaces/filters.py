@@ -9,18 +9,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["filtered", "filtered_series", "highpass", "interpolate", "lowpass"]
+__all__ = ["filtered", "filtered_series", "interpolate", "lowpass"]
 
-ROWS = 512  # rows a block, so that no step holds a second full-size array in double precision
+#: Of a transform: orders (y, x).
+Spectrum = NDArray[np.complex128]
+
+ROWS = 64  # rows a block: no step holds a second full-size array, and a block fits the cache
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
     """Return the part of a surface with wavelengths >= cutoff, on the coarsest grid that holds it.
-
-    `highpass` is the complement: the two add up to the surface.
 
     Parameters
     ----------
@@ -41,27 +43,58 @@ def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
     """
     from scipy import fft
 
-    pixels = surface.pixels
-    limit = surface.size / cutoff * (1 + 1e-12)
+    limit = _limit(surface, cutoff)
     highest = int(limit)
-    if 2 * highest + 2 > pixels:
+    band = _longer_waves(_lowest_orders(surface, highest), limit)
+    coarse = 2 * highest + 2
+    heights = fft.irfft2(_with_orders(band, coarse), s=(coarse, coarse))
+    heights *= (coarse / surface.pixels) ** 2
+    return replace(surface, heights=heights, pixel_size=surface.size / coarse)
+
+
+def _limit(surface: HeightMap, cutoff: float) -> float:
+    """Return the highest order of a wave of a surface that is at least as long as a cutoff."""
+    limit = surface.size / cutoff * (1 + 1e-12)
+    if 2 * int(limit) + 2 > surface.pixels:
         raise ValueError(
             f"expected a cutoff of more than two pixels ({2 * surface.pixel_size:.4g} nm), "
             f"found {cutoff:.4g} nm"
         )
+    return limit
+
+
+def _lowest_orders(surface: HeightMap, highest: int) -> Spectrum:
+    """Return the transform of a surface up to an order along both axes: 0, 1, ... -2, -1 of y."""
+    from scipy import fft
+
+    pixels = surface.pixels
     transform = np.empty((pixels, highest + 1), complex)
     for start in range(0, pixels, ROWS):
         rows = slice(start, start + ROWS)
         block = surface.heights[rows].astype(float)
         transform[rows] = fft.rfft(block, axis=1)[:, : highest + 1]
     transform = fft.fft(transform, axis=0, overwrite_x=True)
-    coarse = 2 * highest + 2
-    order_y = np.fft.fftfreq(coarse, 1 / coarse)
-    band = transform[order_y.astype(int)]  # negative orders index from the end
-    band[np.hypot(order_y[:, None], np.arange(highest + 1)) > limit] = 0
-    band[coarse // 2] = 0
-    heights = fft.irfft2(band, s=(coarse, coarse)) * (coarse / pixels) ** 2
-    return replace(surface, heights=heights, pixel_size=surface.size / coarse)
+    return transform[_orders(highest)]
+
+
+def _orders(highest: int) -> NDArray[np.int_]:
+    """Return the orders along y in the sequence of a transform; negative ones index its end."""
+    return np.append(np.arange(highest + 1), np.arange(-highest, 0))
+
+
+def _longer_waves(transform: Spectrum, limit: float) -> Spectrum:
+    """Return the part of `_lowest_orders` up to a limit of the order in any direction."""
+    orders = _orders(int(limit))
+    band = transform[orders, : int(limit) + 1]
+    band[np.hypot(orders[:, None], np.arange(int(limit) + 1)) > limit] = 0
+    return band
+
+
+def _with_orders(transform: Spectrum, pixels: int) -> Spectrum:
+    """Return `_lowest_orders` among the orders along y, else zero, of more pixels."""
+    padded = np.zeros((pixels, transform.shape[1]), complex)
+    padded[_orders(transform.shape[1] - 1)] = transform
+    return padded
 
 
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
@@ -89,8 +122,7 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     from scipy import fft
 
     coarse = surface.pixels
-    if pixels < coarse:
-        raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
+    _check_finer(coarse, pixels)
     transform = fft.rfft2(surface.heights.astype(float))
     padded = np.zeros((pixels, transform.shape[1]), complex)
     half = coarse // 2
@@ -101,58 +133,39 @@ def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
         padded[-half] /= 2
         padded[half] += padded[-half]
         padded[:, -1] /= 2
-    padded = fft.ifft(padded, axis=0, overwrite_x=True)
     fine = np.empty((pixels, pixels), np.float32)
-    for start in range(0, pixels, ROWS):
-        rows = slice(start, start + ROWS)
-        fine[rows] = fft.irfft(padded[rows], n=pixels, axis=1) * (pixels / coarse) ** 2
+    for rows, heights in _inverse(padded):
+        fine[rows] = heights * (pixels / coarse) ** 2
     return replace(surface, heights=fine, pixel_size=surface.size / pixels)
 
 
-def highpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return the part of a surface with wavelengths < cutoff (nm): what `lowpass` leaves."""
-    band = interpolate(lowpass(surface, cutoff), surface.pixels)
-    return replace(surface, heights=surface.heights - band.heights)
+def _check_finer(coarse: int, pixels: int) -> None:
+    if pixels < coarse:
+        raise ValueError(f"expected at least {coarse} pixels to interpolate to, found {pixels}")
+
+
+def _inverse(padded: Spectrum) -> Iterator[tuple[slice, NDArray[np.float64]]]:
+    """Yield blocks of rows of the inverse transform of orders (pixels, k), which is overwritten."""
+    from scipy import fft
+
+    pixels = len(padded)
+    padded = fft.ifft(padded, axis=0, overwrite_x=True)
+    for start in range(0, pixels, ROWS):
+        rows = slice(start, start + ROWS)
+        yield rows, fft.irfft(padded[rows], n=pixels, axis=1)
 
 
 def filtered(master: HeightMap, side: str, cutoff: float | None, pixels: int) -> HeightMap:
-    """Return a master without the scales beyond a cutoff.
-
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic and square.
-    side : str
-        ``"small"`` removes wavelengths below the cutoff, ``"large"`` those above.
-    cutoff : float or None
-        In nm; None removes nothing.
-    pixels : int
-        Along an edge of the result.
-
-    Returns
-    -------
-    HeightMap
-        Heights (pixels, pixels) in nm.
-
-    Raises
-    ------
-    ValueError
-        If the remaining wavelengths need more pixels.
-    """
-    size = master.size
-    if cutoff is not None and side == "small":
-        master = lowpass(master, cutoff)
-    elif cutoff is not None:
-        master = highpass(master, cutoff)
-    if master.pixels != pixels:
-        master = interpolate(master, pixels)
-    return replace(master, pixel_size=size / pixels)
+    """Return a master without the scales beyond a cutoff: one surface of `filtered_series`."""
+    return next(filtered_series(master, side, [cutoff], pixels))
 
 
 def filtered_series(
     master: HeightMap, side: str, cutoffs: Sequence[float | None], pixels: int
 ) -> Iterator[HeightMap]:
-    """Yield a master without the scales beyond each cutoff in turn.
+    """Yield a master without the scales beyond each of several cutoffs.
+
+    The master is transformed once for all cutoffs.
 
     Parameters
     ----------
@@ -163,12 +176,38 @@ def filtered_series(
     cutoffs : sequence of float or None
         In nm; None removes nothing.
     pixels : int
-        Along an edge of the results.
+        Along an edge of the surfaces.
 
     Yields
     ------
     HeightMap
-        As of `filtered`.
+        Heights (pixels, pixels) in nm, in float32 wherever they are not those of the master. All
+        surfaces but that of None share one array, which the next one overwrites.
+
+    Raises
+    ------
+    ValueError
+        If the remaining wavelengths need more pixels, or a cutoff is two pixels or less.
     """
-    for cutoff in cutoffs:
-        yield filtered(master, side, cutoff, pixels)
+    size = master.size
+    limits = [None if cutoff is None else _limit(master, cutoff) for cutoff in cutoffs]
+    highest = max((int(limit) for limit in limits if limit is not None), default=None)
+    whole = master
+    if side == "large" or None in cutoffs:
+        _check_finer(master.pixels, pixels)
+        if master.pixels != pixels:
+            whole = interpolate(master, pixels)
+    elif highest is not None:
+        _check_finer(2 * highest + 2, pixels)
+    whole = replace(whole, pixel_size=size / pixels)
+    if highest is not None:
+        transform = _lowest_orders(master, highest)
+        transform *= (pixels / master.pixels) ** 2
+        heights = np.empty((pixels, pixels), np.float32)
+    for limit in limits:
+        if limit is None:
+            yield whole
+            continue
+        for rows, band in _inverse(_with_orders(_longer_waves(transform, limit), pixels)):
+            heights[rows] = band if side == "small" else whole.heights[rows] - band
+        yield replace(whole, heights=heights)

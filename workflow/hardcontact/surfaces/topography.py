@@ -169,20 +169,24 @@ def prepared_scan(
 def metrics(scan: HeightMap) -> dict[str, float]:
     """Return the METRICS of a levelled, non-periodic scan.
 
-    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography.
-    Where the paper leaves a definition open there is one metric for each reading.
+    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, over
+    the pixels that have them along both axes. Where the paper leaves a definition open there is
+    one metric for each reading.
     """
     from scipy.stats import kurtosis, skew
 
-    topography = library_map(scan)
-    values = scan.heights.astype(float).ravel()
-    half_laplacian = topography.rms_curvature_from_area()
+    heights, pixel_size = scan.heights.astype(float), scan.pixel_size
+    slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
+    slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
+    bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
+    laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
+    values = heights.ravel()
     return {
-        "rms_height": float(topography.Sq()),
-        "rms_gradient": float(topography.rms_gradient()),
-        "rms_profile_slope": float(topography.Rdq()),
-        "rms_half_laplacian": float(half_laplacian),
-        "rms_laplacian": float(2 * half_laplacian),
+        "rms_height": float(values.std()),
+        "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
+        "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
+        "rms_half_laplacian": laplacian / 2,
+        "rms_laplacian": laplacian,
         "skewness": float(skew(values)),
         "kurtosis": float(kurtosis(values, fisher=False)),
         "peak_to_valley": float(np.ptp(values)),
