@@ -58,6 +58,14 @@ def test_force_keeps_its_digits_where_little_is_outside(case, rough):
 
 
 @pytest.mark.parametrize("rough", [False, True])
+def test_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
+    bodies, rhos = bodies_of(CASES[2], 3, rough), [0.35, 20.0, 0.7, 1.4, 5.0, 2.8, 5.6, 10.0]
+    contacts = all_lowest_gaps(bodies, 17)
+    for rho, sums in zip(rhos, outside_sums(bodies, contacts, rhos), strict=True):
+        np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)
+
+
+@pytest.mark.parametrize("rough", [False, True])
 def test_force_of_a_contact_does_not_depend_on_what_touches_elsewhere(rough):
     bodies = bodies_of(CASES[0], 3, rough)
     contacts = all_lowest_gaps(bodies, 17)

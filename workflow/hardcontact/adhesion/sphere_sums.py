@@ -9,7 +9,7 @@ The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums
 a product over both axes, of a rough one a correlation with a kernel that is computed once.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from itertools import product
@@ -125,28 +125,48 @@ OfSphere = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 ROWS = 64  # in a block: small enough for the cache, and the same for any number of threads
 
 
-def _product(
+def _products(
     heights: NDArray[np.floating],
     contact_pixels: ContactPixels,
     highest: float,
-    fold: Floats,
-    rho: float,
+    folds: Sequence[Floats],
+    rhos: Sequence[float],
     threads: int,
 ) -> Floats:
-    """Return G exp((h - highest)/rho) G^T, (contact, contact), without the contact pixels.
+    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), without the contact pixels.
 
-    heights: h, (n, n); fold: G, (contact, n).
+    heights: h, (n, n); folds: G of each rho, (contact, n).
     """
-    columns = np.ascontiguousarray(fold.T)
+    columns = [np.ascontiguousarray(fold.T) for fold in folds]
 
     def block(start: int) -> Floats:
         rows = slice(start, start + ROWS)
-        attraction = _attraction(heights[rows], highest, rho)
-        contact_pixels.leave_out(attraction, start)
-        return np.asarray(fold[:, rows] @ (attraction @ columns))
+        attractions = _attractions(heights[rows], highest, rhos)
+        parts = []
+        for rho, fold, of_columns in zip(rhos, folds, columns, strict=True):
+            contact_pixels.leave_out(attractions[rho], start)
+            parts.append(fold[:, rows] @ (attractions[rho] @ of_columns))
+        return np.array(parts)
 
+    starts = range(0, len(heights), ROWS)
+    if threads == 1:  # to pass blocks to a single thread would cost as much as some blocks
+        return np.asarray(sum(map(block, starts)))
     with ThreadPoolExecutor(threads) as pool:
-        return np.asarray(sum(pool.map(block, range(0, len(heights), ROWS))))
+        return np.asarray(sum(pool.map(block, starts)))
+
+
+def _attractions(
+    heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
+) -> dict[float, Floats]:
+    """Return `_attraction` at every range.
+
+    At half of another range it is the square of that one, which takes far less than exponentials.
+    """
+    found: dict[float, Floats] = {}
+    for rho in sorted(rhos, reverse=True):
+        longer = found.get(2 * rho)
+        found[rho] = _attraction(heights, highest, rho) if longer is None else longer**2
+    return found
 
 
 def _folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
@@ -200,11 +220,12 @@ def outside_sums(
     touching = substrate.heights[contact_pixels.row, contact_pixels.column]
     h_max = float(substrate.heights.max())
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
-    outside = np.empty((len(rhos), *[len(bodies.geometry.positions)] * 2))
+    ranges = [float(rho) for rho in rhos]
+    outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     of_sphere = partial(_of_smooth_sphere, threads) if roughness is None else _of_rough_sphere
     with threadpool_limits(1, "blas"):
-        for k, rho in enumerate(rhos):
-            total, factor = of_sphere(bodies, contact_pixels, h_max, rho)
+        sums = of_sphere(bodies, contact_pixels, h_max, ranges)
+        for k, (rho, (total, factor)) in enumerate(zip(ranges, sums, strict=True)):
             attraction = _attraction(touching, h_max, rho)
             for place in contacts:
                 outside[k][place] = contact_pixels.outside(
@@ -214,43 +235,45 @@ def outside_sums(
 
 
 def _of_smooth_sphere(
-    threads: int,
-    bodies: Bodies,
-    contact_pixels: ContactPixels,
-    h_max: float,
-    rho: float,
-) -> OfSphere:
-    """Return the sums over all pixels but contact pixels, and the factor at these.
+    threads: int, bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
+) -> Iterator[OfSphere]:
+    """Yield, for each range, the sums over all pixels but contact pixels and the factor at these.
 
     The sum is G exp((h - h_max)/rho) G^T, a product over both axes, because exp(-s/rho) is one.
     """
-    fold = _folded(bodies.substrate.pixels, bodies.geometry, rho)
-    rows, columns = fold[:, contact_pixels.row], fold[:, contact_pixels.column]
-    total = _product(bodies.substrate.heights, contact_pixels, h_max, fold, rho, threads)
-    return total, lambda place: rows[place[0]] * columns[place[1]]
+    heights = bodies.substrate.heights
+    folds = [_folded(bodies.substrate.pixels, bodies.geometry, rho) for rho in rhos]
+    totals = _products(heights, contact_pixels, h_max, folds, rhos, threads)
+    for total, fold in zip(totals, folds, strict=True):
+        yield total, partial(_smooth_factor, fold, contact_pixels)
+
+
+def _smooth_factor(fold: Floats, contact_pixels: ContactPixels, place: tuple[int, int]) -> Floats:
+    """Return the factor of a smooth sphere at the contact pixels; fold: G, (contact, n)."""
+    row, column = place
+    return np.asarray(fold[row, contact_pixels.row] * fold[column, contact_pixels.column])
 
 
 def _of_rough_sphere(
-    bodies: Bodies,
-    contact_pixels: ContactPixels,
-    h_max: float,
-    rho: float,
-) -> OfSphere:
-    """Return the same of a rough sphere, relative to the highest point t_max of its roughness."""
+    bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
+) -> Iterator[OfSphere]:
+    """Yield the same of a rough sphere, relative to the highest point t_max of its roughness."""
     assert bodies.roughness is not None
     pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
     roughness = bodies.roughness.heights
-    attraction = _attraction(roughness, float(roughness.max()), rho)
-    kernel = _kernel(pixels, attraction, bodies.geometry, rho)
-    outside = _attraction(bodies.substrate.heights, h_max, rho)
-    contact_pixels.leave_out(outside)
     #: Rows, in units of whole rows, and columns of the contact pixels as seen from each position.
     rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
     columns = (contact_pixels.column - positions[:, None]) % pixels
-    return (
-        _correlation(outside, kernel, positions),
-        lambda place: kernel.take(rows[place[0]] + columns[place[1]]),
-    )
+    for rho in rhos:
+        attraction = _attraction(roughness, float(roughness.max()), rho)
+        kernel = _kernel(pixels, attraction, bodies.geometry, rho)
+        outside = _attraction(bodies.substrate.heights, h_max, rho)
+        contact_pixels.leave_out(outside)
+
+        def factor(place: tuple[int, int], kernel: Floats = kernel) -> Floats:
+            return np.asarray(kernel.take(rows[place[0]] + columns[place[1]]))
+
+        yield _correlation(outside, kernel, positions), factor
 
 
 def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: float) -> Floats:

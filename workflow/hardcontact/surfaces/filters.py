@@ -209,5 +209,7 @@ def filtered_series(
             yield whole
             continue
         for rows, band in _inverse(_with_orders(_longer_waves(transform, limit), pixels)):
-            heights[rows] = band if side == "small" else whole.heights[rows] - band
+            heights[rows] = band
+            if side == "large":
+                np.subtract(whole.heights[rows], heights[rows], out=heights[rows])
         yield replace(whole, heights=heights)
