@@ -115,6 +115,11 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     made += [("mcd", "skewness-0.5"), ("uncd", "tip-17nm")]
     assert study.varied_surfaces == made
     assert len(set(study.varied_adhesion)) == len(made)
+    assert study.varied_together == {
+        tuple(SUBSTRATES): ["study", "laplacian"],
+        ("mcd",): ["skewness-0.5"],
+        ("uncd",): ["tip-17nm"],
+    }
     masters = {(name, variant, probe) for name, variant, _, _, probe in study.varied_masters}
     assert masters == {(*one, "smooth") for one in made} | {
         (name, "study", "rough") for name in SUBSTRATES

@@ -92,7 +92,6 @@ def test_masters_of_both_sides_are_masters():
     for side in ("small", "large"):
         for of_both, of_one in (
             (PATTERNS.master, f"{side}_master"),
-            (PATTERNS.varied_scales, f"{side}_varied"),
             (PATTERNS.scaled, f"{side}_scaled"),
         ):
             assert getattr(PATTERNS, of_one) == of_both.replace("{side}", side)

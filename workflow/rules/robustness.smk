@@ -37,38 +37,48 @@ rule vary_adhesion:
         "../scripts/vary_adhesion.py"
 
 
-rule vary_scales:
-    """Compute the forces of both masters of one realization at every cutoff and load."""
-    input:
-        scan=lambda w: FILES.stitched_of_set_realization(w.surface, int(w.realization), w.variant),
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
-        code=code_inputs("vary_scales.py"),
-    output:
-        small=PATTERNS.small_varied,
-        large=PATTERNS.large_varied,
-    log:
-        PATTERNS.log("vary_scales", PATTERNS.small_varied),
-    benchmark:
-        PATTERNS.benchmark("vary_scales", PATTERNS.small_varied)
-    resources:
-        mem_mb=2000,
-    params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "realization": int(w.realization),
-                "seed": STUDY["seed"],
-                "sides": {side: STUDY["scales"][side] | SIZE[side] for side in SIDES},
-                "rho": STUDY["scales"]["range"],
-                "loads": FILES.loads(w.probe),
-                "count": SIZE["count"],
-                "window": STUDY["contact"]["window"],
-                "radius": STUDY["sphere"]["radius"],
-            }
-        ),
-    script:
-        "../scripts/vary_scales.py"
+for surfaces, variants in FILES.varied_together.items():
+
+    rule:
+        """Compute the forces of all masters of one realization, filtered, at every load."""
+        name:
+            f"vary_scales_{variants[0]}"
+        input:
+            scans=lambda w, surfaces=surfaces: [
+                FILES.stitched_of_set_realization(surface, int(w.realization), w.variant)
+                for surface in surfaces
+            ],
+            spectra=lambda w, surfaces=surfaces: [
+                FILES.spectrum(surface, w.variant) for surface in surfaces
+            ],
+            sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
+            code=code_inputs("vary_scales.py"),
+        output:
+            expand(PATTERNS.varied_scales, surface=surfaces, side=SIDES, allow_missing=True),
+        log:
+            PATTERNS.log("vary_scales", PATTERNS.varied_realization),
+        benchmark:
+            PATTERNS.benchmark("vary_scales", PATTERNS.varied_realization)
+        wildcard_constraints:
+            variant=any_of(variants),
+        resources:
+            mem_mb=2000,
+        params:
+            canonical=lambda w, surfaces=surfaces: canonical(
+                {
+                    "surfaces": surfaces,
+                    "realization": int(w.realization),
+                    "seed": STUDY["seed"],
+                    "sides": {side: STUDY["scales"][side] | SIZE[side] for side in SIDES},
+                    "rho": STUDY["scales"]["range"],
+                    "loads": FILES.loads(w.probe),
+                    "count": SIZE["count"],
+                    "window": STUDY["contact"]["window"],
+                    "radius": STUDY["sphere"]["radius"],
+                }
+            ),
+        script:
+            "../scripts/vary_scales.py"
 
 
 rule aggregate_robustness:

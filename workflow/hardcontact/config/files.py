@@ -325,6 +325,17 @@ class Files(SingleFiles):
         pattern = self._patterns.varied_adhesion
         return [self._of_surface(pattern, *of_surface) for of_surface in self.varied_surfaces]
 
+    @property
+    def varied_together(self) -> dict[tuple[str, ...], list[str]]:
+        """The surfaces whose masters are filtered together, and the variants they have these of."""
+        of_variants: dict[str, list[str]] = {}
+        for surface, variant in self.varied_surfaces:
+            of_variants.setdefault(variant, []).append(surface)
+        together: dict[tuple[str, ...], list[str]] = {}
+        for variant, surfaces in of_variants.items():
+            together.setdefault(tuple(surfaces), []).append(variant)
+        return together
+
     @cached_property
     def varied_masters(self) -> list[Master]:
         """Every master that some variant asks for."""

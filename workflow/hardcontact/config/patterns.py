@@ -81,8 +81,9 @@ class Patterns:
 
         self.varied_adhesion = f"{store}/robustness/{of_surface}/forces.nc"
         self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"
-        self.small_varied, self.large_varied = (
-            self.varied_scales.replace("{side}", side) for side in ("small", "large")
+        self.varied_realization = (
+            f"{store}/scales_of_variants/{{radius}}/{{load}}/{{range}}/{{variant}}/"
+            "realization-{realization}-{probe}.nc"
         )
 
     def dataset(self, name: str) -> str:
