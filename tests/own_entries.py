@@ -7,7 +7,7 @@ from hardcontact.commands.overlay import nested
 from hardcontact.commands.proposal import Choice
 from hardcontact.commands.proposed_contact import Probe
 from hardcontact.config.configuration import configuration
-from hardcontact.config.scan_limits import check_grids
+from hardcontact.config.limits import check_grids
 from hardcontact.surfaces.reliable_band import ReliableBand
 
 

@@ -4,8 +4,8 @@ import pytest
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.config.substitute_descriptions import refuse_description, refuse_of_paper
-from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS
+from hardcontact.config.tables import refuse_description, refuse_of_paper
+from hardcontact.surfaces.descriptions import AFM_ROWS, TAIL_ROWS
 
 SPECTRA = ROOT / "resources/spectra"
 HEADER = (

@@ -34,8 +34,8 @@ from hardcontact.commands.request import (
     sources,
 )
 from hardcontact.config.configuration import NONE, SMOOTH, configuration, read_yaml, refuse_all
-from hardcontact.config.limits import Grid
-from hardcontact.config.scan_limits import check_grids
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import check_grids
 from hardcontact.config.schema import refuse
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces

@@ -17,7 +17,7 @@ import numpy as np
 from hardcontact.commands.request import QUANTITIES, Option, options
 from hardcontact.config.configuration import read_yaml, refuse_all
 from hardcontact.config.schema import plain
-from hardcontact.config.tables import Row, UserTable, found, user_table
+from hardcontact.config.tables import Row, UserTable, found, number, user_table
 from hardcontact.contact.bearing_area import Load
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -366,20 +366,17 @@ def _repeated(path: str | Path, points: Mapping[int, tuple[float, float]]) -> li
 
 def _number(text: str) -> float:
     """Return a finite number; NaN if the text is none."""
-    try:
-        value = float(text)
-    except ValueError:
-        return math.nan
+    value = number(text)
     return value if math.isfinite(value) else math.nan
 
 
 def _wavevector(row: Row, name: str) -> float:
     """Return q in rad/nm; NaN if the unit is none of the quantity."""
-    number, unit = _number(row[name]), row[f"{name}_unit"]
+    value, unit = _number(row[name]), row[f"{name}_unit"]
     if name == "wavelength":
-        return 2 * math.pi / (number * _nanometres(unit))
+        return 2 * math.pi / (value * _nanometres(unit))
     match = re.fullmatch(r"rad\s*/\s*(\S+)", unit)
-    return number / _nanometres(match[1]) if match else math.nan
+    return value / _nanometres(match[1]) if match else math.nan
 
 
 def _density(row: Row, name: str) -> float:

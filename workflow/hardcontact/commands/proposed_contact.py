@@ -11,8 +11,13 @@ from typing import NamedTuple
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.proposed_scales import COUNTS, FULL, proposed_tiles
 from hardcontact.config.configuration import refuse_all
-from hardcontact.config.limits import CONTACT_PIXELS, MAP_PIXELS, PIXEL_SIZES, least_range
-from hardcontact.config.master_limits import PENETRATION_OVER_RANGE
+from hardcontact.config.grids import (
+    CONTACT_PIXELS,
+    MAP_PIXELS,
+    PENETRATION_OVER_RANGE,
+    PIXEL_SIZES,
+    least_range,
+)
 from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length, print_quantity

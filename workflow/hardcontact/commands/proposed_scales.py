@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.config.limits import CONTACT_PIXELS, Grid
+from hardcontact.config.grids import CONTACT_PIXELS, Grid
 from hardcontact.contact.bearing_area import TILE, Load, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
 

@@ -1,6 +1,4 @@
-"""The surfaces and scans that a study is about: the selected rows of its table of surfaces.
-
-The table of surfaces, one row a scan: read and checked.
+"""The surfaces and scans that a study is about: its table of surfaces, one row a scan.
 
 Every fault is a ValueError of one line: the line or surface, what was expected, what was found.
 """
@@ -14,15 +12,15 @@ import pandas as pd
 
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.schema import Schema, plain, refuse
+from hardcontact.config.tables import user_table
 from hardcontact.numbers.units import magnitude
-from hardcontact.surfaces.substitute_spectra import is_calibrated
+from hardcontact.surfaces.descriptions import is_calibrated
 
 __all__ = [
     "CONTACT",
     "Measured",
     "NO_SCAN",
     "Selection",
-    "TABLE_LIMIT",
     "selected_scans",
     "surface_table",
 ]
@@ -30,6 +28,8 @@ __all__ = [
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
 
+#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
+CONTACT = "contact"
 HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
 
 
@@ -167,12 +167,6 @@ class Selection:
         return str(rows[(rows.surface == surface) & (rows.scan == scan)].iloc[0][column])
 
 
-#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
-CONTACT = "contact"
-#: The largest table, or description of a surface, in bytes: some ten thousand rows.
-TABLE_LIMIT = 2**20
-
-
 def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
     """Return the table of surfaces, checked for what its rows say of each other.
 
@@ -194,7 +188,11 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
     ValueError
         In one line, naming the file and the line or the surface.
     """
-    (_, header), *rows = _cells(path) or [(1, [])]
+    if not os.path.isfile(path):
+        raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
+    content = "a table of surfaces"
+    given = user_table(path, content, form=content, separator="\t")
+    header, rows = given.header, given.cells
     columns, known = schema["required"], schema["properties"]
     complete = set(columns) <= set(header) <= set(known) and len(header) == len(set(header))
     if not complete or not rows:
@@ -203,15 +201,14 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
             "separated by tabs, and a row a scan; "
             f"found {plain(', '.join(header))} and {len(rows)} rows"
         )
-    for line, cells in rows:
+    for line, cells in rows.items():
         if len(cells) != len(header):
             raise ValueError(
                 f"{path}: line {line}: expected {len(header)} cells, separated by tabs, "
                 f"found {len(cells)}"
             )
         refuse(dict(zip(header, cells, strict=True)), schema, f"{path}: line {line}, ")
-    lines, values = zip(*rows, strict=True)
-    table = pd.DataFrame(values, columns=header, index=lines, dtype=str)
+    table = pd.DataFrame([*rows.values()], columns=header, index=[*rows], dtype=str)
     table = table.reindex(columns=[*known], fill_value="")
     table["scan"] = table["scan"].astype(int)
     table["use"] = table["use"].replace("", CONTACT)
@@ -253,19 +250,6 @@ def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd
             f"found {reprlib.repr(unknown)}"
         )
     return table[table.scan.isin(scans)]
-
-
-def _cells(path: str | Path) -> list[tuple[int, list[str]]]:
-    """Return number and cells of every line of a table that is not blank."""
-    if not os.path.isfile(path):
-        raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
-    if os.path.getsize(path) > TABLE_LIMIT:
-        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
-    try:
-        lines = Path(path).read_bytes().decode("utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: expected a table of surfaces in UTF-8, found: {error}") from None
-    return [(number, line.split("\t")) for number, line in enumerate(lines, 1) if line.strip()]
 
 
 def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) -> None:
