@@ -99,6 +99,15 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
 def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:
     """Refuse a master larger than any map that this machine's memory (megabytes) cannot hold.
 
+    Parameters
+    ----------
+    key : str
+        That the pixels come from, for the message.
+    pixels : int
+        Along an edge.
+    available : int
+        Of `machine_megabytes`.
+
     Raises
     ------
     ValueError

@@ -34,14 +34,9 @@ HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
 
 
 class Measured(NamedTuple):
-    """One scan of a measured surface, as the table names it.
+    """One scan of a measured surface: its file, its dataset in a container, the tip radius.
 
-    Attributes
-    ----------
-    path, dataset : str
-        File, and which scan of a container.
-    tip_radius : float or None
-        In nm, where the table states it.
+    The radius is in nm, None where the table of surfaces does not state it.
     """
 
     path: str
@@ -52,19 +47,9 @@ class Measured(NamedTuple):
 class Selection:
     """What the rows of a table of surfaces say, asked for by surface.
 
-    Parameters
-    ----------
-    rows : DataFrame
-        One row a scan, as `surface_table.selected_scans` returns them.
-    sphere : str
-        Name of the surface that is the sphere's; one that the table lacks is smooth.
-
-    Attributes
-    ----------
-    surfaces, substrates : list of str
-        In the order of the table; substrates are all but the sphere's.
-    labels, basis : dict
-        By surface, the name to print and ``"measured"`` or ``"substitute"``.
+    Rows, one a scan, are those of `selected_scans`; a sphere that the table lacks is smooth.
+    Surfaces are in the order of the table, substrates all but the sphere's; by surface, `labels`
+    has the name to print, and `basis` ``"measured"`` or ``"substitute"``.
     """
 
     def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
@@ -168,25 +153,11 @@ class Selection:
 
 
 def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
-    """Return the table of surfaces, checked for what its rows say of each other.
+    """Return the table of surfaces, tab-separated, checked for what its rows say of each other.
 
-    Parameters
-    ----------
-    path : str or Path
-        Tab-separated table with a header.
-    schema : mapping
-        JSON schema of a row.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a scan, indexed by the line of the file; columns as in the schema, `scan` as int.
-        An optional column that the file lacks is empty, an empty `use` is CONTACT.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the file and the line or the surface.
+    One row a scan, indexed by the line of the file; columns as in the schema of a row, `scan` as
+    int. An optional column that the file lacks is empty, an empty `use` is CONTACT. A fault is a
+    ValueError of one line that names the file and the line or the surface.
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
@@ -222,24 +193,9 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:
-    """Return the rows of the table of surfaces that a study uses.
+    """Return the rows of the table of surfaces that a study uses: all, or those of some numbers.
 
-    Parameters
-    ----------
-    table : pandas.DataFrame
-        As `surface_table` returns it.
-    scans : "all" or list of int
-        Numbers of scans.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Rows of these numbers.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming numbers that no surface has a scan of.
+    A ValueError of one line names numbers that no surface has a scan of.
     """
     if scans == "all":
         return table
