@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import yaml
 
-from hardcontact.config.schema import Schema, plain, refuse, resolved
+from hardcontact.config.schema import Schema, plain, refuse, refuse_lines, resolved
 from hardcontact.numbers.units import magnitude, printed
 from hardcontact.records.code import LIBRARY
 
@@ -242,5 +242,4 @@ def refuse_all(checks: Iterable[Callable[[], object]]) -> None:
             one()
         except ValueError as error:
             faults += str(error).splitlines()
-    if faults:
-        raise ValueError("\n".join(dict.fromkeys(faults)))
+    refuse_lines(dict.fromkeys(faults))

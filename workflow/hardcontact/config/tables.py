@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import pandas as pd
 
-from hardcontact.config.schema import plain
+from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.descriptions import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
@@ -35,6 +35,17 @@ __all__ = [
 TABLE_LIMIT = 2**20
 #: Cells by the name of their column.
 Row = Mapping[str, str]
+#: Columns of a table of single tests, and of one row a surface.
+TESTS = ("surface", "value", "unit")
+SUMMARIES = ("surface", "mean", "median", "count", "unit")
+#: Models of a band; a power law continues the band above, so that it cannot come first.
+MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
+#: Columns of numbers that may be below zero: local exponents of shoulders are.
+SIGNED = ("hurst", "hurst_change")
+#: The local exponent of a C_iso that is constant.
+FLATTEST = -1.0
+#: Columns of the points of a profile's spectrum.
+POINTS = ("wavelength_nm", "c1d_nm3")
 
 
 class UserTable(NamedTuple):
@@ -133,11 +144,6 @@ def number(cell: str) -> float:
         return math.nan
 
 
-#: Columns of a table of single tests, and of one row a surface.
-TESTS = ("surface", "value", "unit")
-SUMMARIES = ("surface", "mean", "median", "count", "unit")
-
-
 def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame:
     """Read the user's own pull-off forces.
 
@@ -173,8 +179,7 @@ def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame
             f"{path}: line {line}: expected each surface once, found again {plain(surface)}"
             for line, surface in forces.surface[forces.duplicated("surface")].items()
         ]
-    if problems:
-        raise ValueError("\n".join(problems))
+    refuse_lines(problems)
     return forces
 
 
@@ -230,16 +235,6 @@ def _newtons(number: str, unit: str) -> float:
 def _count(text: str) -> int:
     """Return a whole number; 0 if it is none."""
     return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0
-
-
-#: Models of a band; a power law continues the band above, so that it cannot come first.
-MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
-#: Columns of numbers that may be below zero: local exponents of shoulders are.
-SIGNED = ("hurst", "hurst_change")
-#: The local exponent of a C_iso that is constant.
-FLATTEST = -1.0
-#: Columns of the points of a profile's spectrum.
-POINTS = ("wavelength_nm", "c1d_nm3")
 
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
@@ -316,6 +311,5 @@ def _description(
             if row[name] and not (number(row[name]) >= (-math.inf if name in SIGNED else 0))
         ]
 
-    if problems := table.problems(faults):
-        raise ValueError("\n".join(problems))
+    refuse_lines(table.problems(faults))
     return table.rows()
