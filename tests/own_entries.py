@@ -2,12 +2,12 @@
 
 from repository import PAPER, SCHEMAS
 
-from hardcontact.commands.inventory import Entry, Source
-from hardcontact.commands.overlay import nested
-from hardcontact.commands.proposal import Choice
+from hardcontact.commands.inventory import Entry
+from hardcontact.commands.overlay import Choice, nested
 from hardcontact.commands.proposed_contact import Probe
+from hardcontact.commands.request import Source
 from hardcontact.config.configuration import configuration
-from hardcontact.config.scan_limits import check_grids
+from hardcontact.config.limits import check_grids
 from hardcontact.surfaces.reliable_band import ReliableBand
 
 

@@ -6,14 +6,14 @@ import pytest
 from random_scans import PIXEL, UNCD
 
 from hardcontact.records import published
-from hardcontact.surfaces import calibration, spectral_models
+from hardcontact.surfaces import calibration, descriptions, spectral_models
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 
 def rows(values):
     """Table 1 of one surface: the rows that fix the spectrum of scans."""
-    return pd.DataFrame({"value": values}, index=list(calibration.AFM_ROWS))
+    return pd.DataFrame({"value": values}, index=list(descriptions.AFM_ROWS))
 
 
 @pytest.fixture(scope="module")
@@ -92,6 +92,6 @@ def test_table1_is_turned_into_gradient_and_half_laplacian():
 def test_rows_that_calibrate_are_rows_of_the_published_table(at_root):
     table = published.table1("resources/paper/table1.csv")
     for _, of_surface in table.groupby("surface"):
-        assert {*calibration.AFM_ROWS, *calibration.TAIL_ROWS} == set(of_surface.quantity) - {
+        assert {*descriptions.AFM_ROWS, *descriptions.TAIL_ROWS} == set(of_surface.quantity) - {
             "all_rms_height"
         }

@@ -10,8 +10,9 @@ from repository import PAPER, ROOT
 
 from hardcontact.numbers.random import generator
 from hardcontact.records import published
-from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS, rows_of_surface, transfer_weights
+from hardcontact.surfaces.calibration import rows_of_surface, transfer_weights
 from hardcontact.surfaces.conditioning import conditioned_density, conditioned_group, scan_targets
+from hardcontact.surfaces.descriptions import AFM_ROWS, TAIL_ROWS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan

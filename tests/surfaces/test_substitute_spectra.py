@@ -7,7 +7,7 @@ from random_scans import PIXEL
 from refusals import assert_says, refusal
 
 from hardcontact.records import published
-from hardcontact.surfaces import calibration, spectral_models, substitute_spectra
+from hardcontact.surfaces import calibration, descriptions, spectral_models, substitute_spectra
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
@@ -75,7 +75,7 @@ def test_blank_parameters_are_calibrated_to_table1(described, polished, band):
     path = described(band, "6.5,0,power law,,,,,")
     weights = transfer_weights(2048, PIXEL, 512)
     density, bands, calibrated = substitute_spectra.from_description(path, polished, weights)
-    assert calibrated == [*calibration.AFM_ROWS, *calibration.TAIL_ROWS]
+    assert calibrated == [*descriptions.AFM_ROWS, *descriptions.TAIL_ROWS]
     assert bands[["plateau_nm4", "rolloff_nm", "hurst"]].loc[0].notna().all()
     assert bands[["shortest_nm", "hurst"]].loc[1].notna().all()
     table = Spectrum(WAVEVECTORS, density)

@@ -7,7 +7,7 @@ from docutils.core import publish_doctree
 from jinja2 import Environment, StrictUndefined
 from repository import PAPER, ROOT
 
-from hardcontact.config.words import CHAPTERS, PAGES
+from hardcontact.config.configuration import CHAPTERS, PAGES
 from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 
 CAPTIONS = sorted((ROOT / "workflow/report").glob("*.rst"))

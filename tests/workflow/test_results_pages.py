@@ -13,7 +13,7 @@ from repository import ROOT, run_snakemake
 
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
-from hardcontact.config.words import PAGES
+from hardcontact.config.configuration import PAGES
 from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT, OF_PAPER
 from hardcontact.records import dataset
 

@@ -1,8 +1,6 @@
 # The page that answers for own surfaces.
 
-from hardcontact.config.configuration import read_yaml
-from hardcontact.config.words import contact_words, of_paper
-from hardcontact.config.configuration import NONE, left_out
+from hardcontact.config.configuration import NONE, contact_words, left_out, of_paper, read_yaml
 
 
 rule answer_surfaces:

@@ -1,7 +1,7 @@
 # Atomic scale: a master of four times the study's pixels, beside these. No part of the study.
 
 from hardcontact.figures.catalogue import OF_ATOMIC
-from hardcontact.config.master_limits import master_megabytes
+from hardcontact.config.grids import master_megabytes
 from hardcontact.config.patterns import STUDY_VARIANT
 
 SMALL_SCALES = STUDY["scales"]["small"]

@@ -1,6 +1,6 @@
 # Report: its pages of text. `snakemake --report` gathers them with the figures.
 
-from hardcontact.config.words import CHAPTERS, PAGES
+from hardcontact.config.configuration import CHAPTERS, PAGES
 
 
 rule describe_study:

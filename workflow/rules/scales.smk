@@ -1,6 +1,6 @@
 # Scales: multi-scale masters, cutoff filters, pull-off of each filtered surface, the critical band.
 
-from hardcontact.config.master_limits import master_megabytes
+from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 

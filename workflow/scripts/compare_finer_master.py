@@ -1,6 +1,6 @@
 """The pull-off force on a master of finer pixels than the study's, beside coarser ones."""
 
-from hardcontact.config.master_limits import machine_megabytes, refuse_beyond_memory
+from hardcontact.config.grids import machine_megabytes, refuse_beyond_memory
 from hardcontact.insight.finer_master import FinerMaster, on_several_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import job

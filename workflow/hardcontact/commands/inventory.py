@@ -9,15 +9,27 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.config.limits import Grid
+from hardcontact.commands.request import Source
+from hardcontact.config.grids import Grid
+from hardcontact.config.selection import CONTACT
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 from hardcontact.surfaces.topography import flat_map
 
-__all__ = ["Entry", "FILLING", "Found", "Source", "inventory", "printed_table"]
+__all__ = [
+    "Entry",
+    "FILLING",
+    "Found",
+    "SPECTRUM",
+    "inventory",
+    "printed_table",
+    "table_rows",
+]
 
+#: The use of scans that only enter the spectrum of their surface.
+SPECTRUM = "spectrum"
 #: How undefined pixels are filled, so that what a file holds can be told.
 FILLING = "harmonic"
 
@@ -27,56 +39,14 @@ COLUMNS = (
 )  # fmt: skip
 
 
-class Source(NamedTuple):
-    """A file of a surface.
-
-    Attributes
-    ----------
-    surface, label : str
-        Its id and its name.
-    file : str
-        Where it is read.
-    path : str
-        As it stands in the table of surfaces.
-    sphere_radius : float or None
-        In nm, of a file of the sphere; None of other surfaces.
-    """
-
-    surface: str
-    label: str
-    file: str
-    path: str
-    sphere_radius: float | None = None
-
-
 @dataclass(frozen=True)
 class Entry:
     """One topography: what its file says of it, and what was measured on it.
 
-    Attributes
-    ----------
-    source : Source
-        Its file.
-    dataset, channel, file_unit, kind : str
-        As of a Measurement.
-    pixels : int
-        Along an edge of a map, or points of a line scan.
-    pixel_size : float
-        In nm.
-    rms_height, peak_to_valley : float
-        In nm, levelled; of the sphere less its paraboloid.
-    relief : float
-        Largest difference in height in nm, levelled or not.
-    tip_radius : float or None
-        In nm; None if nothing states it.
-    tip_given : bool
-        Whether the user gave it, as its file does not state it.
-    band : ReliableBand
-        The wavelengths at which it is reliable.
-    undefined : int
-        Undefined pixels, which were filled.
-    notes : tuple of str
-        What was done in reading, in words.
+    Pixels are along an edge of a map, or points of a line scan. Heights in nm are levelled, of the
+    sphere less its paraboloid, but `relief` is the largest difference levelled or not. A tip radius
+    (nm) that nothing states is None; `tip_given` says that the user gave it, as the file does not
+    state it. Undefined pixels were filled, and notes say in words what was done in reading.
     """
 
     source: Source
@@ -113,16 +83,9 @@ class Entry:
 
 
 class Found(NamedTuple):
-    """What files hold.
+    """What files hold: entries in their order, and what cannot be used, a line each.
 
-    Attributes
-    ----------
-    entries : list of Entry
-        In the order of the files.
-    unreadable : list of str
-        Members of containers that cannot be used, beside others that can: a line each.
-    problems : list of str
-        Files of which nothing can be used: a line each.
+    Unreadable are members of containers beside others that can be used; problems are whole files.
     """
 
     entries: list[Entry]
@@ -131,19 +94,10 @@ class Found(NamedTuple):
 
 
 def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
-    """Read all topographies of files.
+    """Read all topographies of files, containers with all of theirs.
 
-    Parameters
-    ----------
-    sources : sequence of Source
-        Containers count with all their topographies.
-    tip_radius : float or None
-        In nm, of the scans whose files do not state it; None if it is not known.
-
-    Returns
-    -------
-    Found
-        A member of a container that cannot be used stops nothing: it cannot be taken out by hand.
+    A tip radius (nm) is that of scans whose files do not state it, None if it is not known. A
+    member of a container that cannot be used stops nothing: it cannot be taken out by hand.
     """
     found = Found([], [], [])
     for source in sources:
@@ -210,20 +164,7 @@ def _levelled(flat: Measurement) -> NDArray[np.float64]:
 
 
 def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
-    """Return a table of what was found, as text, with the notes below it.
-
-    Parameters
-    ----------
-    entries : sequence of Entry
-        One a row.
-    uses : sequence of str
-        What each is used for.
-
-    Returns
-    -------
-    str
-        Lines of columns, aligned.
-    """
+    """Return a table of what was found, and used for what, as text with the notes below it."""
     cells = [_cells(entry, use) for entry, use in zip(entries, uses, strict=True)]
     rows = [COLUMNS, *((str(number), *row) for number, row in enumerate(cells, 1))]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
@@ -259,3 +200,33 @@ def _notes(entries: Sequence[Entry]) -> Iterator[str]:
             yield f"{number}: {note}"
         if "pixels" not in entry.band.shortest_reason:
             yield f"{number}: what is shorter is not reliable: {entry.band.shortest_reason}"
+
+
+def table_rows(
+    entries: Sequence[Entry], contact: Sequence[Entry], tip_radius: str
+) -> list[dict[str, str]]:
+    """Return the rows of the table of surfaces by column; scans that make contacts come first.
+
+    Surface by surface in the order of the entries. The tip radius is a quantity that the user gave
+    for scans whose files state none, or nothing.
+    """
+    surfaces = dict.fromkeys(entry.source.surface for entry in entries)
+    in_contact = {id(entry) for entry in contact}
+    rows = []
+    for surface in surfaces:
+        of_it = [entry for entry in entries if entry.source.surface == surface]
+        ordered = sorted(of_it, key=lambda entry: id(entry) not in in_contact)
+        for number, entry in enumerate(ordered, 1):
+            rows.append(
+                {
+                    "surface": surface,
+                    "label": entry.source.label,
+                    "scan": str(number),
+                    "source": "measured",
+                    "path": entry.source.path,
+                    "dataset": entry.dataset,
+                    "use": CONTACT if id(entry) in in_contact else SPECTRUM,
+                    "tip_radius": tip_radius if entry.tip_given else "",
+                }
+            )
+    return rows

@@ -7,19 +7,20 @@ of surfaces. All problems are told at once, a line each, and then nothing is wri
 import sys
 from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import ExitStack
 from functools import partial
-from typing import NamedTuple
+from pathlib import Path
 
-from hardcontact.commands.inventory import Entry, Found, inventory, printed_table
-from hardcontact.commands.overlay import (
+from hardcontact.commands.inventory import (
     SPECTRUM,
-    nested,
-    overlay_text,
+    Entry,
+    Found,
+    inventory,
+    printed_table,
     table_rows,
-    table_text,
-    write_files,
 )
-from hardcontact.commands.proposal import Choice, Proposal, propose, refuse_unreliable
+from hardcontact.commands.overlay import Choice, nested, overlay_text
+from hardcontact.commands.proposal import Proposal, propose, refuse_unreliable
 from hardcontact.commands.proposed_contact import Probe
 from hardcontact.commands.request import (
     QUANTITIES,
@@ -34,29 +35,15 @@ from hardcontact.commands.request import (
     sources,
 )
 from hardcontact.config.configuration import NONE, SMOOTH, configuration, read_yaml, refuse_all
-from hardcontact.config.limits import Grid
-from hardcontact.config.scan_limits import check_grids
-from hardcontact.config.schema import refuse
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import check_grids
+from hardcontact.config.schema import refuse, refuse_lines
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces
+from hardcontact.contact.bearing_area import Load
+from hardcontact.records.whole_file import whole_file
 
-__all__ = ["main", "new_study"]
-
-
-class Plan(NamedTuple):
-    """What a study computes.
-
-    Attributes
-    ----------
-    proposal : Proposal
-        What was chosen for its scans.
-    choices, quick : list of Choice
-        All keys of the overlay, and those that count at quick effort.
-    """
-
-    proposal: Proposal
-    choices: list[Choice]
-    quick: list[Choice]
+__all__ = ["main", "new_study", "table_text", "write_files"]
 
 
 def main() -> int:
@@ -77,22 +64,9 @@ def main() -> int:
 
 
 def new_study(arguments: Namespace) -> str:
-    """Write the files of a study of own surfaces.
+    """Write the files of a study of own surfaces; return what was found, chosen and written.
 
-    Parameters
-    ----------
-    arguments : argparse.Namespace
-        As `request.parsed` returns it.
-
-    Returns
-    -------
-    str
-        What was found, chosen and written, for the user.
-
-    Raises
-    ------
-    ValueError
-        In one line a problem, all of them; then nothing is written.
+    All problems are a ValueError, a line each; then nothing is written.
     """
     given, option_faults = options(arguments)
     files, file_faults = sources(arguments, given["radius"].number)
@@ -100,9 +74,9 @@ def new_study(arguments: Namespace) -> str:
     found = inventory(files, given["tip"].number if tip else None)
     faults = [*option_faults, *file_faults, *found.problems]
     surfaces = list(dict.fromkeys(file.surface for file in files if file.surface != SPHERE))
-    plans: list[Plan] = []
+    plans: list[tuple[Proposal, list[Choice], list[Choice]]] = []
     checks: list[Callable[[], object]] = [
-        partial(_refuse_lines, [*name_faults(arguments.name, arguments.overwrite), *faults]),
+        partial(refuse_lines, [*name_faults(arguments.name, arguments.overwrite), *faults]),
         partial(_refuse_labels, arguments),
         partial(_refuse_cells, table_rows(found.entries, [], tip)),
     ]
@@ -111,19 +85,13 @@ def new_study(arguments: Namespace) -> str:
     if not faults:  # Else problems would be told that are none once these are mended.
         checks.append(lambda: plans.append(_plan(arguments, given, found.entries)))
     refuse_all(checks)
-    (plan,) = plans
+    ((proposal, choices, quick),) = plans
     overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
-    rows = table_rows(found.entries, plan.proposal.contact, tip)
+    rows = table_rows(found.entries, proposal.contact, tip)
     head = ["Written by `hardcontact new`; config/README.md explains every key.", _run(overlay)]
-    texts = {overlay: overlay_text(head, plan.choices, plan.quick), table: table_text(rows)}
+    texts = {overlay: overlay_text(head, choices, quick), table: table_text(rows)}
     write_files({ROOT / path: text for path, text in texts.items()})
-    return "\n".join(_told(found, plan, overlay, table))
-
-
-def _refuse_lines(faults: Sequence[str]) -> None:
-    """Refuse what is known to be wrong already."""
-    if faults:
-        raise ValueError("\n".join(faults))
+    return "\n".join(_told(found, proposal, choices, overlay, table))
 
 
 def _refuse_forces(path: str, surfaces: Sequence[str]) -> None:
@@ -154,16 +122,15 @@ def _refuse_cells(rows: Sequence[Mapping[str, str]]) -> None:
     refuse_all(partial(refuse, row, schema, f"{row['path']!r}: ") for row in labelled)
 
 
-def _plan(arguments: Namespace, given: Mapping[str, Option], entries: Sequence[Entry]) -> Plan:
-    """Return what is computed, checked as the study itself checks it."""
-    load = {key: given[key].number for key in ("preload", "hardness")}
-    radius, rho = given["radius"], given["range"]
-    probe = Probe(
-        radius.number,
-        {"preload": load["preload"], "hardness": load["hardness"]},
-        rho.number,
-        rho.given,
-    )
+def _plan(
+    arguments: Namespace, given: Mapping[str, Option], entries: Sequence[Entry]
+) -> tuple[Proposal, list[Choice], list[Choice]]:
+    """Return what is computed, all keys of the overlay and those that count at quick effort.
+
+    The study itself would accept them.
+    """
+    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
+    probe = Probe(given["radius"].number, load, given["range"].number, given["range"].given)
     proposal = propose(entries, SPHERE if arguments.sphere else None, probe)
     choices = [*_named_choices(arguments, given), *proposal.choices]
     order = list(nested(choices, {}))
@@ -177,7 +144,7 @@ def _plan(arguments: Namespace, given: Mapping[str, Option], entries: Sequence[E
     ]
     _check(proposal.contact, choices, quick)
     refuse_unreliable(entries)
-    return Plan(proposal, choices, quick)
+    return proposal, choices, quick
 
 
 def _named_choices(arguments: Namespace, given: Mapping[str, Option]) -> Iterator[Choice]:
@@ -216,9 +183,11 @@ def _run(overlay: str) -> str:
     return f"snakemake --configfile {overlay}"
 
 
-def _told(found: Found, plan: Plan, overlay: str, table: str) -> Iterator[str]:
+def _told(
+    found: Found, proposal: Proposal, choices: Sequence[Choice], overlay: str, table: str
+) -> Iterator[str]:
     """Yield the lines that tell what was found, chosen and written."""
-    contact = {id(entry) for entry in plan.proposal.contact}
+    contact = {id(entry) for entry in proposal.contact}
     uses = [CONTACT if id(entry) in contact else SPECTRUM for entry in found.entries]
     yield "Found:"
     yield printed_table(found.entries, uses)
@@ -230,16 +199,35 @@ def _told(found: Found, plan: Plan, overlay: str, table: str) -> Iterator[str]:
         yield "\nLeft out:"
         yield from found.unreadable
     yield "\nContacts are made on:"
-    yield from plan.proposal.reasons
+    yield from proposal.reasons
     yield "\nChosen:"
-    for key, value, reason in plan.choices:
+    for key, value, reason in choices:
         shown = (
             f"{len(value)} values, {value[0]} to {value[-1]}" if isinstance(value, list) else value
         )
         yield f"{key}: {shown}" + (f" ({reason})" if reason else "")
-    if plan.proposal.cautions:
+    if proposal.cautions:
         yield "\nTake care:"
-        yield from (f"- {caution}" for caution in plan.proposal.cautions)
+        yield from (f"- {caution}" for caution in proposal.cautions)
     yield f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:"
     yield f"{_run(overlay)} --config effort=quick   # a first answer"
     yield _run(overlay)
+
+
+def table_text(rows: Sequence[Mapping[str, str]]) -> str:
+    """Return rows as a table, separated by tabs, with a header."""
+    lines = [[*rows[0]], *([*row.values()] for row in rows)]
+    return "\n".join("\t".join(cells) for cells in lines) + "\n"
+
+
+def write_files(texts: Mapping[Path, str]) -> None:
+    """Write all files or, of those that are not there yet, none: a ValueError of one line."""
+    new = [path for path in texts if not path.exists()]
+    try:
+        with ExitStack() as files:
+            for path, text in texts.items():
+                Path(files.enter_context(whole_file(path))).write_text(text, "utf-8")
+    except ValueError:
+        for path in new:
+            path.unlink(missing_ok=True)
+        raise

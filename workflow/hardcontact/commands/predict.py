@@ -1,8 +1,7 @@
 """The command `hardcontact predict`: force, edges and regime from a spectrum, without a study.
 
-The user's own power spectral density: a table with its units, turned into C_iso.
-
-Every fault is one line: the file and its line, what was expected, what was found.
+The user's own power spectral density is a table with its units, turned into C_iso; every fault of
+it is one line: the file and its line, what was expected, what was found.
 """
 
 import math
@@ -16,8 +15,8 @@ import numpy as np
 
 from hardcontact.commands.request import QUANTITIES, Option, options
 from hardcontact.config.configuration import read_yaml, refuse_all
-from hardcontact.config.schema import plain
-from hardcontact.config.tables import Row, UserTable, found, user_table
+from hardcontact.config.schema import plain, refuse_lines
+from hardcontact.config.tables import Row, UserTable, found, number, user_table
 from hardcontact.contact.bearing_area import Load
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -72,6 +71,14 @@ MEANING = {
 }
 #: Rms height in nm below which there is no surface: a tenth of an atom.
 LEAST_HEIGHT = 0.01
+#: Columns of which a table has one of each pair, each with a column of its unit.
+WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
+COLUMNS = "wavevector or wavelength, c_iso or c_1d, and the unit of each (wavevector_unit, ...)"
+#: Powers of a length that a density has.
+POWER = {"c_iso": 4, "c_1d": 3}
+FEWEST = 5
+#: Independent waves that each bin of a profile's density is taken to have when it is converted.
+WAVES_OF_A_BIN = 20.0
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
@@ -91,27 +98,13 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
 
 
 def predict(arguments: Namespace) -> str:
-    """Return the prediction, for the user.
-
-    Parameters
-    ----------
-    arguments : argparse.Namespace
-        As `predict_arguments` returns it.
-
-    Returns
-    -------
-    str
-        What was read and what it predicts.
-
-    Raises
-    ------
-    ValueError
-        In one line a problem, all of them.
-    """
+    """Return the prediction, for the user; all problems are a ValueError, a line each."""
     given, faults = options(arguments)
     faults = faults or [*_too_wide(given)]
     spectra: list[Spectrum] = []
-    refuse_all([partial(_refuse, faults), lambda: spectra.append(own_spectrum(arguments.file))])
+    refuse_all(
+        [partial(refuse_lines, faults), lambda: spectra.append(own_spectrum(arguments.file))]
+    )
     (table,) = spectra
     rough = _between_zeros(table)
     _refuse_unreal_height(arguments.file, rough)
@@ -135,11 +128,6 @@ def _too_wide(given: Mapping[str, Option]) -> Iterator[str]:
             f"hardness, radius and range, found {preload.text}: the contact alone would stick like "
             "a smooth sphere"
         )
-
-
-def _refuse(faults: Sequence[str]) -> None:
-    if faults:
-        raise ValueError("\n".join(faults))
 
 
 def _between_zeros(spectrum: Spectrum) -> Spectrum:
@@ -247,35 +235,14 @@ def _untried(contact: Contact, found: ClosedForm) -> Iterator[str]:
             yield f"take care: the error was measured {where}"
 
 
-#: Columns of which a table has one of each pair, each with a column of its unit.
-WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
-COLUMNS = "wavevector or wavelength, c_iso or c_1d, and the unit of each (wavevector_unit, ...)"
-#: Powers of a length that a density has.
-POWER = {"c_iso": 4, "c_1d": 3}
-FEWEST = 5
-#: Independent waves that each bin of a profile's density is taken to have when it is converted.
-WAVES_OF_A_BIN = 20.0
-
-
 def own_spectrum(path: str | Path) -> Spectrum:
-    """Read the user's own power spectral density.
+    """Read the user's own power spectral density from a CSV with a header.
 
-    Parameters
-    ----------
-    path : str or Path
-        CSV with a header: `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² =
-        1/(2 pi) ∫ q C_iso dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); a column of the unit of each,
-        named for it with `_unit`, such as rad/nm, nm, nm4, nm3. A c_iso of 0 says no roughness.
-
-    Returns
-    -------
-    Spectrum
-        C_iso in nm⁴ at its own wavevectors; of profiles by the inverse Abel transform.
-
-    Raises
-    ------
-    ValueError
-        One line a problem, all of them.
+    Columns: `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² = 1/(2 pi) ∫ q C_iso
+    dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); one of the unit of each, named for it with `_unit`,
+    such as rad/nm, nm, nm4, nm3. A c_iso of 0 says no roughness. Returned is C_iso in nm⁴ at its
+    own wavevectors, of profiles by the inverse Abel transform; problems are a ValueError, a line
+    each.
     """
     table = user_table(path, "a table of a power spectral density")
     wave, density = _quantities(table)
@@ -289,8 +256,7 @@ def own_spectrum(path: str | Path) -> Spectrum:
     rough = sum(value > 0 for _, value in points.values())
     if not problems and rough < FEWEST:
         problems.append(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
-    if problems:
-        raise ValueError("\n".join(problems))
+    refuse_lines(problems)
     wavevector, values = np.array(sorted(points.values())).T
     if density == "c_1d":
         waves = np.full(values.shape, WAVES_OF_A_BIN)
@@ -322,8 +288,7 @@ def _quantities(table: UserTable) -> tuple[str, str]:
         for name in dict.fromkeys(header)
         if header.count(name) > 1
     ]
-    if faults:
-        raise ValueError("\n".join(faults))
+    refuse_lines(faults)
     wave, density = present
     return wave, density
 
@@ -366,20 +331,17 @@ def _repeated(path: str | Path, points: Mapping[int, tuple[float, float]]) -> li
 
 def _number(text: str) -> float:
     """Return a finite number; NaN if the text is none."""
-    try:
-        value = float(text)
-    except ValueError:
-        return math.nan
+    value = number(text)
     return value if math.isfinite(value) else math.nan
 
 
 def _wavevector(row: Row, name: str) -> float:
     """Return q in rad/nm; NaN if the unit is none of the quantity."""
-    number, unit = _number(row[name]), row[f"{name}_unit"]
+    value, unit = _number(row[name]), row[f"{name}_unit"]
     if name == "wavelength":
-        return 2 * math.pi / (number * _nanometres(unit))
+        return 2 * math.pi / (value * _nanometres(unit))
     match = re.fullmatch(r"rad\s*/\s*(\S+)", unit)
-    return number / _nanometres(match[1]) if match else math.nan
+    return value / _nanometres(match[1]) if match else math.nan
 
 
 def _density(row: Row, name: str) -> float:

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.commands.inventory import FILLING, Entry
+from hardcontact.commands.overlay import Choice
 from hardcontact.commands.proposed_contact import (
     Contact,
     Probe,
@@ -25,11 +26,12 @@ from hardcontact.commands.proposed_scales import (
     Setting,
     proposed_scales,
 )
+from hardcontact.config.schema import refuse_lines
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import FEWEST
 from hardcontact.surfaces.spectrum import BIN_EDGES
 
-__all__ = ["Choice", "Proposal", "propose", "quantity", "refuse_unreliable"]
+__all__ = ["Proposal", "propose", "quantity", "refuse_unreliable"]
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
@@ -40,37 +42,12 @@ RANGE_SPAN = 8.0
 RANGES = (0.01, 1000.0)
 
 
-class Choice(NamedTuple):
-    """A value that is chosen.
-
-    Attributes
-    ----------
-    key : str
-        With dots between its parts.
-    value : object
-        As YAML has it.
-    reason : str
-        In words; may be empty.
-    """
-
-    key: str
-    value: object
-    reason: str
-
-
 class Proposal(NamedTuple):
     """What is proposed.
 
-    Attributes
-    ----------
-    contact : list of Entry
-        The scans that contacts are made on; all others only enter the spectrum.
-    choices, quick : list of Choice
-        Of the study, and what differs at quick effort.
-    reasons : list of str
-        For the scans of each surface.
-    cautions : list of str
-        What the user should know before believing the answer.
+    The scans that contacts are made on (all others only enter the spectrum), what is chosen for the
+    study and what differs at quick effort, reasons for the scans of each surface, and what the user
+    should know before believing the answer.
     """
 
     contact: list[Entry]
@@ -81,28 +58,10 @@ class Proposal(NamedTuple):
 
 
 def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Proposal:
-    """Choose what is computed.
+    """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
 
-    Parameters
-    ----------
-    entries : sequence of Entry
-        All that was read, of one surface or more.
-    sphere : str or None
-        Id of the sphere's surface; None if it is smooth.
-    probe : Probe
-        The sphere and its load.
-
-    Returns
-    -------
-    Proposal
-        For every key that depends on the scans.
-
-    Raises
-    ------
-    ValueError
-        In one line a problem: no height map,
-        surfaces with scans too different for one study, a range of adhesion that is too short, a
-        preload that is too high.
+    A ValueError tells in one line a problem: no height map, surfaces with scans too different for
+    one study, a range of adhesion that is too short, a preload that is too high.
     """
     scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
@@ -120,18 +79,7 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
-    """Refuse surfaces of which too few wavelengths are reliable for a spectrum.
-
-    Parameters
-    ----------
-    entries : sequence of Entry
-        All that was read.
-
-    Raises
-    ------
-    ValueError
-        In one line a surface.
-    """
+    """Refuse surfaces of which too few wavelengths are reliable for a spectrum, a line each."""
     wavelength = 2 * np.pi / np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
     faults = []
     for surface in dict.fromkeys(entry.source.surface for entry in entries):
@@ -146,8 +94,7 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
                 f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
                 f"wavelengths (ten a decade), found {count}: {found}; add one of another size"
             )
-    if faults:
-        raise ValueError("\n".join(faults))
+    refuse_lines(faults)
 
 
 def _band_ends(scan: Entry) -> str:

@@ -1,21 +1,26 @@
-"""The range of adhesion, the window and the load that scans of any size permit.
-
-Which scans of own surfaces contacts are made on: the choice of a size.
-"""
+"""The scans of own surfaces that contacts are made on; what range, window and load they permit."""
 
 import math
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from hardcontact.commands.inventory import Entry
 from hardcontact.commands.proposed_scales import COUNTS, FULL, proposed_tiles
 from hardcontact.config.configuration import refuse_all
-from hardcontact.config.limits import CONTACT_PIXELS, MAP_PIXELS, PIXEL_SIZES, least_range
-from hardcontact.config.master_limits import PENETRATION_OVER_RANGE
+from hardcontact.config.grids import (
+    CONTACT_PIXELS,
+    MAP_PIXELS,
+    PENETRATION_OVER_RANGE,
+    PIXEL_SIZES,
+    least_range,
+)
+from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length, print_quantity
+
+if TYPE_CHECKING:
+    from hardcontact.commands.inventory import Entry
 
 __all__ = ["Contact", "Probe", "contact_cautions", "contact_scans", "proposed_contact"]
 
@@ -28,22 +33,18 @@ IMAGES = 10
 SHARE = 0.99
 #: The longest range of adhesion that is proposed unasked, in nm: the longest of the paper's study.
 LONGEST_RANGE = 40.0
+#: Pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
+RESOLVED = 32
+#: The size of a scan over sqrt(2 R sigma), within which the sphere finds its highest points. On
+#: Gaussian surfaces with the spectra of UNCD, MCD and polished UNCD the mean force on mirrored
+#: scans of twice that is at most a third too large.
+SIZE_OVER_REACH = 2.0
+#: Scans of one surface on the same pixels.
+Group = list["Entry"]
 
 
 class Probe(NamedTuple):
-    """The sphere and its load.
-
-    Attributes
-    ----------
-    radius : float
-        In nm.
-    load : Load
-        Preload and hardness.
-    rho : float
-        Range of adhesion in nm.
-    rho_given : bool
-        Whether the user asked for this range.
-    """
+    """The sphere and its load; radius and range of adhesion, given by the user or not, in nm."""
 
     radius: float
     load: Load
@@ -54,16 +55,8 @@ class Probe(NamedTuple):
 class Contact(NamedTuple):
     """What is chosen for contacts.
 
-    Attributes
-    ----------
-    rho, least : float
-        Range of adhesion, and the shortest one that the scans permit, in nm.
-    rho_reason : str
-        Why it is longer than the usual one, or empty.
-    window : float
-        Edge of the window in nm, of three digits.
-    window_reason : str
-        In words.
+    The range of adhesion and the shortest one that the scans permit (nm), why it is longer than the
+    usual one (or nothing), the edge of the window (nm, three digits) and its reason.
     """
 
     rho: float
@@ -73,25 +66,13 @@ class Contact(NamedTuple):
     window_reason: str
 
 
-def proposed_contact(scans: Sequence[Entry], substrates: Sequence[Entry], probe: Probe) -> Contact:
-    """Return the range of adhesion and the window.
+def proposed_contact(
+    scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Probe
+) -> Contact:
+    """Return a window, and the range asked for or the usual one, longer if the scans need it.
 
-    Parameters
-    ----------
-    scans, substrates : sequence of Entry
-        On which contacts are made, those of the sphere included and not.
-    probe : Probe
-        The sphere and its load.
-
-    Returns
-    -------
-    Contact
-        The range asked for, or the usual one made longer if the scans do not permit it.
-
-    Raises
-    ------
-    ValueError
-        In one line a problem: a range that is too short, a preload that is too high.
+    The scans of contacts are given with those of the sphere and without. A range that is too short
+    and a preload that is too high are refused as a ValueError of one line each.
     """
     window, _ = _window(scans, probe.radius, probe.rho)
     least, why = _least_range(scans, substrates, probe, window)
@@ -113,7 +94,7 @@ def _refuse_range(probe: Probe, least: float, why: str) -> None:
         )
 
 
-def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, str]:
+def _window(scans: Sequence["Entry"], radius: float, rho: float) -> tuple[float, str]:
     """Return the edge of the window (nm) for a range of adhesion (nm), and the reason."""
     rms_height = max(scan.rms_height for scan in scans)
     finest, least_size = min(scan.pixel_size for scan in scans), min(scan.size for scan in scans)
@@ -131,7 +112,7 @@ def _window(scans: Sequence[Entry], radius: float, rho: float) -> tuple[float, s
 
 
 def _least_range(
-    scans: Sequence[Entry], substrates: Sequence[Entry], probe: Probe, window: float
+    scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Probe, window: float
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
     tiles = proposed_tiles([scan.grid for scan in substrates], window, FULL.pixels)
@@ -148,7 +129,7 @@ def _least_range(
     return max(limits)
 
 
-def _refuse_load(scans: Sequence[Entry], load: Load, window: float) -> None:
+def _refuse_load(scans: Sequence["Entry"], load: Load, window: float) -> None:
     """Refuse a preload that needs too many pixels: of the window, of a scan, of the memory."""
     most = math.inf
     for scan in scans:
@@ -164,23 +145,10 @@ def _refuse_load(scans: Sequence[Entry], load: Load, window: float) -> None:
         )
 
 
-def contact_cautions(substrates: Sequence[Entry], probe: Probe, contact: Contact) -> Iterator[str]:
-    """Yield what the user should know of contacts on these scans, in words.
-
-    Parameters
-    ----------
-    substrates : sequence of Entry
-        The scans that contacts are made on.
-    probe : Probe
-        The sphere and its load.
-    contact : Contact
-        As it is proposed.
-
-    Yields
-    ------
-    str
-        A sentence.
-    """
+def contact_cautions(
+    substrates: Sequence["Entry"], probe: Probe, contact: Contact
+) -> Iterator[str]:
+    """Yield what the user should know of contacts on these scans, in sentences."""
     if contact.rho_reason:
         yield (
             f"the range of adhesion is {contact.rho:.3g} nm, not the usual {probe.rho:.3g} nm: it "
@@ -210,48 +178,15 @@ def contact_cautions(substrates: Sequence[Entry], probe: Probe, contact: Contact
         )
 
 
-#: Pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
-RESOLVED = 32
-#: The size of a scan over sqrt(2 R sigma), within which the sphere finds its highest points. On
-#: Gaussian surfaces with the spectra of UNCD, MCD and polished UNCD the mean force on mirrored
-#: scans of twice that is at most a third too large.
-SIZE_OVER_REACH = 2.0
-
-#: Scans of one surface on the same pixels.
-Group = list[Entry]
-
-
 def contact_scans(
-    entries: Sequence[Entry], sphere: str | None, radius: float, rho: float
-) -> tuple[list[Entry], list[str]]:
-    """Return the scans that contacts are made on, of every surface those on one grid.
+    entries: Sequence["Entry"], sphere: str | None, radius: float, rho: float
+) -> tuple[list["Entry"], list[str]]:
+    """Return the scans that contacts are made on, of every surface those on one grid, and reasons.
 
     Surfaces are compared on one grid where they have one in common. Of grids that resolve the
     interaction radius, it is the smallest from which the sphere finds its highest points, or else
-    the largest.
-
-    Parameters
-    ----------
-    entries : sequence of Entry
-        Of all surfaces.
-    sphere : str or None
-        Id of the sphere's surface; None if it is smooth.
-    radius : float
-        Of the sphere, in nm.
-    rho : float
-        Range of adhesion in nm.
-
-    Returns
-    -------
-    chosen : list of Entry
-        Height maps.
-    reasons : list of str
-        In words, one a surface or one for all.
-
-    Raises
-    ------
-    ValueError
-        In one line a surface without a height map.
+    the largest. The id of the sphere's surface is None if it is smooth; its radius and the range of
+    adhesion are in nm. A surface without a height map is refused, as a ValueError of one line.
     """
     groups = _groups_by_surface(entries)
     substrates = {name: of_it for name, of_it in groups.items() if name != sphere}
@@ -272,7 +207,7 @@ def contact_scans(
     return chosen, reasons
 
 
-def _groups_by_surface(entries: Sequence[Entry]) -> dict[str, list[Group]]:
+def _groups_by_surface(entries: Sequence["Entry"]) -> dict[str, list[Group]]:
     """Return the height maps of each surface, those on the same pixels together."""
     groups: dict[str, list[Group]] = {}
     least, most = PIXEL_SIZES
@@ -285,18 +220,16 @@ def _groups_by_surface(entries: Sequence[Entry]) -> dict[str, list[Group]]:
             of_it.append([entry])
         else:
             same.append(entry)
-    if without := [surface for surface, of_it in groups.items() if not of_it]:
-        raise ValueError(
-            "\n".join(
-                f"surface {surface}: expected a height map, on which contacts are made, with "
-                f"pixels of {least:g} to {most:g} nm, found none"
-                for surface in without
-            )
-        )
+    refuse_lines(
+        f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
+        f"{least:g} to {most:g} nm, found none"
+        for surface, of_it in groups.items()
+        if not of_it
+    )
     return groups
 
 
-def _alike(first: Entry, second: Entry) -> bool:
+def _alike(first: "Entry", second: "Entry") -> bool:
     """Return whether two maps have the same pixels, as the checks of the study see it."""
     same_size = math.isclose(second.pixel_size, first.pixel_size, rel_tol=1e-3)
     return first.pixels == second.pixels and same_size
@@ -359,7 +292,7 @@ def _named(group: Group) -> str:
     return f"{scans} of {print_length(group[0].size)} and {group[0].pixels} pixels"
 
 
-def _of_sphere(groups: list[Group], substrates: Sequence[Entry], radius: float) -> Group:
+def _of_sphere(groups: list[Group], substrates: Sequence["Entry"], radius: float) -> Group:
     """Return the scans of the sphere: on the pixels of the substrates, or else the most.
 
     Pairs are computed on the finer pixels of both, so that sizes too different make large maps.

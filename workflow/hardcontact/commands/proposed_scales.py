@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.config.limits import CONTACT_PIXELS, Grid
+from hardcontact.config.grids import CONTACT_PIXELS, Grid
 from hardcontact.contact.bearing_area import TILE, Load, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
 
@@ -38,18 +38,9 @@ RATIO = 1.15
 class Effort(NamedTuple):
     """What a study may cost.
 
-    Attributes
-    ----------
-    pixels : int
-        Along an edge of masters, if scans do not have more.
-    cutoffs : int
-        On each side.
-    realizations, fewest : int
-        Masters of each side, and those of contacts that take long.
-    contacts : int
-        Along an edge of the array.
-    ranges : int
-        Of adhesion.
+    Pixels along an edge of masters, if scans do not have more; cutoffs on each side; masters of
+    each side, and those of contacts that take long; contacts along an edge of the array; ranges of
+    adhesion.
     """
 
     pixels: int
@@ -66,18 +57,9 @@ QUICK = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ran
 
 
 class Setting(NamedTuple):
-    """What masters are made for.
+    """What masters are made for: the grids of substrates, the most scans of one surface, the load.
 
-    Attributes
-    ----------
-    grids : sequence of Grid
-        Of the scans of each substrate.
-    scans : int
-        The most of one surface.
-    load : Load
-        On every contact.
-    radius, rho, window : float
-        Of the sphere, range of adhesion, edge of the window, in nm.
+    Radius of the sphere, range of adhesion and edge of the window are in nm.
     """
 
     grids: Sequence[Grid]
@@ -89,17 +71,7 @@ class Setting(NamedTuple):
 
 
 class Scales(NamedTuple):
-    """What is computed.
-
-    Attributes
-    ----------
-    contacts, realizations : int
-        Contacts along an edge of the array, masters of each side.
-    small_pixels, large_pixels, tiles : int
-        Of the masters.
-    small_cutoffs, large_cutoffs : list of float
-        In nm, of three digits.
-    """
+    """What is computed: contacts along an edge, masters of a side, their pixels, cutoffs in nm."""
 
     contacts: int
     realizations: int
@@ -111,20 +83,7 @@ class Scales(NamedTuple):
 
 
 def proposed_scales(setting: Setting, effort: Effort) -> Scales:
-    """Return what is computed of masters at some effort.
-
-    Parameters
-    ----------
-    setting : Setting
-        The scans and the contact.
-    effort : Effort
-        FULL or QUICK.
-
-    Returns
-    -------
-    Scales
-        Within the limits that the checks of the study set.
-    """
+    """Return what is computed of masters at some effort, within what the checks permit."""
     grids = setting.grids
     small_pixels = max(_small_pixels(setting, grid, effort.pixels) for grid in grids)
     tiles = proposed_tiles(grids, setting.window, effort.pixels)

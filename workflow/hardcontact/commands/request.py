@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from hardcontact.commands.inventory import Source
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.schema import Schema, refuse, resolved
 from hardcontact.numbers.units import magnitude
@@ -19,6 +18,7 @@ __all__ = [
     "QUICK_NAME",
     "ROOT",
     "SPHERE",
+    "Source",
     "name_faults",
     "options",
     "parsed",
@@ -59,36 +59,28 @@ Several surfaces, each with its label and its files:
 
 
 class Option(NamedTuple):
-    """A quantity of the command line.
-
-    Attributes
-    ----------
-    text : str
-        As it is written.
-    number : float
-        In the unit of the study.
-    given : bool
-        Whether the user gave it; else it is the paper's.
-    """
+    """A quantity as it is written and in the unit of the study; given, or else the paper's."""
 
     text: str
     number: float
     given: bool
 
 
-def parsed(arguments: Sequence[str]) -> Namespace:
-    """Return a command line, taken apart; a wrong one ends the program.
+class Source(NamedTuple):
+    """A file of a surface: its id and its name, where it is read, as it stands in the table.
 
-    Parameters
-    ----------
-    arguments : sequence of str
-        Without the name of the program.
-
-    Returns
-    -------
-    argparse.Namespace
-        All as text.
+    The radius of the sphere, in nm, is known of its own files alone.
     """
+
+    surface: str
+    label: str
+    file: str
+    path: str
+    sphere_radius: float | None = None
+
+
+def parsed(arguments: Sequence[str]) -> Namespace:
+    """Return a command line, less the program's name, taken apart; a wrong one ends the program."""
     parser = ArgumentParser(
         "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
     )
@@ -121,19 +113,9 @@ def parsed(arguments: Sequence[str]) -> Namespace:
 
 
 def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
-    """Return the quantities of the command line, and what is wrong with them.
+    """Return the quantities of the command line by name, and a line for each that is wrong.
 
-    Parameters
-    ----------
-    arguments : argparse.Namespace
-        As `parsed` returns it.
-
-    Returns
-    -------
-    found : dict
-        By name; the tip only if it is given. A faulty one has the paper's value.
-    faults : list of str
-        A line each.
+    The tip is there only if it is given; a faulty quantity has the paper's value.
     """
     schema = read_yaml("workflow/schemas/config.schema.yaml")
     usual = read_yaml("config/config.yaml")
@@ -182,20 +164,7 @@ def _fault(name: str, text: str, accepted: Schema) -> str:
 
 
 def name_faults(name: str, overwrite: bool) -> Iterator[str]:
-    """Yield what is wrong with the name of a study.
-
-    Parameters
-    ----------
-    name : str
-        As the user gave it.
-    overwrite : bool
-        Whether the files of an own study may be replaced.
-
-    Yields
-    ------
-    str
-        A line each.
-    """
+    """Yield what is wrong with the name of a study, whose files may be overwritten, a line each."""
     schema = read_yaml("workflow/schemas/config.schema.yaml")["properties"]["study"]
     try:
         # The quick study beside it must have a name, too.
@@ -216,21 +185,9 @@ def name_faults(name: str, overwrite: bool) -> Iterator[str]:
 
 
 def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
-    """Return the files of all surfaces, and what is wrong with them and their labels.
+    """Return the files of all surfaces, the sphere's last, and a line for each fault of theirs.
 
-    Parameters
-    ----------
-    arguments : argparse.Namespace
-        As `parsed` returns it.
-    radius : float
-        Of the sphere, in nm.
-
-    Returns
-    -------
-    found : list of Source
-        The sphere's last.
-    faults : list of str
-        A line each.
+    The radius of the sphere is in nm; labels may be at fault, too.
     """
     given = [(arguments.name, arguments.files)] if arguments.files else []
     given += [(label, files) for label, *files in arguments.surface]

@@ -1,34 +1,90 @@
 """The configuration of a study: read, checked against its schema, quantities made numbers.
 
-Every fault is a ValueError of one line: the key, what was expected, what was found.
-
-The parts of a study, and why its data do not allow the others.
-
-All faults of the user's input at once, a line each.
+Which targets and pages a study has, how all faults of the user's input are told at once (one line
+each: the key, what was expected, what was found), and what contacts are computed for, in words.
 """
 
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import yaml
 
-from hardcontact.config.schema import Schema, plain, refuse, resolved
-from hardcontact.numbers.units import magnitude
+from hardcontact.config.schema import Schema, plain, refuse, refuse_lines, resolved
+from hardcontact.numbers.units import magnitude, printed
 from hardcontact.records.code import LIBRARY
 
 __all__ = [
+    "CHAPTERS",
+    "Limit",
     "NONE",
+    "PAGES",
     "PAPER",
     "SMOOTH",
     "computed_ranges",
     "configuration",
+    "contact_words",
     "left_out",
     "made",
+    "of_paper",
     "read_yaml",
     "refuse_all",
+    "refuse_first",
     "refuse_repeated_keys",
 ]
+
+#: Value of the key `published` in a study that is compared with the paper.
+PAPER = "paper"
+#: What stands for a table that the study does not have.
+NONE = "none"
+#: Value of the key `sphere.surface` of a sphere without roughness.
+SMOOTH = "smooth"
+
+#: Targets of a study that is compared with the paper.
+OF_PAPER = (
+    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
+    "robustness", "claims", "figures", "pages", "answer", "insight",
+)  # fmt: skip
+#: Targets of a study of own surfaces; `fit` needs own forces.
+OF_OWN_SURFACES = ("topography", "adhesion", "scales", "force", "fit", "answer")
+
+#: Why a target belongs to a study that is compared with the paper.
+REASONS = {
+    "elastic": "its moduli and its work of adhesion are those of the paper's materials",
+    "plasticity": "indents are computed for comparison with the paper's images of its sphere",
+    "asperities": "patches are computed for comparison with statements of the paper",
+    "classical": "classical models are fitted to the paper's forces",
+    "sets": "sets are drawn from substitutes for the paper's surfaces",
+    "robustness": "it varies how substitutes for the paper's surfaces are made",
+    "claims": "claims are statements of the paper about its own surfaces",
+    "figures": "the figures are the paper's; those of own surfaces are in the answer",
+    "atomic": "it is computed on the reference surface of the paper",
+    "insight": "its parts are made of substitutes for the paper's surfaces",
+    "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
+}
+NO_FORCES = "a fit needs pull-off forces measured on these surfaces (config key forces)"
+
+#: Chapters of the report that are written beforehand, one Markdown file each in workflow/report.
+CHAPTERS = ("departures", "methods", "performance", "cluster", "faults")
+#: Category and title of each page in the report that is no figure.
+PAGES = {
+    "claims": ("9. Verdicts", "verdicts on the paper's statements"),
+    "departures": ("A. Departures, parameters", "where the study departs from the paper"),
+    "parameters": ("A. Departures, parameters", "parameters and versions"),
+    "methods": ("B. The study itself", "methods"),
+    "performance": ("B. The study itself", "performance"),
+    "cluster": ("B. The study itself", "on a cluster"),
+    "faults": ("B. The study itself", "faults and what becomes of them"),
+}
+
+#: What a quantity of contacts is called, its key and its unit.
+QUANTITIES = {
+    "radius of the sphere": ("sphere", "radius", "nm"),
+    "hardness": ("contact", "hardness", "Pa"),
+    "preload": ("contact", "preload", "N"),
+    "range of adhesion": ("scales", "range", "nm"),
+    "work of adhesion": ("adhesion", "work", "J/m2"),
+}
 
 
 def read_yaml(path: str) -> Any:
@@ -39,15 +95,8 @@ def read_yaml(path: str) -> Any:
 def refuse_repeated_keys(path: str | Path) -> None:
     """Refuse a YAML file that gives a key twice, of which only the last would count.
 
-    Parameters
-    ----------
-    path : str or Path
-        Configuration file; other faults of it are left to whoever reads it.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the file, the line and the key.
+    As a ValueError of one line that names the file, the line and the key; other faults of the file
+    are left to whoever reads it.
     """
     try:
         pending = [("", yaml.compose(Path(path).read_text("utf-8"), yaml.CSafeLoader))]
@@ -113,38 +162,6 @@ def _numbers(value: Any, schema: Schema, root: Schema) -> Any:
     return value
 
 
-#: Value of the key `published` in a study that is compared with the paper.
-PAPER = "paper"
-#: What stands for a table that the study does not have.
-NONE = "none"
-#: Value of the key `sphere.surface` of a sphere without roughness.
-SMOOTH = "smooth"
-
-#: Targets of a study that is compared with the paper.
-OF_PAPER = (
-    "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical", "sets",
-    "robustness", "claims", "figures", "pages", "answer", "insight",
-)  # fmt: skip
-#: Targets of a study of own surfaces; `fit` needs own forces.
-OF_OWN_SURFACES = ("topography", "adhesion", "scales", "force", "fit", "answer")
-
-#: Why a target belongs to a study that is compared with the paper.
-REASONS = {
-    "elastic": "its moduli and its work of adhesion are those of the paper's materials",
-    "plasticity": "indents are computed for comparison with the paper's images of its sphere",
-    "asperities": "patches are computed for comparison with statements of the paper",
-    "classical": "classical models are fitted to the paper's forces",
-    "sets": "sets are drawn from substitutes for the paper's surfaces",
-    "robustness": "it varies how substitutes for the paper's surfaces are made",
-    "claims": "claims are statements of the paper about its own surfaces",
-    "figures": "the figures are the paper's; those of own surfaces are in the answer",
-    "atomic": "it is computed on the reference surface of the paper",
-    "insight": "its parts are made of substitutes for the paper's surfaces",
-    "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
-}
-NO_FORCES = "a fit needs pull-off forces measured on these surfaces (config key forces)"
-
-
 def made(configuration: Mapping[str, Any]) -> list[str]:
     """Return the targets that the data of a study allow, in their order."""
     if configuration["published"] == PAPER:
@@ -159,6 +176,51 @@ def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
         return {}
     of_forces = {"fit": NO_FORCES} if configuration["forces"] == NONE else {}
     return REASONS | of_forces
+
+
+def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
+    """Return what contacts are computed for, by what it is called: for example a radius "250 µm".
+
+    The surface of the sphere and QUANTITIES, given quantities as they are written.
+    """
+    quantities = {name: printed(config[group][key]) for name, (group, key, _) in QUANTITIES.items()}
+    return {"sphere": str(config["sphere"]["surface"])} | quantities
+
+
+def of_paper(config: Mapping[str, Any], paper: Mapping[str, Any]) -> list[str]:
+    """Return which of QUANTITIES, by name, are those of the paper, a ruby sphere on diamond."""
+    return [
+        name
+        for name, (group, key, unit) in QUANTITIES.items()
+        if magnitude(config[group][key], unit) == magnitude(paper[group][key], unit)
+    ]
+
+
+class Limit(NamedTuple):
+    """What is expected of a key of the configuration.
+
+    Attributes
+    ----------
+    holds : bool
+        Whether it is so.
+    key : str
+        Of several keys, with "and" between them.
+    expected, found : object
+        In words, in the units of the user.
+    """
+
+    holds: bool
+    key: str
+    expected: object
+    found: object
+
+
+def refuse_first(limits: Iterable[Limit]) -> None:
+    """Refuse the first limit that does not hold, as a ValueError of one line."""
+    for holds, key, expected, found in limits:
+        if not holds:
+            keys = "keys" if " and " in key else "key"
+            raise ValueError(f"config {keys} {key}: expected {expected}, found {found}")
 
 
 def refuse_all(checks: Iterable[Callable[[], object]]) -> None:
@@ -180,5 +242,4 @@ def refuse_all(checks: Iterable[Callable[[], object]]) -> None:
             one()
         except ValueError as error:
             faults += str(error).splitlines()
-    if faults:
-        raise ValueError("\n".join(dict.fromkeys(faults)))
+    refuse_lines(dict.fromkeys(faults))

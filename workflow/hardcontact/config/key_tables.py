@@ -20,20 +20,10 @@ LIST_LIMIT = 4
 
 
 def documented(text: str, keys: Schema, columns: Schema) -> str:
-    """Return the text of the documentation with its tables made anew.
+    """Return Markdown with its tables made anew: of keys, of columns of a table of surfaces.
 
-    Parameters
-    ----------
-    text : str
-        Markdown with the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->`` for the names
-        ``keys`` and ``columns``.
-    keys, columns : mapping
-        JSON schemas of the configuration and of a row of the table of surfaces.
-
-    Returns
-    -------
-    str
-        The text with other lines between the markers.
+    They stand between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, for the names
+    ``keys`` and ``columns``.
     """
     text = _inserted(text, "keys", "\n\n".join(_sections(keys)))
     cells = [

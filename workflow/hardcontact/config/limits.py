@@ -1,190 +1,282 @@
-"""The pixels that the scans of a surface have.
+"""What the pixels of scans permit a study to compute, as limits of its keys.
 
-Limits that the grids of scans and of masters have in common.
+Scans of a surface, their pairs with those of the sphere, and masters of one side and section each
+have a table of limits, of which the first that does not hold is told.
 """
 
 import math
-from collections.abc import Iterator
-from functools import reduce
+from collections.abc import Iterator, Mapping
+from functools import partial, reduce
+from itertools import product
 from operator import getitem
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-import pandas as pd
 
-from hardcontact.config.configuration import PAPER
+from hardcontact.config.configuration import PAPER, Limit, refuse_all, refuse_first
+from hardcontact.config.grids import (
+    CONTACT_PIXELS,
+    MAP_PIXELS,
+    PENETRATION_OVER_RANGE,
+    Grid,
+    least_range,
+    machine_megabytes,
+    refuse_beyond_memory,
+)
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
-from hardcontact.numbers.printing import print_length, print_quantity
-from hardcontact.surfaces.scans import read_scan
-from hardcontact.surfaces.substitute_spectra import described_rms_height, is_calibrated
+from hardcontact.contact.geometry import window_pixels
+from hardcontact.contact.hertz import effective_modulus
+from hardcontact.numbers.printing import print_quantity
+from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = [
-    "Attraction",
-    "CONTACT_PIXELS",
-    "Grid",
-    "MAP_PIXELS",
-    "PIXEL_SIZES",
-    "least_range",
-    "loads",
-    "refuse_contact_pixels",
-    "refuse_large_map",
-    "refuse_load",
-    "refuse_short_range",
-    "sections_of_contacts",
-    "sections_of_loads",
-    "settings_of",
-    "surface_grid",
-]
+__all__ = ["check_grids"]
 
-#: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
-PIXEL_SIZES = (0.05, 1e4)
-#: Upper bound on the differences in height between contacts on a substitute for a surface of the
-#: paper, in nm: five times the rms height of the roughest.
-SUBSTITUTE_RELIEF = 500.0
-#: The same bound over the rms height of all waves of a domain: 3.7 was found at most on 24 random
-#: surfaces of 10 to 40 um, from descriptions of 18 to 850 nm rms; a fifth more for others.
-RELIEF_OVER_RMS = 4.5
+#: Contact pixels of one indent, which are compared with each other.
+INDENT_PIXELS = 2**12
+#: Least pixels along an edge of the window of elastic contacts.
+ELASTIC_PIXELS = 16
+#: Upper bound on the mean pressure of an elastic contact over the effective modulus: peaks of the
+#: pressure are a hundred times higher, and the solver assumes small strains.
+PRESSURE_OVER_MODULUS = 0.01
 
 
-class Grid(NamedTuple):
-    """What all scans of a surface share.
-
-    Attributes
-    ----------
-    pixels : int
-        Pixels along an edge.
-    pixel_size : float
-        Edge of a pixel in nm.
-    size : float
-        Edge of the scan in nm.
-    relief : float
-        Largest difference in height in nm.
-    """
-
-    pixels: int
-    pixel_size: float
-    size: float
-    relief: float
-
-
-def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    """Return the grid of the scans of a surface; measured scans are read.
+def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
+    """Refuse what the pixels of scans do not permit.
 
     Parameters
     ----------
     config : dict
         Numbers, as `configuration.configuration` returns it.
-    surface : str
-        Id of the surface.
-    rows : pandas.DataFrame
-        Its rows in the table of surfaces.
-
-    Returns
-    -------
-    Grid
-        Relief of measured scans: the largest of them; of substitutes that of their largest master.
+    grids : mapping
+        Grid of the scans of each surface.
 
     Raises
     ------
     ValueError
-        In one line, if a scan cannot be used or has other pixels than the first.
+        In one line a fault, naming the key.
     """
-    if rows.source.iloc[0] == "substitute":
-        pixels, size = config["scan"]["pixels"], config["scan"]["size"]
-        relief = _substitute_relief(config, rows.path.iloc[0])
-        grid, where = Grid(pixels, size / pixels, size, relief), "config key scan.size"
-    else:
-        grid, where = _measured_grid(config, surface, rows), rows.path.iloc[0]
-    least, most = PIXEL_SIZES
-    if not least <= grid.pixel_size <= most:
-        raise ValueError(
-            f"{where}: expected pixels of {least:g} to {most:g} nm, where spectra are known, "
-            f"found {grid.pixel_size:.6g} nm"
+    name, of_paper = config["sphere"]["surface"], config["published"] == PAPER
+    if name in grids:
+        refuse_first(_of_sphere(config, grids[name]))
+    on_scan = [_of_scan, _of_elastic_scan] if of_paper else [_of_scan]
+    on_pair = [_of_pair, _of_elastic_pair] if of_paper else [_of_pair]
+    sections = ("scales", "sets", "insight", "insight.scaling") if of_paper else ("scales",)
+    scopes = [table(config, *one) for one, table in product(grids.items(), on_scan)]
+    for surface, grid in grids.items():
+        if surface != name:
+            sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
+            scopes += [table(config, surface, grid, sphere) for table in on_pair]
+            scopes += [
+                _of_master(config, section, side, surface, grid, sphere)
+                for section, side in product(sections, SIDES)
+            ]
+    refuse_all(partial(refuse_first, limits) for limits in scopes)
+
+
+def _of_sphere(config: dict[str, Any], sphere: Grid) -> Iterator[Limit]:
+    """Give the limit of a sphere: it is no smaller than its scans."""
+    radius = config["sphere"]["radius"]
+    expected = f"at least the size of its scans ({sphere.size:.6g} nm)"
+    yield Limit(radius >= sphere.size, "sphere.radius", expected, f"{radius:.6g} nm")
+
+
+def _of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
+    """Give the limits of the scans of a surface: loads, numbers of contacts, ranges."""
+    sections, stitched = _sections_of_contacts(config), 2 * grid.pixels
+    window = window_pixels(config["contact"]["window"], grid.pixel_size)
+    available = min(window, stitched) ** 2 // 4
+    why = f"which a quarter of the {4 * available} pixels of {surface} can carry"
+    of_loads = [*sections, "insight.scaling"] if config["published"] == PAPER else sections
+    for section in of_loads:
+        yield from _of_loads(config, section, available, grid.pixel_size, why)
+    expected = f"at most the {stitched} pixels along the stitched scan of {surface}"
+    for section in sections:
+        count = config[section]["count"]
+        yield Limit(count <= stitched, f"{section}.count", expected, count)
+    ranges = {"adhesion.ranges": config["adhesion"]["ranges"][0]}
+    if config["published"] == PAPER:
+        ranges["insight.ranges"] = config["insight"]["ranges"][0]
+    ranges["scales.range"] = config["scales"]["range"]
+    for key, rho in ranges.items():
+        yield _of_range(config, key, rho, config["sphere"]["radius"], surface, grid)
+
+
+def _of_elastic_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
+    """Give the limit of the window of elastic contacts: enough pixels of a surface."""
+    window, least = config["elastic"]["window"], ELASTIC_PIXELS * grid.pixel_size
+    expected = f"at least {ELASTIC_PIXELS} pixels of {surface} ({least:.4g} nm)"
+    enough = int(window / grid.pixel_size) >= ELASTIC_PIXELS
+    yield Limit(enough, "elastic.window", expected, f"{window:.4g} nm")
+
+
+def _of_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> Iterator[Limit]:
+    """Give the limits of a scan of a substrate and one of the sphere, on common pixels."""
+    edge, pixel_size = config["contact"]["window"], min(grid.pixel_size, sphere.pixel_size)
+    window, both = window_pixels(edge, pixel_size), f"{surface} and the sphere"
+    expected = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {both}"
+    yield Limit(window <= MAP_PIXELS, "contact.window", expected, window)
+    yield _of_map(both, pixel_size, grid, sphere)
+    images = max(1, edge / (2 * grid.size)) ** 2
+    for section in _sections_of_contacts(config):
+        yield from _of_contact_pixels(config, section, surface, pixel_size, images)
+
+
+def _of_elastic_pair(
+    config: dict[str, Any], surface: str, grid: Grid, sphere: Grid
+) -> Iterator[Limit]:
+    """Give the limits of loads on elastic contacts and on indents of a pair."""
+    contact, pixel_size = config["contact"], min(grid.pixel_size, sphere.pixel_size)
+    modulus = effective_modulus(
+        *(
+            config["elastic"][body][key]
+            for body in ("sphere", "substrate")
+            for key in ("modulus", "poisson_ratio")
         )
-    return grid
+    )
+    edge = min(contact["window"], 2 * grid.size)
+    most = PRESSURE_OVER_MODULUS * modulus * (edge * 1e-9) ** 2
+    yield Limit(
+        contact["preload"] <= most,
+        "contact.preload",
+        f"at most {print_quantity(most, 'N')} on {surface}, where elastic contact is solved on "
+        f"{edge:.4g} nm",
+        print_quantity(contact["preload"], "N"),
+    )
+    if surface == config["indent"]["surface"]:
+        largest = Load(preload=max(config["indent"]["preloads"]), hardness=contact["hardness"])
+        pixels = contact_pixel_count(largest, pixel_size)
+        within = f"2 to {INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
+        yield Limit(2 <= pixels <= INDENT_PIXELS, "indent.preloads", within, pixels)
 
 
-def _substitute_relief(config: dict[str, Any], path: str) -> float:
-    """Return a bound on the differences in height (nm) of contacts on the largest master."""
-    if is_calibrated(pd.read_csv(path)):
-        return SUBSTITUTE_RELIEF
-    period = 2 * config["scan"]["size"] * config["scales"]["large"]["tiles"]
-    return RELIEF_OVER_RMS * described_rms_height(path, period)
+def _of_master(
+    config: dict[str, Any], section: str, side: str, surface: str, grid: Grid, sphere: Grid
+) -> Iterator[Limit]:
+    """Give the limits of the masters of one side in a section that are built on a surface.
+
+    Sections are those of the study, of the sets and of robustness, of other laws of attraction,
+    and of edges that are scaled.
+    """
+    settings = _settings(config, section)
+    own = settings[side]
+    of_side = config["scales"][side] | own
+    pixels, tiles = of_side["pixels"], of_side.get("tiles", 1)
+    size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
+    key, master = f"{section}.{side}.pixels", grid._replace(size=size / 2)
+    expected = f"at least the {needed} of {tiles} x {tiles} stitched scans of {surface}"
+    yield Limit(pixels >= needed, key, expected, pixels)
+    refuse_beyond_memory(key, pixels, machine_megabytes())
+    key, rho, radius = "scales.range", config["scales"]["range"], config["sphere"]["radius"]
+    if section == "insight.scaling":  # The shortest range, on the smallest sphere.
+        key, rho, radius = f"{section}.ranges", min(settings["ranges"]), min(settings["radii"])
+    yield _of_range(config, key, rho, radius, surface, master)
+    if section in ("scales", "sets"):  # Those that are computed at `scales.range` alone.
+        yield from _of_depth(config, section, rho, grid)
+    finest = size / pixels
+    cutoff_pixel_size = finest if side == "small" else grid.pixel_size
+    for name, pixel_size in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
+        key = f"{section if name in own else 'scales'}.{side}.{name}"
+        # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
+        expected = f"on {surface} more than two pixels ({2 * pixel_size:.4g} nm)"
+        for wavelength in np.atleast_1d(of_side[name]):
+            enough = 2 * pixel_size * (1 + 1e-9) < wavelength
+            yield Limit(enough, key, expected, f"{wavelength:.4g} nm")
+        longest = np.max(of_side[name], initial=0.0)
+        expected = f"on {surface} at most the {size:.6g} nm of a master of {section}.{side}"
+        yield Limit(longest <= size, key, expected, f"{longest:.4g} nm")
+    if section == "sets" or config["scales"]["sphere_roughness"]:
+        finest = min(finest, sphere.pixel_size)
+        yield _of_map(
+            f"the {side}-scale masters of {surface} and the sphere", finest, master, sphere
+        )
+    yield from _of_contact_pixels(config, section, surface, finest, 1)
 
 
-def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
-    grids: list[Grid] = []
-    for path, dataset in zip(rows.path, rows.dataset, strict=True):
-        scan = read_scan(path, dataset, config["scan"]["undefined_pixels"])
-        relief = float(np.ptp(scan.heights))
-        if relief == 0:
-            raise ValueError(f"{path}: expected a rough surface, found constant height")
-        grids.append(Grid(scan.pixels, scan.pixel_size, scan.size, relief))
-        first, last = grids[0], grids[-1]
-        same_size = math.isclose(last.pixel_size, first.pixel_size, rel_tol=1e-3)
-        if last.pixels != first.pixels or not same_size:
-            raise ValueError(
-                f"{path}: expected, as in the first scan of {surface}, "
-                f"{first.pixels} pixels of {first.pixel_size:.4g} nm; "
-                f"found {last.pixels} of {last.pixel_size:.4g} nm"
-            )
-    return grids[0]._replace(relief=max(grid.relief for grid in grids))
+def _of_range(
+    config: dict[str, Any], key: str, rho: float, radius: float, surface: str, grid: Grid
+) -> Limit:
+    """Return the limit of a range of adhesion (nm) for the pixels and the relief of a surface."""
+    least, reason = least_range(radius, config["contact"]["window"], grid)
+    expected = f"at least {least:g} nm on {surface}, where {reason}"
+    return Limit(rho >= least, key, expected, f"{rho:.4g} nm")
 
 
-#: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
-MAP_PIXELS = 16384
-#: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
-#: at once, in some 24 bytes each.
-CONTACT_PIXELS = 2**26
-#: Largest difference in height over the range of adhesion: exponentials overflow beyond 700.
-RELIEF_OVER_RANGE = 500.0
-#: Sections whose contacts are as many as those of another.
-COUNTED = {"scales": "contact"}
+def _of_map(what: str, pixel_size: float, *grids: Grid) -> Limit:
+    """Return the limit of maps that are stitched and brought to the pixels (nm) of the finest."""
+    pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
+    expected = (
+        f"at most {MAP_PIXELS} pixels along an edge of {what} on common pixels of "
+        f"{pixel_size:.4g} nm"
+    )
+    return Limit(pixels <= MAP_PIXELS, "surfaces and scan", expected, pixels)
 
 
-class Attraction(NamedTuple):
-    """A range of adhesion and the radius of the sphere, both in nm."""
+def _of_contact_pixels(
+    config: dict[str, Any], section: str, surface: str, pixel_size: float, images: float
+) -> Iterator[Limit]:
+    """Give the limits of loads for the contact pixels that are kept in memory at once.
 
-    rho: float
-    radius: float
+    Each pixel (edge in nm) has so many periodic images in the window; contacts are as many as the
+    section has.
+    """
+    counted = "contact" if section == "scales" else section
+    count = _settings(config, counted)["count"]
+    most, window = int(CONTACT_PIXELS / count**2 / images), config["contact"]["window"]
+    why = (
+        f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
+        f"{counted}.count = {count} and contact.window = {window:.6g} nm"
+    )
+    yield from _of_loads(config, section, most, pixel_size, why)
 
 
-def settings_of(config: dict[str, Any], section: str) -> dict[str, Any]:
+def _of_loads(
+    config: dict[str, Any], section: str, most: int, pixel_size: float, why: str
+) -> Iterator[Limit]:
+    """Give the limit of every load of a section to so many contact pixels (edge in nm)."""
+    area = most * (pixel_size * 1e-9) ** 2
+    for key, load in _loads(config, section):
+        preload, hardness = load["preload"], load["hardness"]
+        if contact_pixel_count(load, pixel_size) <= most:
+            continue
+        if key == "robustness.hardnesses":
+            least, found = f"{preload / area / 1e9:.3g} GPa", f"{hardness / 1e9:.4g} GPa"
+            yield Limit(False, key, f"at least {least}, {why}", found)
+        else:
+            expected, found = (print_quantity(force, "N") for force in (area * hardness, preload))
+            yield Limit(False, key, f"at most {expected}, {why}", found)
+
+
+def _of_depth(config: dict[str, Any], section: str, rho: float, grid: Grid) -> Iterator[Limit]:
+    """Give the limits of a range of adhesion (nm) beside the depth of contacts at each load."""
+    for key, load in _loads(config, section):
+        # On slopes near one a contact is about as deep as it is wide.
+        depth = min(math.sqrt(load["preload"] / load["hardness"]) * 1e9, grid.relief)
+        least = depth / PENETRATION_OVER_RANGE
+        pressed = f"as {key} presses the bodies some {depth:.3g} nm into each other"
+        expected = f"at least {least:.3g} nm, {pressed}"
+        yield Limit(rho >= least, "scales.range", expected, f"{rho:.4g} nm")
+
+
+def _settings(config: dict[str, Any], section: str) -> dict[str, Any]:
     """Return the keys of a section, with dots between the parts of its name."""
     found: dict[str, Any] = reduce(getitem, section.split("."), config)
     return found
 
 
-def sections_of_contacts(config: dict[str, Any]) -> list[str]:
+def _sections_of_contacts(config: dict[str, Any]) -> list[str]:
     """Return the sections that contacts on scans come from; own surfaces have no sets."""
     return ["contact", "sets"] if config["published"] == PAPER else ["contact"]
 
 
-def sections_of_loads(config: dict[str, Any]) -> list[str]:
-    """Return the sections that name loads; own surfaces have no sets and no insight."""
-    of_paper = ["insight.scaling"] if config["published"] == PAPER else []
-    return [*sections_of_contacts(config), *of_paper]
-
-
-def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
+def _loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
     """Give the loads on the contacts of a section, each with the key that it comes from.
 
-    Parameters
-    ----------
-    config : dict
-        Numbers, as `configuration.configuration` returns it.
-    section : {"contact", "scales", "sets", "insight", "insight.scaling"}
-        The section; robustness is computed at the size of the sets, at loads of its own.
-
-    Yields
-    ------
-    key, load : str, Load
-        First those of the study itself, unless all loads are the section's own; the largest of
-        several.
+    First those of the study itself, unless all loads are the section's own; the largest of several.
+    Robustness is computed at the size of the sets, at loads of its own.
     """
     preload, hardness = (config["contact"][key] for key in ("preload", "hardness"))
     if section == "insight.scaling":
-        largest = max(settings_of(config, section)["preloads"])
+        largest = max(_settings(config, section)["preloads"])
         yield "insight.scaling.preloads", Load(preload=largest, hardness=hardness)
         return
     yield "contact.preload", Load(preload=preload, hardness=hardness)
@@ -196,168 +288,3 @@ def loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
             yield "robustness.preloads", Load(preload=other, hardness=hardness)
         for other in config["robustness"]["hardnesses"]:
             yield "robustness.hardnesses", Load(preload=preload, hardness=other)
-
-
-def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
-    """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
-
-    The interaction radius sqrt(2 R rho) must span two pixels, and exponentials of height over range
-    must not overflow. Where the window holds a period of the surface, every contact has the highest
-    pixel of the map within half a period of it, and cannot be farther from it than the sphere's
-    curvature says.
-
-    Parameters
-    ----------
-    radius : float
-        Of the sphere, in nm.
-    window : float
-        Edge of the analysis window in nm.
-    grid : Grid
-        Of the surface before stitching, which doubles its size to the period.
-
-    Returns
-    -------
-    least : float
-        In nm, rounded up to three digits.
-    reason : str
-        In words.
-    """
-    relief = grid.relief
-    if window >= 2 * grid.size:
-        relief = min(relief, grid.size**2 / radius)
-    two_pixels = "an interaction radius sqrt(2 R rho) of two pixels needs it"
-    reasons = {
-        f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
-        f"{two_pixels} at R = {print_length(radius)}": 2 * grid.pixel_size**2 / radius,
-    }
-    reason, least = max(reasons.items(), key=lambda item: item[1])
-    return _rounded_up(least), reason
-
-
-def refuse_short_range(
-    config: dict[str, Any], key: str, attraction: Attraction, surface: str, grid: Grid
-) -> None:
-    """Refuse a range of adhesion too short for the pixels or for the relief of a surface.
-
-    Parameters
-    ----------
-    config : dict
-        Numbers, as `configuration.configuration` returns it.
-    key : str
-        Key of the range, for the message.
-    attraction : Attraction
-        The shortest range, on the smallest sphere.
-    surface : str
-        Id of the surface, for the message.
-    grid : Grid
-        Of the surface before stitching.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the key and the least range that the surface permits.
-    """
-    least, reason = least_range(attraction.radius, config["contact"]["window"], grid)
-    if attraction.rho < least:
-        raise ValueError(
-            f"config key {key}: expected at least {least:g} nm on {surface}, "
-            f"where {reason}, found {attraction.rho:.4g} nm"
-        )
-
-
-def _rounded_up(number: float) -> float:
-    """Return the next number of three digits."""
-    step = 10.0 ** (math.floor(math.log10(number)) - 2)
-    return float(f"{math.ceil(number / step) * step:.3g}")
-
-
-def refuse_large_map(what: str, pixel_size: float, *grids: Grid) -> None:
-    """Refuse maps that are too large when stitched and brought to the pixels of the finest.
-
-    Parameters
-    ----------
-    what : str
-        The maps, for the message.
-    pixel_size : float
-        Of the finest, in nm.
-    *grids : Grid
-        One a map, before stitching.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the maps.
-    """
-    pixels = round(max(2 * grid.size for grid in grids) / pixel_size)
-    if pixels > MAP_PIXELS:
-        raise ValueError(
-            f"config keys surfaces and scan: expected at most {MAP_PIXELS} pixels along an edge of "
-            f"{what} on common pixels of {pixel_size:.4g} nm, found {pixels}"
-        )
-
-
-def refuse_contact_pixels(
-    config: dict[str, Any], section: str, surface: str, pixel_size: float, images: float = 1
-) -> None:
-    """Refuse loads that need more contact pixels than can be kept in memory at once.
-
-    Parameters
-    ----------
-    config : dict
-        Numbers, as `configuration.configuration` returns it.
-    section : {"contact", "scales", "sets", "insight", "insight.scaling"}
-        The section whose loads are checked, at its own number of contacts.
-    surface : str
-        Id of the substrate, for the message.
-    pixel_size : float
-        In nm.
-    images : float
-        Periodic images of each pixel in the window.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the key.
-    """
-    counted = COUNTED.get(section, section)
-    count = settings_of(config, counted)["count"]
-    most = int(CONTACT_PIXELS / count**2 / images)
-    window = config["contact"]["window"]
-    why = (
-        f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
-        f"{counted}.count = {count} and contact.window = {window:.6g} nm"
-    )
-    for key, load in loads(config, section):
-        refuse_load(key, load, most, pixel_size, why)
-
-
-def refuse_load(key: str, load: Load, most: int, pixel_size: float, why: str) -> None:
-    """Refuse a load that needs too many contact pixels.
-
-    Parameters
-    ----------
-    key : str
-        That the load comes from.
-    load : Load
-        Preload and hardness.
-    most : int
-        Contact pixels that there may be.
-    pixel_size : float
-        In nm.
-    why : str
-        What the limit is, in words.
-
-    Raises
-    ------
-    ValueError
-        In one line, in the unit of the key.
-    """
-    if contact_pixel_count(load, pixel_size) <= most:
-        return
-    preload, hardness = load["preload"], load["hardness"]
-    area = most * (pixel_size * 1e-9) ** 2
-    expected, found = (print_quantity(force, "N") for force in (area * hardness, preload))
-    limit = f"at most {expected}"
-    if key == "robustness.hardnesses":
-        limit, found = f"at least {preload / area / 1e9:.3g} GPa", f"{hardness / 1e9:.4g} GPa"
-    raise ValueError(f"config key {key}: expected {limit}, {why}, found {found}")

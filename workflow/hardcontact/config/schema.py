@@ -16,7 +16,7 @@ import jsonschema
 
 from hardcontact.numbers.units import magnitude, quantity_words
 
-__all__ = ["Schema", "plain", "refuse", "resolved"]
+__all__ = ["Schema", "plain", "refuse", "refuse_lines", "resolved"]
 
 #: How the message names what a keyword of a schema expects.
 EXPECTED = {
@@ -75,8 +75,13 @@ def refuse(value: object, schema: Schema, where: str) -> None:
         lines = [f"{where}{key}: {_sentence(faults[key])}" for key in sorted(faults)[:FAULTS]]
     except RecursionError:
         lines = [f"{where}(top level): expected a few levels of keys and lists, found too many"]
-    if lines:
-        raise ValueError("\n".join(lines))
+    refuse_lines(lines)
+
+
+def refuse_lines(lines: Iterable[str]) -> None:
+    """Raise a ValueError of all lines, each a fault, if there are any."""
+    if text := "\n".join(lines):
+        raise ValueError(text)
 
 
 def resolved(schema: Schema, root: Schema) -> Schema:

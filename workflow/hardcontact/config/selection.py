@@ -1,6 +1,4 @@
-"""The surfaces and scans that a study is about: the selected rows of its table of surfaces.
-
-The table of surfaces, one row a scan: read and checked.
+"""The surfaces and scans that a study is about: its table of surfaces, one row a scan.
 
 Every fault is a ValueError of one line: the line or surface, what was expected, what was found.
 """
@@ -14,15 +12,15 @@ import pandas as pd
 
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.schema import Schema, plain, refuse
+from hardcontact.config.tables import user_table
 from hardcontact.numbers.units import magnitude
-from hardcontact.surfaces.substitute_spectra import is_calibrated
+from hardcontact.surfaces.descriptions import is_calibrated
 
 __all__ = [
     "CONTACT",
     "Measured",
     "NO_SCAN",
     "Selection",
-    "TABLE_LIMIT",
     "selected_scans",
     "surface_table",
 ]
@@ -30,18 +28,15 @@ __all__ = [
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
 
+#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
+CONTACT = "contact"
 HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
 
 
 class Measured(NamedTuple):
-    """One scan of a measured surface, as the table names it.
+    """One scan of a measured surface: its file, its dataset in a container, the tip radius.
 
-    Attributes
-    ----------
-    path, dataset : str
-        File, and which scan of a container.
-    tip_radius : float or None
-        In nm, where the table states it.
+    The radius is in nm, None where the table of surfaces does not state it.
     """
 
     path: str
@@ -52,19 +47,9 @@ class Measured(NamedTuple):
 class Selection:
     """What the rows of a table of surfaces say, asked for by surface.
 
-    Parameters
-    ----------
-    rows : DataFrame
-        One row a scan, as `surface_table.selected_scans` returns them.
-    sphere : str
-        Name of the surface that is the sphere's; one that the table lacks is smooth.
-
-    Attributes
-    ----------
-    surfaces, substrates : list of str
-        In the order of the table; substrates are all but the sphere's.
-    labels, basis : dict
-        By surface, the name to print and ``"measured"`` or ``"substitute"``.
+    Rows, one a scan, are those of `selected_scans`; a sphere that the table lacks is smooth.
+    Surfaces are in the order of the table, substrates all but the sphere's; by surface, `labels`
+    has the name to print, and `basis` ``"measured"`` or ``"substitute"``.
     """
 
     def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
@@ -164,34 +149,18 @@ class Selection:
         return str(rows[(rows.surface == surface) & (rows.scan == scan)].iloc[0][column])
 
 
-#: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
-CONTACT = "contact"
-#: The largest table, or description of a surface, in bytes: some ten thousand rows.
-TABLE_LIMIT = 2**20
-
-
 def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
-    """Return the table of surfaces, checked for what its rows say of each other.
+    """Return the table of surfaces, tab-separated, checked for what its rows say of each other.
 
-    Parameters
-    ----------
-    path : str or Path
-        Tab-separated table with a header.
-    schema : mapping
-        JSON schema of a row.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a scan, indexed by the line of the file; columns as in the schema, `scan` as int.
-        An optional column that the file lacks is empty, an empty `use` is CONTACT.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the file and the line or the surface.
+    One row a scan, indexed by the line of the file; columns as in the schema of a row, `scan` as
+    int. An optional column that the file lacks is empty, an empty `use` is CONTACT. A fault is a
+    ValueError of one line that names the file and the line or the surface.
     """
-    (_, header), *rows = _cells(path) or [(1, [])]
+    if not os.path.isfile(path):
+        raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
+    content = "a table of surfaces"
+    given = user_table(path, content, form=content, separator="\t")
+    header, rows = given.header, given.cells
     columns, known = schema["required"], schema["properties"]
     complete = set(columns) <= set(header) <= set(known) and len(header) == len(set(header))
     if not complete or not rows:
@@ -200,15 +169,14 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
             "separated by tabs, and a row a scan; "
             f"found {plain(', '.join(header))} and {len(rows)} rows"
         )
-    for line, cells in rows:
+    for line, cells in rows.items():
         if len(cells) != len(header):
             raise ValueError(
                 f"{path}: line {line}: expected {len(header)} cells, separated by tabs, "
                 f"found {len(cells)}"
             )
         refuse(dict(zip(header, cells, strict=True)), schema, f"{path}: line {line}, ")
-    lines, values = zip(*rows, strict=True)
-    table = pd.DataFrame(values, columns=header, index=lines, dtype=str)
+    table = pd.DataFrame([*rows.values()], columns=header, index=[*rows], dtype=str)
     table = table.reindex(columns=[*known], fill_value="")
     table["scan"] = table["scan"].astype(int)
     table["use"] = table["use"].replace("", CONTACT)
@@ -222,24 +190,9 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:
-    """Return the rows of the table of surfaces that a study uses.
+    """Return the rows of the table of surfaces that a study uses: all, or those of some numbers.
 
-    Parameters
-    ----------
-    table : pandas.DataFrame
-        As `surface_table` returns it.
-    scans : "all" or list of int
-        Numbers of scans.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Rows of these numbers.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming numbers that no surface has a scan of.
+    A ValueError of one line names numbers that no surface has a scan of.
     """
     if scans == "all":
         return table
@@ -250,19 +203,6 @@ def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd
             f"found {reprlib.repr(unknown)}"
         )
     return table[table.scan.isin(scans)]
-
-
-def _cells(path: str | Path) -> list[tuple[int, list[str]]]:
-    """Return number and cells of every line of a table that is not blank."""
-    if not os.path.isfile(path):
-        raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
-    if os.path.getsize(path) > TABLE_LIMIT:
-        raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
-    try:
-        lines = Path(path).read_bytes().decode("utf-8-sig").splitlines()
-    except (OSError, UnicodeDecodeError) as error:
-        raise ValueError(f"{path}: expected a table of surfaces in UTF-8, found: {error}") from None
-    return [(number, line.split("\t")) for number, line in enumerate(lines, 1) if line.strip()]
 
 
 def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) -> None:

@@ -1,6 +1,7 @@
-"""A table that the user wrote: a CSV with a header, and what is wrong with its rows by line.
+"""Tables that the user wrote, and what is wrong with them: one reader for all.
 
-The user's own pull-off forces: a table of single tests, or of a mean and a median a surface.
+Own pull-off forces, of single tests or of a mean and a median a surface; descriptions of substitute
+surfaces (`resources/README.md`), checked before a spectrum is made from them.
 
 Every fault is one line: the file and its line, what was expected, what was found.
 """
@@ -9,20 +10,42 @@ import csv
 import io
 import math
 import os
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import pandas as pd
 
-from hardcontact.config.schema import plain
-from hardcontact.config.selection import TABLE_LIMIT
+from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
+from hardcontact.surfaces.descriptions import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
-__all__ = ["Row", "UserTable", "found", "measured_forces", "user_table"]
+__all__ = [
+    "Row",
+    "UserTable",
+    "found",
+    "measured_forces",
+    "number",
+    "refuse_description",
+    "refuse_of_paper",
+    "user_table",
+]
 
+#: The largest table in bytes: some ten thousand rows.
+TABLE_LIMIT = 2**20
 #: Cells by the name of their column.
 Row = Mapping[str, str]
+#: Columns of a table of single tests, and of one row a surface.
+TESTS = ("surface", "value", "unit")
+SUMMARIES = ("surface", "mean", "median", "count", "unit")
+#: Models of a band; a power law continues the band above, so that it cannot come first.
+MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
+#: Columns of numbers that may be below zero: local exponents of shoulders are.
+SIGNED = ("hurst", "hurst_change")
+#: The local exponent of a C_iso that is constant.
+FLATTEST = -1.0
+#: Columns of the points of a profile's spectrum.
+POINTS = ("wavelength_nm", "c1d_nm3")
 
 
 class UserTable(NamedTuple):
@@ -70,15 +93,19 @@ class UserTable(NamedTuple):
         ]
 
 
-def user_table(path: str | Path, content: str) -> UserTable:
+def user_table(
+    path: str | Path, content: str, *, form: str = "a CSV", separator: str = ","
+) -> UserTable:
     """Read a table that the user wrote.
 
     Parameters
     ----------
     path : str or Path
-        CSV in UTF-8.
-    content : str
-        What the table should hold, for the messages.
+        In UTF-8, with a header; between tabs nothing is quoted.
+    content, form : str
+        What the table should hold and be, for the messages.
+    separator : str
+        Of its cells.
 
     Raises
     ------
@@ -91,10 +118,15 @@ def user_table(path: str | Path, content: str) -> UserTable:
         raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
     try:
         text = Path(path).read_bytes().decode("utf-8-sig")
-        reader = csv.reader(io.StringIO(text), strict=True)
+        reader = csv.reader(
+            io.StringIO(text, newline=None),
+            strict=True,
+            delimiter=separator,
+            quoting=csv.QUOTE_NONE if separator == "\t" else csv.QUOTE_MINIMAL,
+        )
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
-        raise ValueError(f"{path}: expected a CSV in UTF-8, found: {error}") from None
+        raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
     filled = [(line, cells) for line, cells in rows if any(cells)]
     return UserTable(str(path), filled[0][1] if filled else [], dict(filled[1:]))
 
@@ -104,9 +136,12 @@ def found(cell: str) -> str:
     return plain(cell) if cell else "nothing"
 
 
-#: Columns of a table of single tests, and of one row a surface.
-TESTS = ("surface", "value", "unit")
-SUMMARIES = ("surface", "mean", "median", "count", "unit")
+def number(cell: str) -> float:
+    """Return a number, which may be infinite; NaN if the cell is none."""
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
 
 
 def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame:
@@ -144,8 +179,7 @@ def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame
             f"{path}: line {line}: expected each surface once, found again {plain(surface)}"
             for line, surface in forces.surface[forces.duplicated("surface")].items()
         ]
-    if problems:
-        raise ValueError("\n".join(problems))
+    refuse_lines(problems)
     return forces
 
 
@@ -201,3 +235,81 @@ def _newtons(number: str, unit: str) -> float:
 def _count(text: str) -> int:
     """Return a whole number; 0 if it is none."""
     return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0
+
+
+def refuse_description(path: str | Path, published: Collection[str]) -> None:
+    """Refuse a description of a substitute that no spectrum can be made from.
+
+    As a ValueError of one line that names the file and the line, given the rows of Table 1 that the
+    surface has.
+    """
+    for line, row in _description(path, PARAMETERS, ("model", "table")).items():
+        model, hurst, where = row["model"], row["hurst"], f"{path}: line {line}"
+        known = [name for name in MODELS if line > 2 or name != "power law"]
+        if model not in known:
+            raise ValueError(
+                f"{where}: expected a model, one of {', '.join(known)}; found {found(model)}"
+            )
+        missing = set() if hurst else set(CALIBRATED.get(model, ())).difference(published)
+        if missing:
+            raise ValueError(
+                f"{where}: expected a Hurst exponent, or of this surface the rows "
+                f"{', '.join(sorted(missing))} in resources/paper/table1.csv; found neither"
+            )
+        if model == "varying Hurst" and not row["rolloff_nm"]:
+            raise ValueError(
+                f"{where}: expected a roll-off wavelength of a varying Hurst exponent, found none"
+            )
+        if hurst and float(hurst) < FLATTEST:
+            raise ValueError(
+                f"{where}: expected a Hurst exponent of {FLATTEST:g} or more, below which a "
+                f"spectrum grows towards short wavelengths, found {float(hurst):g}"
+            )
+        if model == "profile":
+            _description(Path(path).parent / row["table"], POINTS)
+
+
+def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) -> None:
+    """Refuse a substitute in a study of own surfaces that stands for one of the paper.
+
+    As a ValueError of one line, given a description that `refuse_description` accepts and the
+    surfaces in the paper's Table 1, which substitutes of these names are conditioned on.
+    """
+    bands = pd.read_csv(path)
+    if surface in published or is_calibrated(bands):
+        raise ValueError(
+            "config key published: expected paper in a study with substitutes for its surfaces "
+            f"({surface}), found none"
+        )
+    if not bands.basis.isin(KNOWN).any():
+        raise ValueError(
+            f"{path}: expected, in a study of own surfaces, a band whose basis is "
+            f"{' or '.join(KNOWN)}, found {', '.join(map(plain, bands.basis.unique()))}"
+        )
+
+
+def _description(
+    path: str | Path, numbers: Sequence[str], others: Sequence[str] = ()
+) -> dict[int, Row]:
+    """Return the rows of a small table by line: columns of numbers, or blanks, and others.
+
+    Only a Hurst exponent and its change may be below zero.
+    """
+    columns = ", ".join([*numbers, *others])
+    content = f"a table, comma-separated, with the columns {columns} (resources/README.md)"
+    table = user_table(path, content)
+    if missing := [name for name in (*numbers, *others) if name not in table.header]:
+        raise ValueError(f"{path}: expected {content}; found: no {', '.join(missing)}")
+    if not table.cells:
+        raise ValueError(f"{path}: expected {content}; found: no row")
+
+    def faults(row: Row) -> list[str]:
+        return [
+            f"{name}: expected a number{'' if name in SIGNED else ', none below zero'}, "
+            f"found {found(row[name])}"
+            for name in numbers
+            if row[name] and not (number(row[name]) >= (-math.inf if name in SIGNED else 0))
+        ]
+
+    refuse_lines(table.problems(faults))
+    return table.rows()

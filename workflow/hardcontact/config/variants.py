@@ -19,18 +19,8 @@ OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
 class SurfaceVariant:
     """One way to make substitutes; None stands for what the study itself takes.
 
-    Attributes
-    ----------
-    name : str
-        As it stands in paths.
-    surface : str or None
-        The only one that is made so; None: all.
-    curvature : str or None
-        What the curvature of Table 1 is read as.
-    skewness : float or None
-        Skewness of the heights.
-    tip_radius : float or None
-        In nm, of the tip that images the surface.
+    The name stands in paths. One surface alone may be made so; the curvature of Table 1 may be read
+    as another, heights have another skewness, or a tip of some radius in nm images the surface.
     """
 
     name: str
@@ -68,20 +58,10 @@ class SurfaceVariant:
 
 @dataclass(frozen=True)
 class Variant:
-    """The study with one other choice.
+    """The study with one other choice, in files and in print; variants of one choice are a group.
 
-    Attributes
-    ----------
-    name, label : str
-        In files and in print.
-    group : str
-        Variants of one choice.
-    variant : dict
-        Variant of each substrate.
-    load : NamedLoad
-        On every contact.
-    probe : str
-        Sphere of the critical band, smooth or rough.
+    `variant` names that of each substrate; the load is on every contact, and the probe, rough or
+    smooth, is the sphere of the critical band.
     """
 
     name: str
@@ -129,12 +109,7 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
     """Return the variants of robustness, the study itself first.
 
-    Parameters
-    ----------
-    configuration : dict
-        With its quantities as the texts that the user wrote: they name loads.
-    selection : Selection
-        Surfaces of the study.
+    Quantities of the configuration are the texts that the user wrote: they name loads.
     """
     contact, other = configuration["contact"], configuration["robustness"]
     baseline = Variant(

@@ -4,7 +4,7 @@
 
 Calibration to the paper's Table 1: spectra whose scans have its numbers.
 
-`scipy` is imported where it is used, because the configuration reads the names of rows here.
+`scipy` is imported where it is used.
 """
 
 from collections.abc import Callable
@@ -14,11 +14,10 @@ import pandas as pd
 from numpy.typing import NDArray
 
 from hardcontact.surfaces import spectral_models
+from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum, all_scales_moments
 
 __all__ = [
-    "AFM_ROWS",
-    "TAIL_ROWS",
     "Weights",
     "calibrate_self_affine",
     "calibrate_tail",
@@ -99,10 +98,6 @@ def expected_moments(density: Density, weights: Weights) -> NDArray[np.float64]:
     wavevector, factors = weights
     return np.sqrt(factors @ density(wavevector))
 
-
-#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
-AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
-TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
 
 #: Relative error at which a number of Table 1 counts as met.
 TOLERANCE = 1e-9

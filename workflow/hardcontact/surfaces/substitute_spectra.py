@@ -13,14 +13,19 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.calibration import (
-    AFM_ROWS,
-    TAIL_ROWS,
     Weights,
     calibrate_self_affine,
     calibrate_tail,
     calibrate_varying_hurst,
     expected_moments,
     transfer_weights,
+)
+from hardcontact.surfaces.descriptions import (
+    CALIBRATED,
+    KNOWN,
+    PARAMETERS,
+    TAIL_ROWS,
+    is_calibrated,
 )
 from hardcontact.surfaces.spectrum import (
     BIN_EDGES,
@@ -35,23 +40,11 @@ if TYPE_CHECKING:
     import xarray as xr
 
 __all__ = [
-    "CALIBRATED",
-    "KNOWN",
-    "PARAMETERS",
     "described_rms_height",
     "described_spectrum",
     "from_description",
-    "is_calibrated",
     "substitute_spectrum",
 ]
-
-#: Columns of a description that hold numbers.
-PARAMETERS = (
-    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
-)  # fmt: skip
-
-#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
-CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
 
 
 def from_description(
@@ -97,11 +90,6 @@ def from_description(
     if last.model == "power law":
         density *= spectral_models.share_of_cells(last.shortest_nm)
     return density, bands, calibrated
-
-
-def is_calibrated(bands: pd.DataFrame) -> bool:
-    """Return whether a description leaves parameters to Table 1."""
-    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
@@ -208,10 +196,6 @@ def substitute_spectrum(
         bands=bands.to_csv(index=False),
         expected_scan_moments=expected_moments(Spectrum(WAVEVECTORS, density), weights),
     )
-
-
-#: Bases of bands that are known; all others are inferred or assumed.
-KNOWN = ("published", "measured")
 
 
 class _Run(NamedTuple):

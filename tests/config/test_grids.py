@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 from repository import ROOT
 
-from hardcontact.config.limits import SUBSTITUTE_RELIEF, surface_grid
+from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.geometry import bodies
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum

@@ -8,7 +8,8 @@ from refusals import assert_says
 from scan_files import container, scan
 
 from hardcontact.commands import inventory as module
-from hardcontact.commands.inventory import Source, inventory, printed_table
+from hardcontact.commands.inventory import inventory, printed_table
+from hardcontact.commands.request import Source
 
 
 def source(path, **others):

@@ -1,6 +1,6 @@
 """What contacts are computed for, in words."""
 
-from hardcontact.config.words import contact_words, of_paper
+from hardcontact.config.configuration import contact_words, of_paper
 
 PAPER = {
     "sphere": {"surface": "ruby", "radius": "250 um"},

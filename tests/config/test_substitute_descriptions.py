@@ -4,8 +4,8 @@ import pytest
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.config.substitute_descriptions import refuse_description, refuse_of_paper
-from hardcontact.surfaces.calibration import AFM_ROWS, TAIL_ROWS
+from hardcontact.config.tables import refuse_description, refuse_of_paper
+from hardcontact.surfaces.descriptions import AFM_ROWS, TAIL_ROWS
 
 SPECTRA = ROOT / "resources/spectra"
 HEADER = (
@@ -28,6 +28,11 @@ def test_descriptions_of_the_repository_are_accepted(name):
     [
         ("inf,20,varying Hurst,,,,,,assumed,none", ["line 2", "roll-off wavelength", "none"]),
         ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
+        (
+            "inf,twenty,self-affine,1e9,2000,1,,,assumed,none",
+            ["line 2", "shortest_nm", "twenty"],
+        ),
+        ("inf,20,self-affine,1e9,2000,1,,", ["line 2", "10 cells", "found 8"]),
         ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["line 2", "varying Hurst", "fractal"]),
         ("inf,20,power law,,,1,,,assumed,none", ["line 2", "model", "power law"]),
         ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["line 2", "Hurst", "-1.1"]),

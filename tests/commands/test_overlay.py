@@ -6,8 +6,9 @@ from own_entries import entry
 from repository import SCHEMAS
 from scan_files import scan
 
-from hardcontact.commands.overlay import nested, overlay_text, table_rows, table_text, write_files
-from hardcontact.commands.proposal import Choice
+from hardcontact.commands.inventory import table_rows
+from hardcontact.commands.new import table_text, write_files
+from hardcontact.commands.overlay import Choice, nested, overlay_text
 from hardcontact.config.selection import surface_table
 
 CHOICES = [

@@ -10,8 +10,8 @@ from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
 from hardcontact.config import configuration
-from hardcontact.config.limits import Grid
-from hardcontact.config.scan_limits import check_grids
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import check_grids
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,7 @@
 
 from refusals import assert_says, refusal
 
-from hardcontact.config.master_limits import (
+from hardcontact.config.grids import (
     machine_megabytes,
     master_megabytes,
     refuse_beyond_memory,

@@ -1,0 +1,135 @@
+"""The pixels that the scans of a surface have, what they permit, and the memory of masters."""
+
+import math
+import os
+from typing import NamedTuple
+
+from hardcontact.numbers.printing import print_length
+
+__all__ = [
+    "CONTACT_PIXELS",
+    "Grid",
+    "MAP_PIXELS",
+    "PENETRATION_OVER_RANGE",
+    "PIXEL_SIZES",
+    "least_range",
+    "machine_megabytes",
+    "master_megabytes",
+    "refuse_beyond_memory",
+]
+
+#: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
+PIXEL_SIZES = (0.05, 1e4)
+#: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
+MAP_PIXELS = 16384
+#: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
+#: at once, in some 24 bytes each.
+CONTACT_PIXELS = 2**26
+#: Largest difference in height over the range of adhesion: exponentials overflow beyond 700.
+RELIEF_OVER_RANGE = 500.0
+#: Largest penetration over the range of adhesion, for a smooth sphere: its force sums lose as many
+#: digits as the exponential of this has.
+PENETRATION_OVER_RANGE = 25.0
+#: Bytes a pixel of a master at the peak of its synthesis and of its filters: three maps in float32,
+#: or the transform of one in single precision and two maps. 13.2 were measured at 8192²
+#: without the writing of the file, which may hold one more map.
+BYTES_A_PIXEL = 17.0
+#: Megabytes besides: Python, its packages, the scan, blocks of rows in double precision.
+BESIDES = 500
+
+
+class Grid(NamedTuple):
+    """What all scans of a surface share.
+
+    Attributes
+    ----------
+    pixels : int
+        Pixels along an edge.
+    pixel_size : float
+        Edge of a pixel in nm.
+    size : float
+        Edge of the scan in nm.
+    relief : float
+        Largest difference in height in nm.
+    """
+
+    pixels: int
+    pixel_size: float
+    size: float
+    relief: float
+
+
+def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
+    """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
+
+    The interaction radius sqrt(2 R rho) must span two pixels, and exponentials of height over range
+    must not overflow. Where the window holds a period of the surface, every contact has the highest
+    pixel of the map within half a period of it, and cannot be farther from it than the sphere's
+    curvature says.
+
+    Parameters
+    ----------
+    radius : float
+        Of the sphere, in nm.
+    window : float
+        Edge of the analysis window in nm.
+    grid : Grid
+        Of the surface before stitching, which doubles its size to the period.
+
+    Returns
+    -------
+    least : float
+        In nm, rounded up to three digits.
+    reason : str
+        In words.
+    """
+    relief = grid.relief
+    if window >= 2 * grid.size:
+        relief = min(relief, grid.size**2 / radius)
+    two_pixels = "an interaction radius sqrt(2 R rho) of two pixels needs it"
+    reasons = {
+        f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
+        f"{two_pixels} at R = {print_length(radius)}": 2 * grid.pixel_size**2 / radius,
+    }
+    reason, least = max(reasons.items(), key=lambda item: item[1])
+    step = 10.0 ** (math.floor(math.log10(least)) - 2)
+    return float(f"{math.ceil(least / step) * step:.3g}"), reason
+
+
+def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:
+    """Refuse a master larger than any map that this machine's memory (megabytes) cannot hold.
+
+    Parameters
+    ----------
+    key : str
+        That the pixels come from, for the message.
+    pixels : int
+        Along an edge.
+    available : int
+        Of `machine_megabytes`.
+
+    Raises
+    ------
+    ValueError
+        In one line, naming the key.
+    """
+    needed = master_megabytes(pixels, 0)
+    if pixels > MAP_PIXELS and needed > available:
+        raise ValueError(
+            f"config key {key}: expected at most {MAP_PIXELS} on this machine of "
+            f"{available / 1e3:.3g} GB, found {pixels}, which take {needed / 1e3:.3g} GB"
+        )
+
+
+def master_megabytes(pixels: int, least: int) -> int:
+    """Return what a job needs that makes a master, or filters it and presses a smooth sphere on it.
+
+    In units of 10^6 bytes, given the pixels along an edge and the megabytes that the job is given
+    for any smaller master.
+    """
+    return max(least, BESIDES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
+
+
+def machine_megabytes() -> int:
+    """Return the memory of this machine in units of 10^6 bytes."""
+    return os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") // 10**6
