@@ -1,7 +1,4 @@
-"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model.
-
-The spectrum of a substitute beside those of measured surfaces: what of it is known.
-"""
+"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model."""
 
 import io
 from pathlib import Path
@@ -57,31 +54,11 @@ CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": T
 def from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights
 ) -> tuple[NDArray[np.float64], pd.DataFrame, list[str]]:
-    """Return C_iso from the description of a surface, and what it was calibrated to.
+    """Return C_iso (nm⁴) on WAVEVECTORS, its bands with all parameters, rows of Table 1 used.
 
-    Parameters
-    ----------
-    path : str or Path
-        CSV of bands from long to short wavelengths, each with its model, parameters and basis. A
-        band of CALIBRATED without Hurst exponent is calibrated to Table 1.
-    table1 : pandas.DataFrame
-        Of `rows_of_surface`.
-    weights : Weights
-        Of `transfer_weights`.
-
-    Returns
-    -------
-    density : numpy.ndarray
-        In nm⁴ on WAVEVECTORS.
-    bands : pandas.DataFrame
-        The description with all parameters filled in.
-    calibrated : list of str
-        Rows of Table 1 that were used.
-
-    Raises
-    ------
-    ValueError
-        Naming the file and the band if one cannot be made.
+    The file is a CSV of bands from long to short wavelengths, each with its model, parameters and
+    basis. A band of CALIBRATED without Hurst exponent is calibrated to Table 1 (of
+    `rows_of_surface`). A band that cannot be made is a ValueError that names it and the file.
     """
     bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
