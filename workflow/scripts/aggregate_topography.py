@@ -2,7 +2,7 @@
 
 from hardcontact.records import dataset
 from hardcontact.records.job import job
-from hardcontact.surfaces.roughness_table import TableSettings, roughness_table
+from hardcontact.surfaces.roughness_table import roughness_table
 
 with job(snakemake) as this:
     keys = [tuple(key) for key in this.parameters.pop("scans")]
@@ -14,7 +14,7 @@ with job(snakemake) as this:
             dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True)),
             dict(zip(substitutes, map(dataset.read, this.input.conditionings), strict=True)),
             dict(zip(surfaces, map(dataset.read, this.input.examples), strict=True)),
-            TableSettings(**this.parameters),
+            **this.parameters,
         ),
         title="topography of all surfaces: rms metrics and power spectral densities",
     )
