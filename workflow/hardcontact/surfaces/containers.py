@@ -70,22 +70,10 @@ def is_container(archive: zipfile.ZipFile) -> bool:
 
 
 def members(container: zipfile.ZipFile) -> list[dict[str, Any]]:
-    """Return what a container says of each of its scans.
+    """Return what a checked container says of each of its scans.
 
-    Parameters
-    ----------
-    container : zipfile.ZipFile
-        Checked.
-
-    Returns
-    -------
-    list of dict
-        With the keys of ``TopographyMeta`` of SurfaceTopography; each has a data file.
-
-    Raises
-    ------
-    RefusedScan
-        If the list is too large or lists no scans.
+    The keys are those of ``TopographyMeta`` of SurfaceTopography; each scan has a data file. A list
+    that is too large or lists no scans is a RefusedScan.
     """
     name = next(name for name in LISTS if name in container.namelist())
     size = container.getinfo(name).file_size

@@ -1,8 +1,7 @@
 """One spectrum of a surface from all its measurements: maps of several sizes, line scans.
 
-xarray is imported where it is used.
-
-A measured spectrum continued beyond its band, within bounds on slope and curvature.
+It is continued beyond its band within bounds on slope and curvature. xarray is imported where it is
+used.
 """
 
 from collections.abc import Mapping, Sequence
@@ -247,26 +246,14 @@ FLATTEST = -2.0
 def continued_spectrum(
     wavevector: NDArray[np.float64], density: NDArray[np.float64], variance: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], str]:
-    """Return C_iso over all scales from measured points, and how it was continued.
+    """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and in words how it was continued.
 
-    Above the longest wavelength measured it is constant. Below the shortest it is self-affine with
-    the Hurst exponent of the last decade past the roll-off, held within 0 to 1. The tail ends at
-    the distance of atoms, or where the rms gradient or half-Laplacian of all scales would pass
-    that of the roughest hard surface known: there is none if the measured part alone does.
-
-    Parameters
-    ----------
-    wavevector, density : numpy.ndarray
-        (points,) in rad/nm and nm⁴, at least three, without gaps.
-    variance : numpy.ndarray
-        (points,) of ln C.
-
-    Returns
-    -------
-    spectrum : numpy.ndarray
-        C_iso in nm⁴ on WAVEVECTORS.
-    note : str
-        What the tail is, in words.
+    The points are wavevectors (rad/nm), C_iso (nm⁴) and the variance of ln C, at least three,
+    without gaps. Above the longest wavelength measured C_iso is constant. Below the shortest it is
+    self-affine with the Hurst exponent of the last decade past the roll-off, held within 0 to 1.
+    The tail ends at the distance of atoms, or where the rms gradient or half-Laplacian of all
+    scales would pass that of the roughest hard surface known: there is none if the measured part
+    alone does.
     """
     # A point of the table at the last wavevector may lie beyond it by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))

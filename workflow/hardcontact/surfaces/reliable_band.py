@@ -106,22 +106,7 @@ def band_of_psd(
     wavevector: NDArray[np.float64],
     density: NDArray[np.float64],
 ) -> ReliableBand:
-    """Return the wavelengths at which a measurement is reliable, from its measured PSD.
-
-    Parameters
-    ----------
-    measurement : Measurement
-        As it was read.
-    tip_radius : float or None
-        In nm.
-    wavevector, density : numpy.ndarray
-        (bins,) of `measured_psd`.
-
-    Returns
-    -------
-    ReliableBand
-        With a reason for each end.
-    """
+    """Return the wavelengths at which a measurement is reliable, from its `measured_psd`."""
     pixel, size = measurement.pixel_size, size_of(measurement)
     ends = [
         (PIXELS * pixel, f"{PIXELS} pixels of {digits(pixel)} nm"),

@@ -38,22 +38,9 @@ class _Source(NamedTuple):
 
 
 def datasets_of(path: Path) -> list[str]:
-    """Return the data files of the scans in a container; one empty name of any other file.
+    """Return the data files in a container, in its order; one empty name of any other file.
 
-    Parameters
-    ----------
-    path : Path
-        Of a scan or a container.
-
-    Returns
-    -------
-    list of str
-        In the order of the container.
-
-    Raises
-    ------
-    RefusedScan
-        If there is no file, it is too large, or it is a container that cannot be used.
+    A file that is missing, too large or a container that cannot be used is a RefusedScan.
     """
     _check_file(path)
     if zipfile.is_zipfile(path):
@@ -65,26 +52,11 @@ def datasets_of(path: Path) -> list[str]:
 
 
 def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> Measurement:
-    """Return a topography.
+    """Return a map cropped to its central square, or a profile on uniform spacing.
 
-    Parameters
-    ----------
-    path : Path
-        Of a scan or a container.
-    dataset : str
-        The member of a container; empty for any other file.
-    undefined_pixels : str
-        ``"refuse"`` or the name of an interpolation of SurfaceTopography.
-
-    Returns
-    -------
-    Measurement
-        A map cropped to its central square, or a profile on uniform spacing.
-
-    Raises
-    ------
-    RefusedScan
-        If the scan cannot be used.
+    `dataset` names the member of a container and is empty for any other file; `undefined_pixels` is
+    ``"refuse"`` or the name of an interpolation of SurfaceTopography. A scan that cannot be used is
+    a RefusedScan.
     """
     try:
         source = _opened(path, dataset)

@@ -27,18 +27,9 @@ ROUNDING = 0.05
 
 
 class Values(NamedTuple):
-    """Heights on uniform spacing, without gaps.
+    """Heights in nm on uniform spacing (nm), without gaps: (y, x), or (n,) of a line scan.
 
-    Attributes
-    ----------
-    heights : numpy.ndarray
-        (y, x), or (n,) of a line scan, in nm.
-    pixel_size : float
-        In nm.
-    notes : list of str
-        What was done to them.
-    undefined : int
-        Undefined pixels before they were filled.
+    The notes say what was done to them; `undefined` pixels were filled.
     """
 
     heights: np.ndarray
@@ -48,26 +39,10 @@ class Values(NamedTuple):
 
 
 def map_values(topography: "Topography", factor: float, undefined_pixels: str) -> Values:
-    """Return the central square of a map.
+    """Return the central square of a map with physical sizes, whose unit is `factor` nm.
 
-    Parameters
-    ----------
-    topography : SurfaceTopography.Topography
-        With physical sizes.
-    factor : float
-        Its unit in nm.
-    undefined_pixels : str
-        ``"refuse"`` or the name of an interpolation of SurfaceTopography that fills them.
-
-    Returns
-    -------
-    Values
-        Of the square alone: what is undefined beside it does not count.
-
-    Raises
-    ------
-    RefusedScan
-        If pixels are undefined or not square, or heights are those of no scan.
+    What is undefined beside the square does not count. Pixels that are undefined and may not be
+    filled, or not square, and heights of no scan are a RefusedScan.
     """
     sizes = np.asarray(topography.physical_sizes, float) * factor
     along_x, along_y = sizes / topography.nb_grid_pts
@@ -129,28 +104,11 @@ def profile_values(
 ) -> Values:
     """Return a line scan on uniform spacing: the median of its own, if that varies.
 
-    Between points heights are interpolated linearly. So are gaps: on a line, that is the harmonic
-    function through their ends.
-
-    Parameters
-    ----------
-    line_scan : SurfaceTopography.UniformLineScan or SurfaceTopography.NonuniformLineScan
-        Positions increase, or decrease, from each point to the next.
-    factor : float
-        Its unit in nm.
-    undefined_pixels : str
-        ``"refuse"``, or anything else to fill them.
-
-    Returns
-    -------
-    Values
-        Along increasing positions.
-
-    Raises
-    ------
-    RefusedScan
-        If the line scan is reentrant, has undefined points or too many on the median spacing, or
-        its heights are those of no scan.
+    Its unit is `factor` nm; positions increase, or decrease, from each point to the next, and
+    increase in what is returned. Between points heights are interpolated linearly. So are gaps: on
+    a line, that is the harmonic function through their ends. A line scan that is reentrant, has
+    undefined points that may not be filled or too many on the median spacing, and heights of no
+    scan are a RefusedScan.
     """
     heights = _masked(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
@@ -195,24 +153,10 @@ IN_WORDS = re.compile(r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*
 def stated_tip_radius(
     of_file: dict[str, Any], of_container: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip and where it was found.
+    """Return the radius of the tip in nm, if one is stated, and notes for the user of where.
 
     What the file states counts before what its container does, and a number before words. Of
     several radii in words the largest counts: tips wear, and a scan shows no more than a worn one.
-
-    Parameters
-    ----------
-    of_file : dict
-        Metadata of a topography, as SurfaceTopography returns them.
-    of_container : dict
-        What a contact.engineering container says of it; empty of any other file.
-
-    Returns
-    -------
-    radius : float or None
-        In nm.
-    notes : list of str
-        In words for the user; empty if there is none.
     """
     for source, metadata in (("file", of_file), ("container", of_container)):
         radius = _in_numbers(metadata)

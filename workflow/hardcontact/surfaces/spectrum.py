@@ -93,19 +93,9 @@ def spectrum_dataset(density: NDArray[np.float64]) -> "xr.Dataset":
 def measured_psds(
     scan: HeightMap,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return the PSDs of a levelled, non-periodic scan, measured with a Hann window.
+    """Return wavevectors (rad/nm), C_1D along x (nm³) and C_iso (nm⁴) of a levelled scan.
 
-    Parameters
-    ----------
-    scan : HeightMap
-        Levelled.
-
-    Returns
-    -------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm.
-    profile, isotropic : numpy.ndarray
-        C_1D along x in nm³ and C_iso in nm⁴ (bins,); NaN in empty bins.
+    The densities (bins,) are measured with a Hann window, and NaN in empty bins.
     """
     topography = library_map(scan)
     centres = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
