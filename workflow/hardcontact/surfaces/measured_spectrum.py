@@ -9,14 +9,14 @@ that no single exponent converts a spectrum with a roll-off.
 Source: Bracewell, The Fourier Transform and Its Applications, chapter on the Abel transform.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import BIN_EDGES, measured_psds
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
 from hardcontact.surfaces.topography import level, library_map
 
 if TYPE_CHECKING:
@@ -39,6 +39,15 @@ __all__ = [
 INDEPENDENT = (3 / 8) ** 2 / (35 / 128)
 #: Half the width, in ln q, of the piece of a spectrum that a local slope is fitted to: five bins.
 HALF_WIDTH = 0.25 * np.log(10)
+#: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
+#: and up to four where bins have fewer independent waves than ENOUGH.
+SMOOTHING, WIDEST = 0.1 * np.log(10), 4.0
+ENOUGH = 20.0
+#: u of p = q cosh u in the integral: waves to a thousandth of the wavelength, beyond which even
+#: C_1D ~ 1/q adds less than a thousandth.
+SUBSTITUTED = np.linspace(0, 7.6, 400)
+#: The flattest C_1D of a self-affine surface is q^-1: the measurement continues at least as steep.
+FLATTEST = -1.0
 
 
 def size_of(measurement: Measurement) -> float:
@@ -72,20 +81,9 @@ def measured_psd(
     if measurement.kind == "map":
         wavevector, _, density = measured_psds(_levelled_map(measurement))
         return wavevector, density
-    wavevector = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    profile = _profile_psd(levelled_topography(measurement))
-    return wavevector, isotropic_from_profile(wavevector, profile, independent_waves(measurement))
-
-
-def _profile_psd(topography: Any) -> NDArray[np.float64]:
-    """Return C_1D along x (bins,) in nm³; NaN in empty bins, for which the library gives 0."""
-    density = np.asarray(
-        topography.power_spectrum_from_profile(
-            window="hann", reliable=False, collocation=BIN_EDGES
-        )[1],
-        float,
-    )
-    return np.where(density > 0, density, np.nan)
+    profile = profile_psd(levelled_topography(measurement))
+    waves = independent_waves(measurement)
+    return BIN_CENTRES, isotropic_from_profile(BIN_CENTRES, profile, waves)
 
 
 def axis_ratio(measurement: Measurement) -> NDArray[np.float64]:
@@ -96,10 +94,10 @@ def axis_ratio(measurement: Measurement) -> NDArray[np.float64]:
     or more, and 1 in empty bins, and of a profile, which has one axis.
     """
     if measurement.kind != "map":
-        return np.ones(len(BIN_EDGES) - 1)
+        return np.ones(len(BIN_CENTRES))
     levelled = _levelled_map(measurement)
     turned = HeightMap(levelled.heights.T, levelled.pixel_size, False, levelled.basis)
-    along, across = (_profile_psd(library_map(one)) for one in (levelled, turned))
+    along, across = (profile_psd(library_map(one)) for one in (levelled, turned))
     ratio = np.maximum(along / across, across / along)
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
@@ -158,17 +156,6 @@ def local_slopes(
     spread = np.where(enough, spread, np.nan)
     slope = (weight * centred) @ np.log(density) / spread
     return slope, np.where(enough, 1 / np.sqrt(spread), np.inf)
-
-
-#: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
-#: and up to four where bins have fewer independent waves than ENOUGH.
-SMOOTHING, WIDEST = 0.1 * np.log(10), 4.0
-ENOUGH = 20.0
-#: u of p = q cosh u in the integral: waves to a thousandth of the wavelength, beyond which even
-#: C_1D ~ 1/q adds less than a thousandth.
-SUBSTITUTED = np.linspace(0, 7.6, 400)
-#: The flattest C_1D of a self-affine surface is q^-1: the measurement continues at least as steep.
-FLATTEST = -1.0
 
 
 def isotropic_from_profile(

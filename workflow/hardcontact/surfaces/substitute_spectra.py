@@ -20,7 +20,7 @@ from hardcontact.surfaces.calibration import (
     transfer_weights,
 )
 from hardcontact.surfaces.spectrum import (
-    BIN_EDGES,
+    BIN_CENTRES,
     WAVEVECTORS,
     Spectrum,
     all_scales_moments,
@@ -49,6 +49,9 @@ PARAMETERS = (
 
 #: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
 CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
+
+#: Bases of bands that are known; all others are inferred or assumed.
+KNOWN = ("published", "measured")
 
 
 def from_description(
@@ -187,10 +190,6 @@ def substitute_spectrum(
     )
 
 
-#: Bases of bands that are known; all others are inferred or assumed.
-KNOWN = ("published", "measured")
-
-
 class _Run(NamedTuple):
     """Neighbouring known bands of one source: their wavelengths in nm."""
 
@@ -227,14 +226,13 @@ def described_spectrum(stored: "xr.Dataset", path: str) -> "xr.Dataset":
     runs = _runs(bands)
     if not runs:
         raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
-    wavevector = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    wavelength, density = 2 * np.pi / wavevector, spectrum_from(stored)(wavevector)
+    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
     reliable = np.array([(run.shortest < wavelength) & (wavelength <= run.longest) for run in runs])
     nm4, nm, unknown = {"units": "nm4"}, {"units": "nm"}, np.full(len(runs), np.nan)
     both, along = ("measurement", "bin_wavevector"), "measurement"
     return (
         stored[["spectrum"]]
-        .assign_coords(bin_wavevector=("bin_wavevector", wavevector, {"units": "rad nm-1"}))
+        .assign_coords(bin_wavevector=("bin_wavevector", BIN_CENTRES, {"units": "rad nm-1"}))
         .assign(
             joined=("bin_wavevector", np.where(reliable.any(axis=0), density, np.nan), nm4),
             psd=(both, np.where(reliable, density, np.nan), nm4),
