@@ -8,7 +8,6 @@ from random_scans import PIXEL, UNCD, levelled_scan
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import bounds
 from hardcontact.surfaces.roughness_table import (
-    TableSettings,
     averages,
     measured_roughness,
     roughness_table,
@@ -17,7 +16,7 @@ from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spe
 from hardcontact.surfaces.substitute_scans import sphere_scan
 from hardcontact.surfaces.topography import METRICS, metrics, prepared_scan
 
-SETTINGS = TableSettings(
+SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},
     basis={"uncd": "measured", "ruby": "substitute"},
     sphere_surface="ruby",
@@ -80,7 +79,7 @@ def table(maps):
         for name, factor in (("uncd", 1), ("ruby", 4))
     }
     conditionings = {"ruby": xr.Dataset(attrs={"calibrated_to_table1": "afm_rms_height"})}
-    return roughness_table(scans, spectra, conditionings, examples, SETTINGS)
+    return roughness_table(scans, spectra, conditionings, examples, **SETTINGS)
 
 
 def test_table_has_every_scan_and_what_is_missing_is_nan(table, maps):

@@ -5,6 +5,7 @@ import pandas as pd
 import pytest
 from random_scans import PIXEL
 from refusals import assert_says, refusal
+from repository import ROOT
 
 from hardcontact.records import published
 from hardcontact.surfaces import calibration, descriptions, spectral_models, substitute_spectra
@@ -118,3 +119,22 @@ def test_spectrum_of_a_substitute_says_what_scans_would_show(described, polished
         Spectrum(WAVEVECTORS, stored.spectrum.values), transfer_weights(256, 2500 / 64, 64)
     )
     np.testing.assert_array_equal(stored.attrs["expected_scan_moments"], expected)
+
+
+@pytest.mark.parametrize("end", ["", "_lower", "_upper"])
+@pytest.mark.parametrize("coating", ["crn_smoother", "crn_rougher"])
+def test_description_of_chromium_nitride_makes_power_laws_without_a_jump(coating, end):
+    path = ROOT / f"resources/spectra/{coating}{end}.csv"
+    density, bands, calibrated = substitute_spectra.from_description(path, NO_TABLE1, None)
+    *measured, last = bands.basis
+    assert (set(measured), last, calibrated) == ({"measured"}, "assumed", [])
+    # Constant above the first edge; the last band continues beyond the source.
+    fitted = bands.iloc[:-1]
+    starts = np.append(fitted.rolloff_nm[0], fitted.longest_nm[1:])
+    expected = np.full(len(WAVEVECTORS), fitted.plateau_nm4[0])
+    for hurst, start, stop in zip(fitted.hurst, starts, [*starts[1:], 0.0], strict=True):
+        within = np.clip(2 * np.pi / WAVEVECTORS, stop, start)
+        expected *= (start / within) ** (-2 - 2 * hurst)
+    inside = WAVEVECTORS < 2 * np.pi / 0.11
+    # Edges lie between points of the table of spectra: each band begins up to half a cell off.
+    np.testing.assert_allclose(density[inside], expected[inside], rtol=0.15)

@@ -3,7 +3,7 @@
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.roughness_table import TableSettings, measured_roughness, roughness_table
+from hardcontact.surfaces.roughness_table import measured_roughness, roughness_table
 
 with job(snakemake) as this:
     keys = [tuple(key) for key in this.parameters.pop("scans")]
@@ -17,7 +17,7 @@ with job(snakemake) as this:
             dict(zip(surfaces, map(dataset.read, this.input.spectra), strict=True)),
             dict(zip(substitutes, map(dataset.read, this.input.conditionings), strict=True)),
             {surface: dataset.read(path) for surface, path in first.items()},
-            TableSettings(**this.parameters),
+            **this.parameters,
         ),
         title="topography of all surfaces: rms metrics and power spectral densities",
     )

@@ -7,6 +7,6 @@ from hardcontact.records.job import job
 
 with job(snakemake) as this:
     folder = this.parameters["results"]
-    result = provenance.check(folder, crate.described_files(folder))
-    print(result)
-    sys.exit(1 if result.faults else 0)
+    faults, counts = provenance.check(folder, crate.described_files(folder))
+    print(*faults, counts, sep="\n")
+    sys.exit(1 if faults else 0)

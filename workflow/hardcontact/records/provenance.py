@@ -4,13 +4,13 @@ import json
 from collections.abc import Iterable, Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import netCDF4
 
 from hardcontact.records.origin import digest
 
-__all__ = ["Check", "check", "folder_records", "require", "sources", "traced_records"]
+__all__ = ["check", "folder_records", "require", "sources", "traced_records"]
 
 #: The texts of `Origin.attributes`; of files without attributes also `output_digests`, a dict.
 Record = dict[str, Any]
@@ -102,36 +102,7 @@ def sources(records: Mapping[str, Record]) -> dict[str, str]:
     return {path: inputs[path] for path in sorted(inputs.keys() - records.keys())}
 
 
-class Check(NamedTuple):
-    """The result of comparing files with their records.
-
-    Attributes
-    ----------
-    folder : str
-        The folder ``results/<study>``.
-    files : set of str
-        Paths that were compared.
-    faults : list of str
-        One line a file that is missing, or another than what is recorded.
-    absent : set of str
-        Inputs that are not at hand.
-    """
-
-    folder: str
-    files: set[str]
-    faults: list[str]
-    absent: set[str]
-
-    def __str__(self) -> str:
-        """Return the faults, a line each, and a line of counts."""
-        counts = (
-            f"{self.folder}: {len(self.files)} files checked, {len(self.faults)} faults, "
-            f"{len(self.absent)} inputs not at hand"
-        )
-        return "\n".join([*self.faults, counts])
-
-
-def check(folder: str | Path, described: Mapping[str, str]) -> Check:
+def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], str]:
     """Compare every file that led to a study's folder with the record of what it was made from.
 
     Parameters
@@ -143,8 +114,10 @@ def check(folder: str | Path, described: Mapping[str, str]) -> Check:
 
     Returns
     -------
-    Check
-        Files, faults and inputs that are not at hand.
+    faults : list of str
+        One line a file that is missing, or another than what is recorded.
+    counts : str
+        One line: how many files were checked, are at fault, and how many inputs are not at hand.
 
     Raises
     ------
@@ -159,17 +132,20 @@ def check(folder: str | Path, described: Mapping[str, str]) -> Check:
         if "output_digests" in record:
             written.setdefault(path, record["output_digests"][path])
     now = cache(lambda path: digest([path]))
-    result = Check(str(folder), known.keys() | written.keys(), [], set())
+    faults, absent = list[str](), set[str]()
     for path, record in sorted(known.items()):
         digests = json.loads(record["input_digests"])
         missing = {name for name in digests if not Path(name).is_file()}
         changed = [name for name in sorted(digests.keys() - missing) if now(name) != digests[name]]
-        result.absent.update(missing)
+        absent |= missing
         if changed:
-            result.faults.append(f"{path}: does not match its input {', '.join(changed)}")
+            faults.append(f"{path}: does not match its input {', '.join(changed)}")
     for path, expected in sorted(written.items()):
         if not Path(path).is_file():
-            result.faults.append(f"{path}: expected a file of the study, found none")
+            faults.append(f"{path}: expected a file of the study, found none")
         elif now(path) != expected:
-            result.faults.append(f"{path}: is not the file that the study wrote")
-    return result
+            faults.append(f"{path}: is not the file that the study wrote")
+    return faults, (
+        f"{folder}: {len(known.keys() | written.keys())} files checked, {len(faults)} faults, "
+        f"{len(absent)} inputs not at hand"
+    )

@@ -1,7 +1,4 @@
-"""Files that appear whole or not at all.
-
-Folders of results: one run at a time works in each.
-"""
+"""Files that appear whole or not at all, and folders that one run at a time works in."""
 
 import fcntl
 import os

@@ -1,8 +1,4 @@
-"""What a levelled scan of a spectrum would show: its expected rms height, slope and curvature.
-
-`scipy` is imported where it is used.
-
-Calibration to the paper's Table 1: spectra whose scans have its numbers.
+"""Calibration to the paper's Table 1: spectra whose scans have its rms height, slope, curvature.
 
 `scipy` is imported where it is used.
 """
@@ -143,22 +139,8 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
 def calibrate_self_affine(table1: pd.DataFrame, weights: Weights) -> tuple[float, float, float]:
     """Return plateau (nm⁴), roll-off (nm) and Hurst exponent of scans that are those of Table 1.
 
-    Parameters
-    ----------
-    table1 : pandas.DataFrame
-        Of `rows_of_surface`.
-    weights : Weights
-        Of `transfer_weights`.
-
-    Returns
-    -------
-    tuple of float
-        Parameters of `spectral_models.self_affine`.
-
-    Raises
-    ------
-    ValueError
-        If no such spectrum has the three moments.
+    They are parameters of `spectral_models.self_affine`; it is a ValueError if no such spectrum has
+    the three moments.
     """
 
     def model(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -174,26 +156,10 @@ def calibrate_self_affine(table1: pd.DataFrame, weights: Weights) -> tuple[float
 def calibrate_varying_hurst(
     table1: pd.DataFrame, weights: Weights, rolloff: float
 ) -> tuple[float, float, float]:
-    """Return the spectrum of a given roll-off (nm) whose scans are those of Table 1.
+    """Return plateau (nm⁴), Hurst exponent and its change a decade for scans of Table 1.
 
-    Parameters
-    ----------
-    table1 : pandas.DataFrame
-        Of `rows_of_surface`.
-    weights : Weights
-        Of `transfer_weights`.
-    rolloff : float
-        Wavelength in nm.
-
-    Returns
-    -------
-    tuple of float
-        Plateau (nm⁴), Hurst exponent and its change a decade: of `spectral_models.varying_hurst`.
-
-    Raises
-    ------
-    ValueError
-        If no such spectrum has the three moments.
+    They are parameters of `spectral_models.varying_hurst` with this roll-off (nm); it is a
+    ValueError if no such spectrum has the three moments.
     """
 
     def model(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -238,22 +204,9 @@ def _met(
 def calibrate_tail(above: NDArray[np.float64], moments: tuple[float, float]) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
 
-    Parameters
-    ----------
-    above : numpy.ndarray
-        C_iso in nm⁴ on WAVEVECTORS, zero below the wavelength at which the power law begins.
-    moments : tuple of float
-        Gradient and half-Laplacian (1/nm) over all scales of the whole spectrum.
-
-    Returns
-    -------
-    tuple of float
-        Hurst exponent and wavelength in nm: of `spectral_models.power_law_tail`.
-
-    Raises
-    ------
-    ValueError
-        If the part above already exceeds one of the moments, or no power law adds them.
+    The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength at which the power law
+    begins, and the moments are the gradient and half-Laplacian (1/nm) over all scales of the whole.
+    It is a ValueError if the part above already exceeds one of them, or no power law adds them.
     """
     from scipy.optimize import brentq
 

@@ -1,8 +1,7 @@
 """One spectrum of a surface from all its measurements: maps of several sizes, line scans.
 
-xarray is imported where it is used.
-
-A measured spectrum continued beyond its band, within bounds on slope and curvature.
+It is continued beyond its band within bounds on slope and curvature. xarray is imported where it is
+used.
 """
 
 from collections.abc import Mapping, Sequence
@@ -22,7 +21,7 @@ from hardcontact.surfaces.measured_spectrum import (
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.reliable_band import ReliableBand, band_of_psd, digits
 from hardcontact.surfaces.spectral_models import power_law_tail
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_dataset
+from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, Spectrum, spectrum_dataset
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -35,6 +34,14 @@ __all__ = ["FEWEST", "continued_spectrum", "joined_spectrum", "stacked_spectra"]
 CALIBRATION = 0.2
 #: Bins that a joined spectrum has at least.
 FEWEST = 3
+#: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
+ATOMIC = 0.3
+#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
+#: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
+#: 1.20). A sphere of such a curvature has the radius of an atom.
+GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
+#: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
+FLATTEST = -2.0
 
 
 class _Part(NamedTuple):
@@ -80,18 +87,17 @@ def joined_spectrum(
         _part(measurement, measurement.tip_radius if radius is None else radius)
         for measurement, radius in zip(measurements, tip_radii, strict=True)
     ]
-    wavevector, _ = measured_psd(measurements[0])
     joined, variance = _log_mean(parts)
     known = np.isfinite(joined)
     if known.sum() < FEWEST:
         raise ValueError(_too_few(parts, int(known.sum())))
-    spectrum, note = continued_spectrum(wavevector[known], joined[known], variance[known])
+    spectrum, note = continued_spectrum(BIN_CENTRES[known], joined[known], variance[known])
     bands = [part.band for part in parts if part.reliable.any()]
     return (
         spectrum_dataset(spectrum)
         .assign(_of_measurements(parts))
         .assign(joined=("bin_wavevector", joined, {"units": "nm4", "long_name": "joined PSD"}))
-        .assign_coords(bin_wavevector=("bin_wavevector", wavevector, {"units": "rad nm-1"}))
+        .assign_coords(bin_wavevector=("bin_wavevector", BIN_CENTRES, {"units": "rad nm-1"}))
         .assign_attrs(
             basis="measured",
             calibrated_to_table1="",
@@ -104,9 +110,9 @@ def joined_spectrum(
 
 def _part(measurement: Measurement, tip_radius: float | None) -> _Part:
     """Return C_iso of one measurement and where it is reliable."""
-    wavevector, density = measured_psd(measurement)
-    band = band_of_psd(measurement, tip_radius, wavevector, density)
-    wavelength = 2 * np.pi / wavevector
+    _, density = measured_psd(measurement)
+    band = band_of_psd(measurement, tip_radius, density)
+    wavelength = 2 * np.pi / BIN_CENTRES
     reliable = (band.shortest <= wavelength) & (wavelength <= band.longest) & np.isfinite(density)
     return _Part(measurement, tip_radius, band, density, independent_waves(measurement), reliable)
 
@@ -234,39 +240,17 @@ def _padded(spectrum: "xr.Dataset", measurements: int) -> "xr.Dataset":
     return spectrum.pad(measurement=(0, missing), constant_values=empty)
 
 
-#: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
-ATOMIC = 0.3
-#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
-#: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
-#: 1.20). A sphere of such a curvature has the radius of an atom.
-GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
-#: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
-FLATTEST = -2.0
-
-
 def continued_spectrum(
     wavevector: NDArray[np.float64], density: NDArray[np.float64], variance: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], str]:
-    """Return C_iso over all scales from measured points, and how it was continued.
+    """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and in words how it was continued.
 
-    Above the longest wavelength measured it is constant. Below the shortest it is self-affine with
-    the Hurst exponent of the last decade past the roll-off, held within 0 to 1. The tail ends at
-    the distance of atoms, or where the rms gradient or half-Laplacian of all scales would pass
-    that of the roughest hard surface known: there is none if the measured part alone does.
-
-    Parameters
-    ----------
-    wavevector, density : numpy.ndarray
-        (points,) in rad/nm and nm⁴, at least three, without gaps.
-    variance : numpy.ndarray
-        (points,) of ln C.
-
-    Returns
-    -------
-    spectrum : numpy.ndarray
-        C_iso in nm⁴ on WAVEVECTORS.
-    note : str
-        What the tail is, in words.
+    The points are wavevectors (rad/nm), C_iso (nm⁴) and the variance of ln C, at least three,
+    without gaps. Above the longest wavelength measured C_iso is constant. Below the shortest it is
+    self-affine with the Hurst exponent of the last decade past the roll-off, held within 0 to 1.
+    The tail ends at the distance of atoms, or where the rms gradient or half-Laplacian of all
+    scales would pass that of the roughest hard surface known: there is none if the measured part
+    alone does.
     """
     # A point of the table at the last wavevector may lie beyond it by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))

@@ -2,22 +2,21 @@
 
 SurfaceTopography and scipy are imported where they are used.
 
-The isotropic power spectral density of a surface from that of its profiles.
-
+The isotropic PSD of a surface follows from that of its profiles:
 C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y is an Abel transform. Its inverse is
 C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp: C_iso depends on the profiles' shorter waves, so
 that no single exponent converts a spectrum with a roll-off.
 Source: Bracewell, The Fourier Transform and Its Applications, chapter on the Abel transform.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import BIN_EDGES, Density, measured_psds
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
 from hardcontact.surfaces.topography import level, library_map
 
 if TYPE_CHECKING:
@@ -31,7 +30,6 @@ __all__ = [
     "levelled_topography",
     "local_slopes",
     "measured_psd",
-    "profile_from_isotropic",
     "size_of",
     "variance_of_log",
 ]
@@ -41,6 +39,15 @@ __all__ = [
 INDEPENDENT = (3 / 8) ** 2 / (35 / 128)
 #: Half the width, in ln q, of the piece of a spectrum that a local slope is fitted to: five bins.
 HALF_WIDTH = 0.25 * np.log(10)
+#: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
+#: and up to four where bins have fewer independent waves than ENOUGH.
+SMOOTHING, WIDEST = 0.1 * np.log(10), 4.0
+ENOUGH = 20.0
+#: u of p = q cosh u in the integral: waves to a thousandth of the wavelength, beyond which even
+#: C_1D ~ 1/q adds less than a thousandth.
+SUBSTITUTED = np.linspace(0, 7.6, 400)
+#: The flattest C_1D of a self-affine surface is q^-1: the measurement continues at least as steep.
+FLATTEST = -1.0
 
 
 def size_of(measurement: Measurement) -> float:
@@ -66,77 +73,40 @@ def _levelled_map(measurement: Measurement) -> HeightMap:
 def measured_psd(
     measurement: Measurement,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return C_iso of a levelled measurement, with a Hann window.
+    """Return wavevectors (rad/nm), the centres of BIN_EDGES, and C_iso (nm⁴), NaN in empty bins.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        Map, whose PSD is averaged over directions, or profile, whose C_1D is converted.
-
-    Returns
-    -------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm: the centres of BIN_EDGES.
-    density : numpy.ndarray
-        C_iso (bins,) in nm⁴; NaN in empty bins.
+    The measurement is levelled and has a Hann window. The PSD of a map is averaged over directions,
+    C_1D of a profile is converted.
     """
     if measurement.kind == "map":
         wavevector, _, density = measured_psds(_levelled_map(measurement))
         return wavevector, density
-    wavevector = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    profile = _profile_psd(levelled_topography(measurement))
-    return wavevector, isotropic_from_profile(wavevector, profile, independent_waves(measurement))
-
-
-def _profile_psd(topography: Any) -> NDArray[np.float64]:
-    """Return C_1D along x (bins,) in nm³; NaN in empty bins, for which the library gives 0."""
-    density = np.asarray(
-        topography.power_spectrum_from_profile(
-            window="hann", reliable=False, collocation=BIN_EDGES
-        )[1],
-        float,
-    )
-    return np.where(density > 0, density, np.nan)
+    profile = profile_psd(levelled_topography(measurement))
+    waves = independent_waves(measurement)
+    return BIN_CENTRES, isotropic_from_profile(BIN_CENTRES, profile, waves)
 
 
 def axis_ratio(measurement: Measurement) -> NDArray[np.float64]:
-    """Return how many times C_1D along one axis of a map exceeds that along the other.
+    """Return how many times C_1D along one axis of a map exceeds that along the other: (bins,).
 
     The surface is taken as isotropic: a difference is one of the microscope, which smooths along
-    the lines that it scans if its feedback lags, and adds noise from line to line.
-
-    Parameters
-    ----------
-    measurement : Measurement
-        Map or profile.
-
-    Returns
-    -------
-    numpy.ndarray
-        (bins,), 1 or more; 1 in empty bins, and of a profile, which has one axis.
+    the lines that it scans if its feedback lags, and adds noise from line to line. The ratio is 1
+    or more, and 1 in empty bins, and of a profile, which has one axis.
     """
     if measurement.kind != "map":
-        return np.ones(len(BIN_EDGES) - 1)
+        return np.ones(len(BIN_CENTRES))
     levelled = _levelled_map(measurement)
     turned = HeightMap(levelled.heights.T, levelled.pixel_size, False, levelled.basis)
-    along, across = (_profile_psd(library_map(one)) for one in (levelled, turned))
+    along, across = (profile_psd(library_map(one)) for one in (levelled, turned))
     ratio = np.maximum(along / across, across / along)
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
 
 def independent_waves(measurement: Measurement) -> NDArray[np.float64]:
-    """Return the number of independent waves in each bin of a measured PSD.
+    """Return the number of independent waves in each bin of a measured PSD, at least 1.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        Map or profile.
-
-    Returns
-    -------
-    numpy.ndarray
-        (bins,), at least 1: the number of wavevectors, one of each pair ±q, times the share that
-        the Hann window leaves independent.
+    It is the number of wavevectors, one of each pair ±q, times the share that the Hann window
+    leaves independent.
     """
     lengths = np.array(measurement.heights.shape) * measurement.pixel_size
     if measurement.kind == "map":
@@ -171,22 +141,10 @@ def bias_of_log(waves: NDArray[np.float64]) -> NDArray[np.float64]:
 def local_slopes(
     wavevector: NDArray[np.float64], density: NDArray[np.float64], variance: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Return the exponents of the power laws that a spectrum follows locally.
+    """Return d ln C / d ln q of a spectrum without gaps, fitted to half a decade around each bin.
 
-    Parameters
-    ----------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm.
-    density : numpy.ndarray
-        (bins,), without gaps.
-    variance : numpy.ndarray
-        (bins,) of ln C, see `variance_of_log`.
-
-    Returns
-    -------
-    slope, error : numpy.ndarray
-        (bins,) d ln C / d ln q, fitted to half a decade around each bin, and its standard error;
-        NaN and infinity where fewer than two bins lie there.
+    The bins count by the inverse variance of their ln C. Beside the slopes (bins,) stand their
+    standard errors; they are NaN and infinity where fewer than two bins lie within the half decade.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     near = np.abs(distance) <= HALF_WIDTH
@@ -198,40 +156,6 @@ def local_slopes(
     spread = np.where(enough, spread, np.nan)
     slope = (weight * centred) @ np.log(density) / spread
     return slope, np.where(enough, 1 / np.sqrt(spread), np.inf)
-
-
-#: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
-#: and up to four where bins have fewer independent waves than ENOUGH.
-SMOOTHING, WIDEST = 0.1 * np.log(10), 4.0
-ENOUGH = 20.0
-#: u of p = q cosh u in both integrals: waves to a thousandth of the wavelength, beyond which even
-#: C_1D ~ 1/q adds less than a thousandth.
-SUBSTITUTED = np.linspace(0, 7.6, 400)
-#: The flattest C_1D of a self-affine surface is q^-1: the measurement continues at least as steep.
-FLATTEST = -1.0
-
-
-def profile_from_isotropic(
-    density: Density, wavevector: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return C_1D of the profiles of an isotropic surface.
-
-    Parameters
-    ----------
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-    wavevector : numpy.ndarray
-        (points,) of the profiles, in rad/nm.
-
-    Returns
-    -------
-    numpy.ndarray
-        C_1D (points,) in nm³.
-    """
-    # q_y = q_x sinh u, so that q = q_x cosh u and dq_y = q du.
-    isotropic = wavevector[:, None] * np.cosh(SUBSTITUTED)
-    integrand = density(isotropic) * isotropic
-    return np.asarray(np.trapezoid(integrand, SUBSTITUTED, axis=1) / np.pi)
 
 
 def isotropic_from_profile(

@@ -37,6 +37,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 __all__ = ["ReliableBand", "band_of_psd", "digits", "reliable_band"]
 
@@ -97,35 +98,19 @@ def reliable_band(measurement: Measurement, tip_radius: float | None) -> Reliabl
     ReliableBand
         With a reason for each end.
     """
-    return band_of_psd(measurement, tip_radius, *measured_psd(measurement))
+    return band_of_psd(measurement, tip_radius, measured_psd(measurement)[1])
 
 
 def band_of_psd(
     measurement: Measurement,
     tip_radius: float | None,
-    wavevector: NDArray[np.float64],
     density: NDArray[np.float64],
 ) -> ReliableBand:
-    """Return the wavelengths at which a measurement is reliable, from its measured PSD.
-
-    Parameters
-    ----------
-    measurement : Measurement
-        As it was read.
-    tip_radius : float or None
-        In nm.
-    wavevector, density : numpy.ndarray
-        (bins,) of `measured_psd`.
-
-    Returns
-    -------
-    ReliableBand
-        With a reason for each end.
-    """
+    """Return the wavelengths at which a measurement is reliable, from its `measured_psd`."""
     pixel, size = measurement.pixel_size, size_of(measurement)
     ends = [
         (PIXELS * pixel, f"{PIXELS} pixels of {digits(pixel)} nm"),
-        *_spectral_ends(measurement, wavevector, density),
+        *_spectral_ends(measurement, density),
         *_tip_end(measurement, tip_radius),
     ]
     shortest, reason = max(ends)
@@ -144,11 +129,11 @@ def _tip_end(measurement: Measurement, tip_radius: float | None) -> list[tuple[f
 
 
 def _spectral_ends(
-    measurement: Measurement, wavevector: NDArray[np.float64], density: NDArray[np.float64]
+    measurement: Measurement, density: NDArray[np.float64]
 ) -> list[tuple[float, str]]:
     """Return the ends of the spectrum by its shape, in nm, each in words."""
-    seen = np.isfinite(density) & (wavevector * PIXELS * measurement.pixel_size <= 2 * np.pi)
-    q, variance = wavevector[seen], variance_of_log(independent_waves(measurement)[seen])
+    seen = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
+    q, variance = BIN_CENTRES[seen], variance_of_log(independent_waves(measurement)[seen])
     slope, error = local_slopes(q, density[seen], variance)
     differs = axis_ratio(measurement)[seen] > ALIKE
     smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, EDGES)

@@ -1,7 +1,7 @@
 """Roughness of scans, and of all surfaces in one table: Table 1 and the PSDs."""
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -14,7 +14,7 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_from
 from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
 
-__all__ = ["TableSettings", "averages", "measured_roughness", "roughness_table"]
+__all__ = ["averages", "measured_roughness", "roughness_table"]
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
@@ -72,35 +72,18 @@ def averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     return xr.Dataset(variables)
 
 
-class TableSettings(NamedTuple):
-    """Labels and conventions of the table of roughness.
-
-    Attributes
-    ----------
-    labels, basis : mapping of str to str
-        By surface: its name in print; ``"measured"`` or ``"substitute"``.
-    sphere_surface, reference_surface : str
-        The surface of the sphere, and that which forces are compared with.
-    table1 : mapping of str to str
-        What slope and curvature of Table 1 are, see `topography.table1_variables`.
-    confidence : float
-        Of the intervals.
-    """
-
-    labels: Mapping[str, str]
-    basis: Mapping[str, str]
-    sphere_surface: str
-    reference_surface: str
-    table1: Mapping[str, str]
-    confidence: float
-
-
 def roughness_table(
     scans: Mapping[tuple[str, int], xr.Dataset],
     spectra: Mapping[str, xr.Dataset],
     conditionings: Mapping[str, xr.Dataset],
     examples: Mapping[str, xr.Dataset],
-    settings: TableSettings,
+    *,
+    labels: Mapping[str, str],
+    basis: Mapping[str, str],
+    sphere_surface: str,
+    reference_surface: str,
+    table1: Mapping[str, str],
+    confidence: float,
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra, maps for pictures.
 
@@ -114,8 +97,14 @@ def roughness_table(
         Of `conditioning.conditioned_group`, by surface: that of the scans of each substitute.
     examples : mapping of str to xarray.Dataset
         One levelled scan of each surface; that of a rough sphere with the variable `as_scanned`.
-    settings : TableSettings
-        Labels and conventions.
+    labels, basis : mapping of str to str
+        By surface: its name in print; ``"measured"`` or ``"substitute"``.
+    sphere_surface, reference_surface : str
+        The surface of the sphere, and that which forces are compared with.
+    table1 : mapping of str to str
+        What slope and curvature of Table 1 are, see `topography.table1_variables`.
+    confidence : float
+        Of the intervals.
 
     Returns
     -------
@@ -127,7 +116,7 @@ def roughness_table(
     table = xr.merge(
         [
             stacked,
-            averages(stacked, settings.confidence),
+            averages(stacked, confidence),
             _joined_spectra([spectra[name] for name in names], stacked["wavevector"].values),
             _maps([examples[name] for name in names]),
             _sphere_as_scanned(examples),
@@ -137,8 +126,8 @@ def roughness_table(
     return table.assign(
         psd_profile_mean=stacked["psd_profile"].mean("scan", keep_attrs=True),
         psd_isotropic_mean=stacked["psd_isotropic"].mean("scan", keep_attrs=True),
-        label=("surface", [settings.labels[name] for name in names]),
-        basis=("surface", [settings.basis[name] for name in names]),
+        label=("surface", [labels[name] for name in names]),
+        basis=("surface", [basis[name] for name in names]),
         calibrated_to_table1=(
             "surface",
             [
@@ -147,10 +136,10 @@ def roughness_table(
             ],
         ),
     ).assign_attrs(
-        sphere_surface=settings.sphere_surface,
-        reference_surface=settings.reference_surface,
-        confidence=settings.confidence,
-        table1_variables=canonical(table1_variables(**settings.table1)),
+        sphere_surface=sphere_surface,
+        reference_surface=reference_surface,
+        confidence=confidence,
+        table1_variables=canonical(table1_variables(**table1)),
     )
 
 

@@ -1,104 +1,100 @@
 """Opening files of scans: any format SurfaceTopography reads, contact.engineering containers.
 
 Nothing is unpacked to disk, nothing in a file is executed, and sizes are checked before anything
-is read. `scans` calls this in a process of its own.
+is read. `scans` calls this in a process of its own. A container is a zip archive with a list of
+its scans, `index.json` or, of older ones, `meta.yml`; the format is described by
+`SurfaceTopography.Container.IO.Schema`.
 """
 
+import io
+import json
 import zipfile
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
+import yaml
 from SurfaceTopography import open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
 from SurfaceTopography.IO import XYZReader
 
-from hardcontact.surfaces import containers
 from hardcontact.surfaces.measurement import (
     FILE_LIMIT,
     Measurement,
     RefusedScan,
     check_points,
+    map_values,
+    profile_values,
+    stated_tip_radius,
     unit_in_nm,
 )
-from hardcontact.surfaces.scan_values import map_values, profile_values, stated_tip_radius
 
 __all__ = ["datasets_of", "measurement_of"]
 
+#: The lists of scans, in the order in which they are looked for, and the largest one in bytes.
+LISTS: dict[str, Callable[[bytes], Any]] = {
+    "index.json": json.loads,
+    "meta.yml": lambda text: yaml.load(text, Loader=_ListLoader),
+}
+LIST_LIMIT = 2**20
+#: What a list that is none may raise.
+LIST_ERRORS = (
+    yaml.YAMLError, AttributeError, LookupError, RecursionError, TypeError, ValueError,
+)  # fmt: skip
+#: Keys of the data file of a scan: as it was measured, else as it was kept after processing, with
+#: its channel chosen and its heights scaled.
+DATA_FILES = ("original", "squeezed-netcdf")
+OF_ORIGINAL = {"data_source", "height_scale"}
+#: What else is used of a scan, by kind. Anything but these is refused unread: written out, the
+#: aliases of a short list make texts without end.
+KINDS: dict[str, type | tuple[type, ...]] = {
+    "size": list,
+    "unit": str,
+    "height_scale": (int, float),
+    "data_source": int,
+    "description": str,
+    "instrument": dict,
+}
 #: Metadata that a container may state, by their names as arguments of a reader.
 STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
 #: Spacings, in the unit of a text file, below which its reader takes any line scan for uniform.
 COARSE_SPACING = 1e-4
 
 
-class _Source(NamedTuple):
-    """A reader of a file, and what its container says of it, if it is in one."""
-
-    reader: Any
-    entry: dict[str, Any]
-
-
 def datasets_of(path: Path) -> list[str]:
-    """Return the data files of the scans in a container; one empty name of any other file.
+    """Return the data files in a container, in its order; one empty name of any other file.
 
-    Parameters
-    ----------
-    path : Path
-        Of a scan or a container.
-
-    Returns
-    -------
-    list of str
-        In the order of the container.
-
-    Raises
-    ------
-    RefusedScan
-        If there is no file, it is too large, or it is a container that cannot be used.
+    A file that is missing, too large or a container that cannot be used is a RefusedScan.
     """
     _check_file(path)
     if zipfile.is_zipfile(path):
         with zipfile.ZipFile(path) as archive:
-            containers.check_archive(archive)
-            if containers.is_container(archive):
-                return [containers.data_file(entry) for entry in containers.members(archive)]
+            _check_archive(archive)
+            if _is_container(archive):
+                return [_data_file(entry) for entry in _members(archive)]
     return [""]
 
 
 def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> Measurement:
-    """Return a topography.
+    """Return a map cropped to its central square, or a profile on uniform spacing.
 
-    Parameters
-    ----------
-    path : Path
-        Of a scan or a container.
-    dataset : str
-        The member of a container; empty for any other file.
-    undefined_pixels : str
-        ``"refuse"`` or the name of an interpolation of SurfaceTopography.
-
-    Returns
-    -------
-    Measurement
-        A map cropped to its central square, or a profile on uniform spacing.
-
-    Raises
-    ------
-    RefusedScan
-        If the scan cannot be used.
+    `dataset` names the member of a container and is empty for any other file; `undefined_pixels` is
+    ``"refuse"`` or the name of an interpolation of SurfaceTopography. A scan that cannot be used is
+    a RefusedScan.
     """
     try:
-        source = _opened(path, dataset)
+        reader, entry = _opened(path, dataset)
     except CannotDetectFileFormat:
         raise RefusedScan(
             "expected a whole file in a format that SurfaceTopography reads, "
             "found one that none of its readers takes"
         ) from None
-    channel, chosen = _height_channel(source)
-    topography, stated = _topography(channel, source.entry)
+    channel, chosen = _height_channel(reader, entry)
+    topography, stated = _topography(channel, entry)
     factor = _unit_of(topography)
     is_map = topography.dim == 2
     values = (map_values if is_map else profile_values)(topography, factor, undefined_pixels)
-    tip_radius, tip = stated_tip_radius(topography.info, source.entry)
+    tip_radius, tip = stated_tip_radius(topography.info, entry)
     return Measurement(
         path=str(path),
         dataset=dataset,
@@ -126,32 +122,32 @@ def _check_file(path: Path) -> None:
         raise RefusedScan(f"expected a file of at most {FILE_LIMIT} bytes, found {size}")
 
 
-def _opened(path: Path, dataset: str) -> _Source:
-    """Return the reader of a file, or of one member of a container."""
+def _opened(path: Path, dataset: str) -> tuple[Any, dict[str, Any]]:
+    """Return the reader of a file, or of one member of a container and what that says of it."""
     _check_file(path)
     if zipfile.is_zipfile(path):
         with zipfile.ZipFile(path) as archive:
-            containers.check_archive(archive)
-            if containers.is_container(archive):
-                stream, entry = containers.opened_member(archive, dataset)
-                return _Source(open_topography(stream), entry)
+            _check_archive(archive)
+            if _is_container(archive):
+                stream, entry = _opened_member(archive, dataset)
+                return open_topography(stream), entry
     if dataset:
         raise RefusedScan(f"expected a whole container with a dataset {dataset!r}, found none")
-    return _Source(open_topography(str(path)), {})
+    return open_topography(str(path)), {}
 
 
-def _height_channel(source: _Source) -> tuple[Any, list[str]]:
+def _height_channel(reader: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
     """Return the channel that the container names, or the reader's own, if it holds heights.
 
     Otherwise the first one that does, and a note that says so. Of Nanoscope files phases and
     voltages are channels of heights too, with a pair of units: of pixels and of values.
     """
-    channels = source.reader.channels
+    channels = reader.channels
     if not channels:
         raise RefusedScan("expected a file with heights, found no channel of them")
-    number = source.entry.get("data_source")
+    number = entry.get("data_source")
     known = number in range(len(channels))
-    wanted = channels[number] if known else source.reader.default_channel
+    wanted = channels[number] if known else reader.default_channel
     for channel in (wanted, *channels):
         if channel.is_height_channel and not isinstance(channel.unit, tuple):
             chosen = f"channel {channel.name} read: {wanted.name} holds no heights"
@@ -214,3 +210,91 @@ def _unit_of(topography: Any) -> float:
             f"found size {topography.physical_sizes}, unit {topography.unit}"
         )
     return unit_in_nm(topography.unit)
+
+
+class _ListLoader(yaml.SafeLoader):
+    """Plain data only; the containers' tuples are read as lists, nothing is executed."""
+
+
+_ListLoader.add_constructor(
+    "tag:yaml.org,2002:python/tuple",
+    yaml.SafeLoader.construct_yaml_seq,  # type: ignore[type-var]
+)
+
+
+def _check_archive(archive: zipfile.ZipFile) -> None:
+    """Refuse an archive that unpacks to too much, or not to one file a name, before reading it."""
+    files = archive.infolist()
+    size = sum(file.file_size for file in files)
+    if size > FILE_LIMIT:
+        raise RefusedScan(f"expected at most {FILE_LIMIT} bytes once unpacked, found {size}")
+    if len({file.filename for file in files}) < len(files):
+        raise RefusedScan("expected an archive with each file once, found one repeated")
+    if any(file.flag_bits & 1 for file in files):
+        raise RefusedScan("expected an archive without a password, found an encrypted file")
+
+
+def _is_container(archive: zipfile.ZipFile) -> bool:
+    """Return whether an archive lists the scans it holds."""
+    return any(name in archive.namelist() for name in LISTS)
+
+
+def _members(container: zipfile.ZipFile) -> list[dict[str, Any]]:
+    """Return what a checked container says of each of its scans.
+
+    The keys are those of ``TopographyMeta`` of SurfaceTopography; each scan has a data file. A list
+    that is too large or lists no scans is a RefusedScan.
+    """
+    name = next(name for name in LISTS if name in container.namelist())
+    size = container.getinfo(name).file_size
+    if size > LIST_LIMIT:
+        raise RefusedScan(f"expected {name} of at most {LIST_LIMIT} bytes, found {size}")
+    text = container.read(name)
+    try:
+        surfaces = LISTS[name](text)["surfaces"]
+        return [_member(entry) for surface in surfaces for entry in surface["topographies"]]
+    except LIST_ERRORS as error:
+        raise RefusedScan(
+            f"expected {name} that lists surfaces, their topographies and the data file of "
+            f"each, found: {type(error).__name__}: {error}"
+        ) from None
+
+
+def _member(entry: dict[str, Any]) -> dict[str, Any]:
+    """Return what is said of a scan, with its name, or that of its data file if it has none."""
+    file, name = _data_file(entry), entry.get("name")
+    for key, kind in KINDS.items():
+        if entry.get(key) is not None and not isinstance(entry[key], kind):
+            raise TypeError(f"the {key} of {file} is of another kind")
+    if not all(isinstance(length, int | float) for length in entry.get("size") or ()):
+        raise TypeError(f"the size of {file} is no list of numbers")
+    processed = set() if file == entry["datafile"].get("original") else OF_ORIGINAL
+    named = {key: value for key, value in entry.items() if key not in processed}
+    return named | {"name": name if name and isinstance(name, str) else file}
+
+
+def _data_file(entry: dict[str, Any]) -> str:
+    """Return the name of the data file of a scan."""
+    files = entry["datafile"]
+    file = [files[key] for key in DATA_FILES if files.get(key)][0]
+    if not isinstance(file, str):  # never turned into text: aliases make lists of any length
+        raise TypeError("the name of a data file is no text")
+    return file
+
+
+def _opened_member(container: zipfile.ZipFile, dataset: str) -> tuple[io.BytesIO, dict[str, Any]]:
+    """Return the data file of the one member of this name or data file, and what is said of it."""
+    entries = _members(container)
+    chosen = [entry for entry in entries if dataset in (_data_file(entry), entry["name"])]
+    if not chosen:
+        known = ", ".join(sorted({entry["name"] for entry in entries}))
+        raise RefusedScan(f"expected the column dataset to name one of {known}; found {dataset!r}")
+    if len(chosen) > 1:
+        files = ", ".join(_data_file(entry) for entry in chosen)
+        raise RefusedScan(
+            f"expected one scan {dataset!r}, found {files}; name one of these instead"
+        )
+    file = _data_file(chosen[0])
+    if file not in container.namelist():
+        raise RefusedScan(f"expected the data file {file} in the container, found none")
+    return io.BytesIO(container.read(file)), chosen[0]

@@ -27,26 +27,10 @@ def self_affine(
 def varying_hurst(
     wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: tuple[float, float]
 ) -> NDArray[np.float64]:
-    """Return C_iso whose Hurst exponent changes linearly with the logarithm of the wavelength.
+    """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
 
-    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off and C_0 before it:
-    locally a power law of the exponent H + H' x.
-
-    Parameters
-    ----------
-    wavevector : numpy.ndarray
-        In rad/nm.
-    plateau : float
-        C_0 in nm⁴.
-    rolloff : float
-        Wavelength in nm.
-    hurst : tuple of float
-        H at the roll-off, and its change H' a decade of shorter wavelengths.
-
-    Returns
-    -------
-    numpy.ndarray
-        In nm⁴, of the shape of `wavevector`.
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off (nm) and C_0, the
+    plateau, before it: locally a power law of the exponent H + H' x. `hurst` is H and H' a decade.
     """
     first, change = hurst
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
@@ -56,17 +40,7 @@ def varying_hurst(
 def continued(above: NDArray[np.float64], hurst: float) -> NDArray[np.float64]:
     """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
 
-    Parameters
-    ----------
-    above : numpy.ndarray
-        C_iso in nm⁴ on WAVEVECTORS, zero below some wavelength.
-    hurst : float
-        H.
-
-    Returns
-    -------
-    numpy.ndarray
-        In nm⁴ on WAVEVECTORS, zero where `above` is not.
+    Both are in nm⁴ on WAVEVECTORS; it is zero where the spectrum, `above`, is not.
     """
     last = above.nonzero()[0][-1]
     relative = WAVEVECTORS / WAVEVECTORS[last]
@@ -115,19 +89,9 @@ def profile_points(
     wavelengths: NDArray[np.float64],
     profile: NDArray[np.float64],
 ) -> NDArray[np.float64]:
-    """Return C_iso through measured points of C_1D, converted with one fitted Hurst exponent.
+    """Return C_iso (nm⁴) through measured points of C_1D, converted with one fitted Hurst exponent.
 
-    Parameters
-    ----------
-    wavevector : numpy.ndarray
-        Of the result, in rad/nm.
-    wavelengths, profile : numpy.ndarray
-        (points,) in nm and in nm³.
-
-    Returns
-    -------
-    numpy.ndarray
-        In nm⁴, of the shape of `wavevector`.
+    The points are wavelengths in nm and C_1D in nm³.
     """
     points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
     hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2

@@ -7,6 +7,7 @@ Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
@@ -16,13 +17,18 @@ from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.topography import library_map
 
+if TYPE_CHECKING:
+    from SurfaceTopography import Topography, UniformLineScan
+
 __all__ = [
+    "BIN_CENTRES",
     "BIN_EDGES",
     "WAVEVECTORS",
     "Density",
     "Spectrum",
     "all_scales_moments",
     "measured_psds",
+    "profile_psd",
     "read_spectrum",
     "roll_off",
     "spectrum_dataset",
@@ -35,8 +41,12 @@ Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
 
-#: Edges of the bins of measured PSDs: ten a decade.
+#: Edges and centres of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
+BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
+
+#: How SurfaceTopography measures PSDs.
+MEASURED = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,36 +97,24 @@ def spectrum_dataset(density: NDArray[np.float64]) -> xr.Dataset:
 def measured_psds(
     scan: HeightMap,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return the PSDs of a levelled, non-periodic scan, measured with a Hann window.
+    """Return wavevectors (rad/nm), C_1D along x (nm³) and C_iso (nm⁴) of a levelled scan.
 
-    Parameters
-    ----------
-    scan : HeightMap
-        Levelled.
-
-    Returns
-    -------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm.
-    profile, isotropic : numpy.ndarray
-        C_1D along x in nm³ and C_iso in nm⁴ (bins,); NaN in empty bins.
+    The densities (bins,) are measured with a Hann window, and NaN in empty bins.
     """
     topography = library_map(scan)
-    centres = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    options = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
-    profile, isotropic = (
-        np.asarray(density, float)
-        for density in (
-            topography.power_spectrum_from_profile(**options)[1],
-            topography.power_spectrum_from_area(**options)[1],
-        )
-    )
-    # SurfaceTopography gives 0 for a bin without wavevectors.
-    return (
-        centres,
-        np.where(profile > 0, profile, np.nan),
-        np.where(isotropic > 0, isotropic, np.nan),
-    )
+    isotropic = topography.power_spectrum_from_area(**MEASURED)[1]
+    return BIN_CENTRES, profile_psd(topography), _without_empty_bins(isotropic)
+
+
+def profile_psd(topography: "Topography | UniformLineScan") -> NDArray[np.float64]:
+    """Return C_1D along x (bins,) in nm³, measured with a Hann window; NaN in empty bins."""
+    return _without_empty_bins(topography.power_spectrum_from_profile(**MEASURED)[1])
+
+
+def _without_empty_bins(density: ArrayLike) -> NDArray[np.float64]:
+    """Return a PSD with NaN in bins without wavevectors, for which SurfaceTopography gives 0."""
+    values = np.asarray(density, float)
+    return np.where(values > 0, values, np.nan)
 
 
 def all_scales_moments(spectrum: Spectrum) -> NDArray[np.float64]:

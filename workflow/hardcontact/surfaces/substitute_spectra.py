@@ -1,7 +1,4 @@
-"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model.
-
-The spectrum of a substitute beside those of measured surfaces: what of it is known.
-"""
+"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model."""
 
 import io
 from pathlib import Path
@@ -28,7 +25,7 @@ from hardcontact.surfaces.descriptions import (
     is_calibrated,
 )
 from hardcontact.surfaces.spectrum import (
-    BIN_EDGES,
+    BIN_CENTRES,
     WAVEVECTORS,
     Spectrum,
     all_scales_moments,
@@ -50,31 +47,11 @@ __all__ = [
 def from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights
 ) -> tuple[NDArray[np.float64], pd.DataFrame, list[str]]:
-    """Return C_iso from the description of a surface, and what it was calibrated to.
+    """Return C_iso (nm⁴) on WAVEVECTORS, its bands with all parameters, rows of Table 1 used.
 
-    Parameters
-    ----------
-    path : str or Path
-        CSV of bands from long to short wavelengths, each with its model, parameters and basis. A
-        band of CALIBRATED without Hurst exponent is calibrated to Table 1.
-    table1 : pandas.DataFrame
-        Of `rows_of_surface`.
-    weights : Weights
-        Of `transfer_weights`.
-
-    Returns
-    -------
-    density : numpy.ndarray
-        In nm⁴ on WAVEVECTORS.
-    bands : pandas.DataFrame
-        The description with all parameters filled in.
-    calibrated : list of str
-        Rows of Table 1 that were used.
-
-    Raises
-    ------
-    ValueError
-        Naming the file and the band if one cannot be made.
+    The file is a CSV of bands from long to short wavelengths, each with its model, parameters and
+    basis. A band of CALIBRATED without Hurst exponent is calibrated to Table 1 (of
+    `rows_of_surface`). A band that cannot be made is a ValueError that names it and the file.
     """
     bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
@@ -234,14 +211,13 @@ def described_spectrum(stored: "xr.Dataset", path: str) -> "xr.Dataset":
     runs = _runs(bands)
     if not runs:
         raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
-    wavevector = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-    wavelength, density = 2 * np.pi / wavevector, spectrum_from(stored)(wavevector)
+    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
     reliable = np.array([(run.shortest < wavelength) & (wavelength <= run.longest) for run in runs])
     nm4, nm, unknown = {"units": "nm4"}, {"units": "nm"}, np.full(len(runs), np.nan)
     both, along = ("measurement", "bin_wavevector"), "measurement"
     return (
         stored[["spectrum"]]
-        .assign_coords(bin_wavevector=("bin_wavevector", wavevector, {"units": "rad nm-1"}))
+        .assign_coords(bin_wavevector=("bin_wavevector", BIN_CENTRES, {"units": "rad nm-1"}))
         .assign(
             joined=("bin_wavevector", np.where(reliable.any(axis=0), density, np.nan), nm4),
             psd=(both, np.where(reliable, density, np.nan), nm4),
