@@ -11,15 +11,13 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.answer.part_text import (
+from hardcontact.answer.part_text import NEAR_ONE, listed, print_each
+from hardcontact.numbers.printing import (
     DIGITS,
-    NEAR_ONE,
-    listed,
+    print_as_paper,
     print_bounded_as_paper,
-    print_each,
     print_percent,
 )
-from hardcontact.numbers.printing import print_as_paper
 from hardcontact.numbers.statistics import bounds
 
 __all__ = [

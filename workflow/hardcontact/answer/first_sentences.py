@@ -9,8 +9,7 @@ import xarray as xr
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.fit_curve import of_answer
 from hardcontact.answer.sentences import capital, differing_sides, one_sentence, transition_words
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_bounded, print_length
+from hardcontact.numbers.printing import print_bounded, print_length, print_share
 from hardcontact.numbers.statistics import bounds
 
 __all__ = ["first_sentences", "fit_sentences", "measured_sentences"]

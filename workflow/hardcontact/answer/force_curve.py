@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 from hardcontact.answer import canvas
 from hardcontact.figures import style
 from hardcontact.figures.tables import bounded
-from hardcontact.numbers.printing import best_unit, print_length, print_quantity
+from hardcontact.numbers.printing import best_unit, print_length, print_quantity, print_share
 
 __all__ = ["PREFERRED", "at_range", "draw", "model_of"]
 
@@ -104,6 +104,6 @@ def _legend_handles(force: xr.Dataset, models: list[str]) -> list[Line2D]:
             Line2D([], [], color="0.3", ls=line, label=f"{model} contact")
             for model, line in zip(models, LINES, strict=False)
         ),
-        Line2D([], [], color="0.3", lw=1.4, label=f"{style.print_share(share)} of contacts"),
+        Line2D([], [], color="0.3", lw=1.4, label=f"{print_share(share)} of contacts"),
         Line2D([], [], label=f"ρ = {print_length(force.attrs['range_of_adhesion'])}", **ASKED),
     ]

@@ -6,19 +6,17 @@ What other laws of attraction come to, in sentences of plain text.
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import (
+from hardcontact.answer.part_text import EDGE_NAMES, labels, listed
+from hardcontact.claims.verdicts import verdict
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
+from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
+from hardcontact.numbers.printing import (
     DIGITS,
-    EDGE_NAMES,
-    labels,
-    listed,
+    print_as_paper,
     print_bounded_as_paper,
     print_percent,
     print_within,
 )
-from hardcontact.claims.verdicts import verdict
-from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
-from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
-from hardcontact.numbers.printing import print_as_paper
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED, computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES

@@ -22,8 +22,7 @@ from hardcontact.answer.sentences import (
     is_open,
     printed_continued_force,
 )
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_length
+from hardcontact.numbers.printing import print_length, print_share
 from hardcontact.scales.critical_band import computed_cutoffs
 
 __all__ = [

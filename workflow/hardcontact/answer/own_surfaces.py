@@ -25,8 +25,7 @@ from hardcontact.answer.sentences import (
     pooled_sentence,
 )
 from hardcontact.answer.tables import measurement_table, roughness_table
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.numbers.printing import print_length, print_quantity, print_share
 from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = ["Answer", "answer"]

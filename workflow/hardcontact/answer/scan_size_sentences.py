@@ -5,17 +5,13 @@ from collections.abc import Iterator
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import (
+from hardcontact.answer.part_text import NEAR_ONE, differs_from_one, labels, listed, print_each
+from hardcontact.numbers.printing import (
     DIGITS,
-    NEAR_ONE,
-    differs_from_one,
-    labels,
-    listed,
+    print_as_paper,
     print_bounded_as_paper,
-    print_each,
     print_percent,
 )
-from hardcontact.numbers.printing import print_as_paper
 from hardcontact.numbers.statistics import bounds
 
 __all__ = ["force_on_scans_sentence", "on_scans", "scan_size_sentences"]

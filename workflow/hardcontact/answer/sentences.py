@@ -6,8 +6,7 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.force_curve import at_range
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_bounded, print_length, print_quantity
+from hardcontact.numbers.printing import print_bounded, print_length, print_quantity, print_share
 from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = [
@@ -26,8 +25,8 @@ __all__ = [
     "transition_words",
 ]
 
-#: The text of an open edge: bound, reason, and what is said of its interval.
-OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
+#: The text of an open edge: its bound with what is known of its interval, and the reason.
+OPEN_TEXT = re.compile(r"^(.+?): (.+)$")
 #: What an edge without an interval ends with.
 NO_INTERVAL = ", no interval"
 
@@ -176,11 +175,11 @@ def edge_words(edges: xr.Dataset, side: str) -> str:
     That there is no interval is said once for all.
     """
     text = str(edges["edge_text"].sel(side=side).item()).removesuffix(NO_INTERVAL)
-    return OPEN_TEXT.sub(r"\1\3 (\2)", text)
+    return OPEN_TEXT.sub(r"\1 (\2)", text)
 
 
 def _from_to(edges: xr.Dataset) -> str:
-    """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
+    """Return both edges as "from 37 [31, 44] nm to at least 5 µm (the scans end here)"."""
     first, last = (edge_words(edges, side) for side in SIDES)
     return f"from {first} to {last}"
 

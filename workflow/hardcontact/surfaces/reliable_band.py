@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.numbers.printing import print_number
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
@@ -38,7 +39,7 @@ from hardcontact.surfaces.measured_spectrum import (
 )
 from hardcontact.surfaces.measurement import Measurement
 
-__all__ = ["ReliableBand", "band_of_psd", "digits", "reliable_band"]
+__all__ = ["ReliableBand", "band_of_psd", "reliable_band"]
 
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
 #: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
@@ -75,11 +76,6 @@ class ReliableBand(NamedTuple):
     longest: float
     shortest_reason: str
     longest_reason: str
-
-
-def digits(length: float) -> str:
-    """Return three digits of a length, without an exponent."""
-    return f"{float(f'{length:.3g}'):g}"
 
 
 def reliable_band(measurement: Measurement, tip_radius: float | None) -> ReliableBand:
@@ -124,7 +120,7 @@ def band_of_psd(
     """
     pixel, size = measurement.pixel_size, size_of(measurement)
     ends = [
-        (PIXELS * pixel, f"{PIXELS} pixels of {digits(pixel)} nm"),
+        (PIXELS * pixel, f"{PIXELS} pixels of {print_number(pixel)} nm"),
         *_spectral_ends(measurement, wavevector, density),
         *_tip_end(measurement, tip_radius),
     ]
@@ -140,7 +136,7 @@ def _tip_end(measurement: Measurement, tip_radius: float | None) -> list[tuple[f
     cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
         tip_radius, rtol=TOLERANCE
     )
-    return [] if cutoff is None else [(float(cutoff), f"tip of {digits(tip_radius)} nm")]
+    return [] if cutoff is None else [(float(cutoff), f"tip of {print_number(tip_radius)} nm")]
 
 
 def _spectral_ends(
@@ -160,10 +156,10 @@ def _spectral_ends(
     ends = []
     if risen < unsmoothed:
         end = _end(q, risen)
-        ends.append((end, f"noise floor below {digits(end)} nm"))
+        ends.append((end, f"noise floor below {print_number(end)} nm"))
     if last < risen or unsmoothed < len(q) and risen == unsmoothed:
         end = _end(q, last)
-        ends.append((end, f"smoothed by the microscope below {digits(end)} nm"))
+        ends.append((end, f"smoothed by the microscope below {print_number(end)} nm"))
     return ends
 
 
