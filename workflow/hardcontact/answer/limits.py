@@ -14,7 +14,7 @@ from hardcontact.answer.artificial import (
     reliable_measurements,
     share_inside,
 )
-from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.datasets import at_range
 from hardcontact.answer.sentences import (
     continued_words,
     differing_sides,

@@ -7,9 +7,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, measurements
-from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.datasets import Datasets, Setting, at_range
 from hardcontact.answer.first_sentences import first_sentences
-from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
 from hardcontact.answer.next_measurements import next_measurements
 from hardcontact.numbers.statistics import bounds

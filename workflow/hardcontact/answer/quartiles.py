@@ -8,8 +8,7 @@ of one surface differ between laboratories, which no number of realizations show
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.datasets import Datasets
-from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.datasets import Datasets, at_range
 from hardcontact.numbers.printing import print_length, print_quantity
 
 __all__ = ["over_quartiles", "quartile_sentences", "surfaces_with_quartiles"]

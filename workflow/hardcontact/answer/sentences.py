@@ -5,9 +5,8 @@ import re
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.datasets import at_range
 from hardcontact.numbers.printing import print_bounded, print_length, print_quantity, print_share
-from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = [
     "band_sentences",
@@ -98,7 +97,7 @@ def differing_sides(data: xr.Dataset) -> list[str]:
     list of str
         Of `small` and `large`.
     """
-    return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
+    return [side for side in ENDS if data["continued_differs"].sel(side=side).item() == 1]
 
 
 def transition_words(data: xr.Dataset, side: str) -> str:
@@ -180,7 +179,7 @@ def edge_words(edges: xr.Dataset, side: str) -> str:
 
 def _from_to(edges: xr.Dataset) -> str:
     """Return both edges as "from 37 [31, 44] nm to at least 5 µm (the scans end here)"."""
-    first, last = (edge_words(edges, side) for side in SIDES)
+    first, last = (edge_words(edges, side) for side in ENDS)
     return f"from {first} to {last}"
 
 

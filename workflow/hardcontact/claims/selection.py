@@ -12,7 +12,7 @@ import xarray as xr
 
 from hardcontact.claims.numbers import quotient
 from hardcontact.claims.verdicts import BY_CONSTRUCTION, ONE_SIDED, UNTESTABLE
-from hardcontact.surfaces.calibration import rows_met
+from hardcontact.records.published import rows_met
 
 __all__ = [
     "NO_SCAN",
