@@ -1,9 +1,7 @@
-"""The parts of the chapter on what decides the band: a question each, and what answers it.
+"""The page on what decides the band: a question, its answer and a figure for each part.
 
 A new part takes a figure in `catalogue.OF_INSIGHT`, with its module and caption, the rule that
-makes the dataset of that figure, and an entry here.
-
-The page on what decides the band: a question, its answer and a figure for each part.
+makes the dataset of that figure, and an entry in `PARTS`.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence

@@ -33,20 +33,7 @@ MEASUREMENT_TEXTS = ("path", "dataset", "kind", "shortest_reason", "longest_reas
 
 
 def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
-    """Return the numbers of an answer, ready for JSON: what is not known is None.
-
-    Parameters
-    ----------
-    given : Datasets
-        Of the study.
-    setting : Setting
-        Of the study.
-
-    Returns
-    -------
-    dict
-        Every number is a mapping with its `unit`.
-    """
+    """Return the numbers of an answer, ready for JSON: what is not known is None."""
     force = given.force
     return {
         "study": setting.study,

@@ -31,18 +31,7 @@ def over_quartiles(values: xr.DataArray) -> tuple[float, float]:
 
 
 def quartile_sentences(given: Datasets) -> list[str]:
-    """Return a sentence for each surface with quartiles: its edges, its force and their spans.
-
-    Parameters
-    ----------
-    given : Datasets
-        Of the study.
-
-    Returns
-    -------
-    list of str
-        Plain text; empty without quartiles.
-    """
+    """Return a sentence for each surface with quartiles: its edges, its force and their spans."""
     labels = given.labels()
     return [
         f"{labels[name]}, with the span over the quartiles of its source and that of all their "

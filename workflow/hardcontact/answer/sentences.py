@@ -197,20 +197,7 @@ def printed_pair(force: xr.Dataset) -> str:
 
 
 def force_sentences(label: str, force: xr.Dataset) -> str:
-    """Return the predicted force of a surface, its uncertainty and its spread over contacts.
-
-    Parameters
-    ----------
-    label : str
-        Of the surface.
-    force : xarray.Dataset
-        Part of force.nc of the surface.
-
-    Returns
-    -------
-    str
-        Plain text.
-    """
+    """Return the predicted force of a surface, its uncertainty and its spread over contacts."""
     here = at_range(force)
     certainty = str(force["interval_note"].item())
     low, high = here["force_interval"].values
