@@ -1,7 +1,4 @@
-"""What a claim selects of a quantity: the one number that is judged.
-
-What of a claim is decided beforehand, by scans that are substitutes or by construction.
-"""
+"""What a claim selects of a quantity, and what scans and construction decide beforehand."""
 
 from collections.abc import Iterable, Mapping
 from itertools import chain, pairwise
