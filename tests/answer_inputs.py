@@ -148,7 +148,7 @@ def edges(count=1):
         | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
-    texts = ["37 nm [29.6, 46.2]", "1.7 µm [1.36, 2.12]"]
+    texts = ["37 [29.6, 46.2] nm", "1.7 [1.36, 2.12] µm"]
     data = data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_at_least=(("surface", "side"), [[0] * 2] * count),
@@ -166,7 +166,7 @@ def edges(count=1):
     ).assign(
         pooled_edge_bound=("side", [np.nan] * 2),
         pooled_edge_at_least=("side", [0] * 2),
-        pooled_edge_text=("side", ["45 nm [36, 56.2]", "1.5 µm [1.2, 1.88]"]),
+        pooled_edge_text=("side", ["45 [36, 56.2] nm", "1.5 [1.2, 1.88] µm"]),
     )
 
 

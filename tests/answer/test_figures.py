@@ -22,6 +22,7 @@ from matplotlib.colors import to_hex
 from matplotlib.text import Text
 
 from hardcontact.answer import canvas, fit_curve, force_curve, maps, psd, ratios
+from hardcontact.answer.datasets import at_range, model_of
 from hardcontact.figures.style import ARTIFICIAL
 from hardcontact.scales.critical_band import computed_cutoffs
 
@@ -150,12 +151,12 @@ def test_forces_of_every_model_are_drawn_in_the_unit_of_the_answer():
 
 
 def test_force_is_that_at_the_range_asked_for():
-    here = force_curve.at_range(force())
+    here = at_range(force())
     assert here["rho"] == RANGE and here["force"].item() == pytest.approx(0.64e-6)
     assert here["contact_model"] == "plastic"
-    assert force_curve.model_of(force().sel(contact_model=["rigid"])) == "rigid"
+    assert model_of(force().sel(contact_model=["rigid"])) == "rigid"
     with pytest.raises(KeyError):
-        force_curve.at_range(force().assign_attrs(range_of_adhesion=4.0))
+        at_range(force().assign_attrs(range_of_adhesion=4.0))
 
 
 def test_what_fits_every_surface_is_drawn_where_there_are_several():

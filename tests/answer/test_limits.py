@@ -115,10 +115,10 @@ def test_a_window_that_cuts_forces_off_is_named():
 
 def test_forces_that_continued_roughness_changes_are_named():
     text = said(of_force=continued(force(), small=0.45))
-    assert "The force of 288 nN [230, 360] rests on roughness below 20 nm down to 5 nm, wh" in text
+    assert "The force of 288 [230, 360] nN rests on roughness below 20 nm down to 5 nm, wh" in text
     assert "rests on roughness" not in said()
     both = said(of_force=continued(force(), small=0.45, large=1.25))
-    assert "and that of 800 nN [640, 1000] rests on roughness above 1 µm up to 2.56 µm, wh" in both
+    assert "and that of 800 [640, 1000] nN rests on roughness above 1 µm up to 2.56 µm, wh" in both
 
 
 def test_pixels_larger_than_the_contact_are_named():

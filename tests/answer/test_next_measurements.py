@@ -16,7 +16,7 @@ def said(**others):
 
 
 def test_the_wavelengths_between_short_edge_and_contact_scans_are_asked_for():
-    # The edge is at 37 nm [29.6, 46.2]; scans are reliable from 55 nm, contacts' from 20 nm.
+    # The edge is at 37 [29.6, 46.2] nm; scans are reliable from 55 nm, contacts' from 20 nm.
     wide = force().assign(transition=("side", [100.0, 1000.0]))
     text = said(force=wide)
     assert "reliable between 29.6 nm and 55 nm: it tells where the short edge lies." in text

@@ -179,7 +179,7 @@ def test_missing_scans_have_no_row():
 
 def test_fits_are_labelled_measured_and_never_published():
     for case in ("one, open, one force", "two substitutes, forces"):
-        assert "Measured: 640 nN [576, 704] on my coating" in text_of(case)
+        assert "Measured: 640 [576, 704] nN on my coating" in text_of(case)
         assert "published fo" not in text_of(case).lower()
 
 
@@ -231,4 +231,4 @@ def test_fits_and_pooled_bands_are_among_the_numbers():
     assert numbers["fit"]["coordinates"]["contact_model"] == ["rigid", "plastic"]
     assert numbers["pooled_band"]["large"]["value"] == 1500.0
     assert numbers["surfaces"]["twin"]["basis"] == "substitute"
-    assert "45 nm [36, 56.2] to 1.5 µm" in text_of("two substitutes, forces")
+    assert "45 [36, 56.2] nm to 1.5 [" in text_of("two substitutes, forces")

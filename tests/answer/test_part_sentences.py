@@ -15,8 +15,9 @@ from hardcontact.answer.contact_sentences import (
     repeated_contact_sentences,
 )
 from hardcontact.answer.law_sentences import closed_form_sentences, law_sentences
-from hardcontact.answer.part_text import listed, print_percent, print_within
+from hardcontact.answer.part_text import listed
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
+from hardcontact.numbers.printing import print_percent, print_within
 
 
 def test_lists_and_shares():
@@ -147,6 +148,14 @@ def test_intervals_that_bound_nothing_are_said_in_words():
         assert print_within(5.9, low, high) == "5.9 (not bounded by so few scans)"
     assert print_percent(0.2, 1e-9, 1e6) == "20 % (not bounded by so few scans)"
     assert print_within(0.0, 0.0, 0.0) == "0 [0, 0]"
+
+
+def test_an_interval_about_a_number_near_zero_bounds_it():
+    assert print_within(0.005, -0.6, 0.6) == "0.005 [-0.6, 0.6]"
+    assert print_within(0.0, -0.6, 0.6) == "0 [-0.6, 0.6]"
+    assert print_percent(0.0005, -0.06, 0.06) == "0.05 [-6, 6] %"
+    # A length has a unit and a sign: zero within its interval says that it is not bounded.
+    assert print_within(5.0, -1e3, 1e3, "nm") == "5 nm (not bounded by so few scans)"
 
 
 def test_repeated_contact_is_judged_by_the_sizes_in_the_image():

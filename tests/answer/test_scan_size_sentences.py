@@ -29,7 +29,7 @@ def test_long_edges_from_scans_stand_beside_those_of_whole_surfaces():
     assert_says(
         edges, "scans of 2.5 µm alone", "surfaces of 40 µm", "UNCD 1060 nm instead of 1090 nm"
     )
-    assert_says(first, "mirrored scans of 1.25 µm", "MCD at least 2.4 µm: the scans end here")
+    assert_says(first, "mirrored scans of 1.25 µm", "MCD at least 2.4 µm [above 1.2 µm]: the")
     assert_says(others[1], "whole surfaces of 20 µm: polished UNCD 1030 nm")
 
 

@@ -28,8 +28,8 @@ def with_text(text, side="large"):
 
 def test_one_sentence_holds_band_force_range_and_work():
     assert one_sentence("my coating", of_first(edges()), of_first(force())) == (
-        "How my coating sticks is decided by roughness with wavelengths from 37 nm [29.6, 46.2] to "
-        "1.7 µm [1.36, 2.12]; its predicted pull-off force is 640 nN [512, 800] at a range of "
+        "How my coating sticks is decided by roughness with wavelengths from 37 [29.6, 46.2] nm to "
+        "1.7 [1.36, 2.12] µm; its predicted pull-off force is 640 [512, 800] nN at a range of "
         "adhesion of 5.6 nm and a work of adhesion of 46.3 mJ/m²."
     )
 
@@ -38,15 +38,15 @@ def test_forces_with_continued_roughness_stand_beside_that_of_the_scans():
     changed = of_first(continued(force(), small=0.25))
     sentence = one_sentence("x", of_first(edges()), changed)
     assert sentence.endswith(
-        "its predicted pull-off force is 640 nN [512, 800] with the roughness that its scans show, "
-        "but 160 nN [128, 200] if it goes on below 20 nm down to 5 nm as its spectrum does (the "
+        "its predicted pull-off force is 640 [512, 800] nN with the roughness that its scans show, "
+        "but 160 [128, 200] nN if it goes on below 20 nm down to 5 nm as its spectrum does (the "
         "scans that contacts are made on do not tell), at a range of adhesion of 5.6 nm and a work "
         "of adhesion of 46.3 mJ/m²."
     )
     both = one_sentence("x", of_first(edges()), of_first(continued(force(), small=0.25, large=2)))
     assert_says(
-        both, "but 160 nN [128, 200] if it goes on below 20 nm",
-        "and 1.28 µN [1.02, 1.6] if it goes on above 1 µm up to 2.56 µm as its spectrum does (the",
+        both, "but 160 [128, 200] nN if it goes on below 20 nm",
+        "and 1.28 [1.02, 1.6] µN if it goes on above 1 µm up to 2.56 µm as its spectrum does (the",
     )  # fmt: skip
 
 
@@ -54,8 +54,8 @@ def test_forces_with_continued_roughness_stand_beside_that_of_the_scans():
     ("text", "clause"),
     [
         ("at least 5 µm: the scans end here", "at least 5 µm (the scans end here)"),
-        ("at least 5 µm: the scans end here [1.2, open]",
-         "at least 5 µm [1.2, open] (the scans end here)"),
+        ("at least 5 µm [above 1.2 µm]: the scans end here",
+         "at least 5 µm [above 1.2 µm] (the scans end here)"),
         ("at most 5 nm: no shorter cutoff was computed, no interval",
          "at most 5 nm (no shorter cutoff was computed)"),
         ("1.7 µm, no interval", "1.7 µm"),
@@ -63,7 +63,7 @@ def test_forces_with_continued_roughness_stand_beside_that_of_the_scans():
 )  # fmt: skip
 def test_an_open_edge_says_why_within_the_sentence(text, clause):
     sentence = one_sentence("x", with_text(text), of_first(force()))
-    assert f"from 37 nm [29.6, 46.2] to {clause}; its predicted" in sentence
+    assert f"from 37 [29.6, 46.2] nm to {clause}; its predicted" in sentence
 
 
 def test_a_band_says_which_end_is_open():
@@ -84,7 +84,7 @@ def test_a_band_that_is_found_says_what_it_means():
 def test_force_has_its_spread_and_where_its_interval_comes_from():
     text = force_sentences("my coating", of_first(force()))
     assert_says(
-        text, "640 nN [512, 800] at a range of adhesion of 5.6 nm", "plastic contact",
+        text, "640 [512, 800] nN at a range of adhesion of 5.6 nm", "plastic contact",
         "95 % interval of the mean, from 3 scans",
         "Of single contacts 90 % lie between 256 nN and 1.15 µN.",
     )  # fmt: skip
@@ -111,4 +111,4 @@ def test_a_band_without_interval_says_why():
 
 
 def test_pooled_band_is_in_words():
-    assert_says(pooled_sentence(edges(2)), "from 45 nm [36, 56.2] to 1.5 µm [1.2, 1.88]")
+    assert_says(pooled_sentence(edges(2)), "from 45 [36, 56.2] nm to 1.5 [1.2, 1.88] µm")

@@ -53,7 +53,13 @@ def _edges() -> xr.Dataset:
         period=("edge_size", [2500.0, 5000.0, 10000.0, 20e3, 40e3]),
     )  # fmt: skip
     for size, bound, at_least, status, text in (
-        (1250.0, 2400.0, 1, "beyond the cell", "at least 2.4 µm: the scans end here [not bounded]"),
+        (
+            1250.0,
+            2400.0,
+            1,
+            "beyond the cell",
+            "at least 2.4 µm [above 1.2 µm]: the scans end here",
+        ),
         (5000.0, 500.0, 0, "beyond the cutoffs", "at most 500 nm: no shorter cutoff was computed"),
     ):
         place = {"surface": "mcd", "edge_size": size}

@@ -39,17 +39,6 @@ def test_style_holds_inside_alone():
     assert dict(rcParams) == before
 
 
-def test_confidence_is_printed_in_percent():
-    assert style.print_share(0.95) == "95 %"
-    assert style.print_share(0.999) == "99.9 %"
-
-
-def test_intervals_are_printed_where_there_are_any():
-    error = {"value": 0.0561, "low": 0.045, "high": 0.0684}
-    assert style.print_interval(error, ".2g") == "0.056 [0.045, 0.068]"
-    assert style.print_interval({"value": 1.8, "low": np.nan, "high": np.nan}, ".2f") == "1.80"
-
-
 def test_logarithmic_axes_have_plain_numbers():
     axes = Figure().subplots()
     axes.set(xscale="log", xlim=(0.5, 20))

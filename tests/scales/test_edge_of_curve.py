@@ -56,7 +56,7 @@ def test_an_edge_and_its_interval_are_found_between_cutoffs():
     np.testing.assert_allclose(small["edge_interval"], [10, 1000])
     assert small["edge_status"] == "found" and np.isnan(small["edge_bound"])
     assert small["interval_status"].tolist() == ["found", "found"]
-    assert small["edge_text"] == "32 nm [10, 1000]"
+    assert small["edge_text"] == "32 [10, 1000] nm"
     large = edge("large", [0.05, 0.15, 0.4], [0.0, 0.0, 0.2], [0.08, 0.28, 0.9])
     assert large["edge"] == pytest.approx(10**2.5)
     np.testing.assert_allclose(large["edge_interval"], [10, 1000])
@@ -101,7 +101,7 @@ def test_an_open_edge_has_no_interval_that_is_open_on_both_sides():
 
 def test_an_open_edge_may_have_a_known_end():
     found = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5], cell=1e3)
-    assert found["edge_text"] == "at least 1 µm: the scans end here [above 0.1 µm]"
+    assert found["edge_text"] == "at least 1 µm [above 0.1 µm]: the scans end here"
     assert np.isnan(found["edge"]) and np.isnan(found["edge_interval"][1])
 
 
@@ -114,4 +114,4 @@ def test_numbers_have_the_digits_that_tell_them_apart():
     cutoffs = np.array([31.4, 31.8, 40.0])
     ratio = np.array([1.05, 1.15, 1.4])
     found = edge_of_ratios("small", cutoffs, ratio, ratio, ratio)
-    assert found["edge_text"] == "31.6 nm [31.4, 31.8]"
+    assert found["edge_text"] == "31.6 [31.4, 31.8] nm"

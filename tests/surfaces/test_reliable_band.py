@@ -8,7 +8,7 @@ from scipy.ndimage import gaussian_filter, gaussian_filter1d
 
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_psd
-from hardcontact.surfaces.reliable_band import digits, reliable_band
+from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import imaged_by_tip
 from hardcontact.surfaces.synthesis import random_surface
@@ -19,12 +19,6 @@ PIXEL = 10.0
 def steep(q):
     """C_iso ~ q^-4.5: facets, or polished UNCD after Table 1."""
     return smooth_rolloff(q, 1e6, 740.0, 1.25)
-
-
-def test_lengths_are_printed_without_exponent():
-    assert [digits(length) for length in (5000.0, 99594.5, 12.6056, 0.1953)] == [
-        "5000", "99600", "12.6", "0.195",
-    ]  # fmt: skip
 
 
 @pytest.mark.parametrize("make", [map_of, line_of])

@@ -7,18 +7,11 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.contact_sentences import amounts, disputed
-from hardcontact.answer.part_text import (
-    DIGITS,
-    EDGE_NAMES,
-    differs_from_one,
-    labels,
-    listed,
-    print_percent,
-)
+from hardcontact.answer.part_text import EDGE_NAMES, differs_from_one, labels, listed
 from hardcontact.answer.scan_size_sentences import on_scans
 from hardcontact.insight.edge_scaling import INDEPENDENT, PARTS, UNDECIDED
 from hardcontact.insight.interaction_laws import EXPONENTIAL
-from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.printing import DIGITS, print_as_paper, print_percent
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED
 from hardcontact.surfaces.synthesis import SIDES

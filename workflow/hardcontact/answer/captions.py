@@ -1,7 +1,4 @@
-"""Captions of the report as plain text: they are templates that name the configuration.
-
-Images made for print, small enough for a page.
-"""
+"""Captions and images of the report for a page: templates as plain text, small pictures."""
 
 from collections.abc import Mapping
 from io import BytesIO

@@ -11,15 +11,13 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.answer.part_text import (
+from hardcontact.answer.part_text import NEAR_ONE, listed, print_each
+from hardcontact.numbers.printing import (
     DIGITS,
-    NEAR_ONE,
-    listed,
+    print_as_paper,
     print_bounded_as_paper,
-    print_each,
     print_percent,
 )
-from hardcontact.numbers.printing import print_as_paper
 from hardcontact.numbers.statistics import bounds
 
 __all__ = [
@@ -35,18 +33,7 @@ SHARES = ["plastic_share", "solved_plastic_share"]
 
 
 def elastic_limit_sentences(elastic_limit: xr.Dataset) -> list[str]:
-    """Return for which contacts the bearing area holds, and by how much forces are wrong.
-
-    Parameters
-    ----------
-    elastic_limit : xarray.Dataset
-        As from `elastic_limit.elastic_limit`.
-
-    Returns
-    -------
-    list of str
-        The answer first.
-    """
+    """Return for which contacts the bearing area holds, and by how much forces are wrong."""
     return [
         _answer(elastic_limit),
         _shares(elastic_limit),
@@ -154,18 +141,7 @@ def _areas(limit: xr.Dataset) -> str:
 
 
 def map_sentences(maps: xr.Dataset) -> list[str]:
-    """Return how many contacts and scans a mean force needs, and what a whole scan is worth.
-
-    Parameters
-    ----------
-    maps : xarray.Dataset
-        As from `surface_maps.maps_of_surfaces`.
-
-    Returns
-    -------
-    list of str
-        The answer first.
-    """
+    """Return how many contacts and scans a mean force needs, and what a whole scan is worth."""
     at_range = maps.sel(rho=maps.attrs["reference_rho"])
     return [_contacts(at_range), _array(at_range), *_scans(at_range), _touched(at_range)]
 
@@ -221,19 +197,7 @@ LATTICE = (
 
 
 def repeated_contact_sentences(repeated_contact: xr.Dataset) -> list[str]:
-    """Return what repeated contact does to the force, and whether it explains imaged indents.
-
-    Parameters
-    ----------
-    repeated_contact : xarray.Dataset
-        As from `repeated_contact.repeated_contact`, with the published sizes of indents in an image
-        as attributes.
-
-    Returns
-    -------
-    list of str
-        The answer first.
-    """
+    """Return what repeated contact does to the force, and whether it explains imaged indents."""
     last = repeated_contact.isel(stage=-1)
     image = last.sel(preload=last["preload"].max())
     image = image.isel(surface=int(np.argmax(image["mean_ratio"].notnull().values)))

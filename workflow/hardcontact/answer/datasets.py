@@ -5,7 +5,10 @@ from typing import NamedTuple
 
 import xarray as xr
 
-__all__ = ["Datasets", "Setting"]
+__all__ = ["Datasets", "Setting", "at_range", "model_of"]
+
+#: The contact model whose force stands in the answer, where it was computed.
+PREFERRED = "plastic"
 
 
 class Datasets(NamedTuple):
@@ -63,3 +66,34 @@ class Setting(NamedTuple):
     contact: Mapping[str, str]
     of_paper: Sequence[str]
     left_out: Sequence[tuple[str, str]]
+
+
+def model_of(force: xr.Dataset) -> str:
+    """Return the contact model whose force stands in the answer."""
+    models = [str(name) for name in force["contact_model"].values]
+    return PREFERRED if PREFERRED in models else models[0]
+
+
+def at_range(force: xr.Dataset) -> xr.Dataset:
+    """Return the forces at the range of adhesion that was asked for, of the model of the answer.
+
+    Parameters
+    ----------
+    force : xarray.Dataset
+        As force.nc, over contact_model and rho (nm); the attribute `range_of_adhesion` (nm) is
+        one of its rho.
+
+    Returns
+    -------
+    xarray.Dataset
+        Without these dimensions.
+
+    Raises
+    ------
+    KeyError
+        If the range was not computed.
+    """
+    asked = force.attrs["range_of_adhesion"]
+    return force.sel(contact_model=model_of(force)).sel(
+        rho=asked, method="nearest", tolerance=1e-6 * asked
+    )

@@ -1,7 +1,4 @@
-"""What the user's own measured forces say of range and work of adhesion, in words.
-
-The start of the answer of each surface: its band and its force, and what was measured of it.
-"""
+"""The start of the answer of each surface: its band and force, and what own forces say."""
 
 import numpy as np
 import xarray as xr
@@ -9,8 +6,7 @@ import xarray as xr
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.fit_curve import of_answer
 from hardcontact.answer.sentences import capital, differing_sides, one_sentence, transition_words
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_bounded, print_length
+from hardcontact.numbers.printing import print_bounded, print_length, print_share
 from hardcontact.numbers.statistics import bounds
 
 __all__ = ["first_sentences", "fit_sentences", "measured_sentences"]
@@ -24,18 +20,7 @@ STRONGEST = 10.6
 
 
 def measured_sentences(fit: xr.Dataset | None) -> dict[str, str]:
-    """Return what the forces measured on each surface mean, for the start of an answer.
-
-    Parameters
-    ----------
-    fit : xarray.Dataset or None
-        As fit.nc, if the user has own forces.
-
-    Returns
-    -------
-    dict of str to str
-        By surface, of those with forces; also what all of them together mean.
-    """
+    """Return, by surface with own forces, what they mean, and what all of them together mean."""
     if fit is None:
         return {}
     of_model = of_answer(fit)
@@ -132,18 +117,7 @@ def _work(fit: xr.Dataset) -> str:
 
 
 def first_sentences(given: Datasets) -> dict[str, str]:
-    """Return what an answer begins with, by surface.
-
-    Parameters
-    ----------
-    given : Datasets
-        Of the study.
-
-    Returns
-    -------
-    dict of str to str
-        Plain text: one sentence, and of own forces what they say of range and work of adhesion.
-    """
+    """Return by surface what an answer begins with: one sentence, and what own forces say."""
     measured = measured_sentences(given.fit)
     texts = {}
     for surface, label in given.labels().items():

@@ -7,7 +7,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.answer import canvas
-from hardcontact.answer.force_curve import model_of
+from hardcontact.answer.datasets import model_of
 from hardcontact.figures import style
 from hardcontact.figures.marks import FIT_STAR, MILLIJOULE
 from hardcontact.figures.tables import bounded

@@ -8,48 +8,16 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.answer import canvas
+from hardcontact.answer.datasets import at_range, model_of
 from hardcontact.figures import style
 from hardcontact.figures.tables import bounded
-from hardcontact.numbers.printing import best_unit, print_length, print_quantity
+from hardcontact.numbers.printing import best_unit, print_length, print_quantity, print_share
 
-__all__ = ["PREFERRED", "at_range", "draw", "model_of"]
+__all__ = ["draw"]
 
-#: The contact model whose force stands in the answer, where it was computed.
-PREFERRED = "plastic"
 LINES = ("-", "--", "-.")
 BESIDE = 1.04  # factor by which the marks of one surface stand beside those of the one before
 ASKED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": ":"}
-
-
-def model_of(force: xr.Dataset) -> str:
-    """Return the contact model whose force stands in the answer."""
-    models = [str(name) for name in force["contact_model"].values]
-    return PREFERRED if PREFERRED in models else models[0]
-
-
-def at_range(force: xr.Dataset) -> xr.Dataset:
-    """Return the forces at the range of adhesion that was asked for, of the model of the answer.
-
-    Parameters
-    ----------
-    force : xarray.Dataset
-        As force.nc, over contact_model and rho (nm); the attribute `range_of_adhesion` (nm) is
-        one of its rho.
-
-    Returns
-    -------
-    xarray.Dataset
-        Without these dimensions.
-
-    Raises
-    ------
-    KeyError
-        If the range was not computed.
-    """
-    asked = force.attrs["range_of_adhesion"]
-    return force.sel(contact_model=model_of(force)).sel(
-        rho=asked, method="nearest", tolerance=1e-6 * asked
-    )
 
 
 @canvas.canvas_style()
@@ -104,6 +72,6 @@ def _legend_handles(force: xr.Dataset, models: list[str]) -> list[Line2D]:
             Line2D([], [], color="0.3", ls=line, label=f"{model} contact")
             for model, line in zip(models, LINES, strict=False)
         ),
-        Line2D([], [], color="0.3", lw=1.4, label=f"{style.print_share(share)} of contacts"),
+        Line2D([], [], color="0.3", lw=1.4, label=f"{print_share(share)} of contacts"),
         Line2D([], [], label=f"ρ = {print_length(force.attrs['range_of_adhesion'])}", **ASKED),
     ]

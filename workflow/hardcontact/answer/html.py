@@ -60,20 +60,7 @@ BEFORE_UNIT = re.compile(r"(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²|[GM]?Pa|%)(?!\
 
 
 def page(title: str, body_html: str) -> str:
-    """Return one self-contained HTML document.
-
-    Parameters
-    ----------
-    title : str
-        Plain text, of the window and of the first heading.
-    body_html : str
-        What follows the heading, as HTML.
-
-    Returns
-    -------
-    str
-        HTML with its style inside.
-    """
+    """Return one self-contained HTML document."""
     return (
         '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
@@ -83,22 +70,7 @@ def page(title: str, body_html: str) -> str:
 
 
 def figure_html(png_bytes: bytes, alt: str, caption: str) -> str:
-    """Return a figure as HTML that holds its picture.
-
-    Parameters
-    ----------
-    png_bytes : bytes
-        The picture as PNG.
-    alt : str
-        Plain text that stands for the picture where it is not seen.
-    caption : str
-        Plain text below it.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Return a figure as HTML that holds its picture."""
     data = base64.b64encode(png_bytes).decode("ascii")
     return (
         f'<figure><img src="data:image/png;base64,{data}" alt="{escape(alt)}">'
@@ -107,20 +79,7 @@ def figure_html(png_bytes: bytes, alt: str, caption: str) -> str:
 
 
 def table_html(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """Return a table as HTML, whose cells name their column where the screen is narrow.
-
-    Parameters
-    ----------
-    header : sequence of str
-        Plain text of each column.
-    rows : iterable of sequence of str
-        Plain text of each cell.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Return a table as HTML, whose cells name their column where the screen is narrow."""
     head = "".join(f"<th>{escape(name)}</th>" for name in header)
     lines = "\n".join(
         "<tr>"

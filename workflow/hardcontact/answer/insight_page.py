@@ -1,9 +1,7 @@
-"""The parts of the chapter on what decides the band: a question each, and what answers it.
+"""The page on what decides the band: a question, its answer and a figure for each part.
 
 A new part takes a figure in `catalogue.OF_INSIGHT`, with its module and caption, the rule that
-makes the dataset of that figure, and an entry here.
-
-The page on what decides the band: a question, its answer and a figure for each part.
+makes the dataset of that figure, and an entry in `PARTS`.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -30,11 +28,11 @@ from hardcontact.answer.contact_sentences import (
 )
 from hardcontact.answer.html import figure_html, page, text_html
 from hardcontact.answer.law_sentences import closed_form_sentences, law_sentences
-from hardcontact.answer.part_text import listed, print_bounded_as_paper, print_percent
+from hardcontact.answer.part_text import listed
 from hardcontact.answer.scaling_sentences import scaling_sentences
 from hardcontact.answer.scan_size_sentences import scan_size_sentences
 from hardcontact.figures.catalogue import OF_INSIGHT
-from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.printing import print_as_paper, print_bounded_as_paper, print_percent
 from hardcontact.scales.critical_band import POOLED
 from hardcontact.surfaces.synthesis import SIDES
 

@@ -1,24 +1,19 @@
-"""What the closed form of the pull-off force comes to, in sentences of plain text.
-
-What other laws of attraction come to, in sentences of plain text.
-"""
+"""What the closed form of the force and other laws of attraction come to, in plain text."""
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import (
+from hardcontact.answer.part_text import EDGE_NAMES, labels, listed
+from hardcontact.claims.verdicts import verdict
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
+from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
+from hardcontact.numbers.printing import (
     DIGITS,
-    EDGE_NAMES,
-    labels,
-    listed,
+    print_as_paper,
     print_bounded_as_paper,
     print_percent,
     print_within,
 )
-from hardcontact.claims.verdicts import verdict
-from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
-from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
-from hardcontact.numbers.printing import print_as_paper
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED, computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
@@ -43,20 +38,7 @@ NEAR_LIMIT = (
 
 
 def closed_form_sentences(closed_form: xr.Dataset, band: xr.Dataset) -> list[str]:
-    """Return how far the closed form can be trusted, who is in which regime, and the edges.
-
-    Parameters
-    ----------
-    closed_form : xarray.Dataset
-        As from `closed_form_errors.closed_form_errors`, with `label(surface)`.
-    band : xarray.Dataset
-        Computed edges, as from `critical_band.critical_band`.
-
-    Returns
-    -------
-    list of str
-        The answer first.
-    """
+    """Return how far the closed form can be trusted, who is in which regime, and the edges."""
     largest = closed_form.isel(map_size=-1).sel(source="spectrum")
     return [
         _accuracy(largest),
@@ -145,18 +127,7 @@ def _computed(of_side: xr.Dataset) -> str:
 
 
 def law_sentences(laws: xr.Dataset) -> list[str]:
-    """Return whether other laws would give similar results, and what measured forces say of them.
-
-    Parameters
-    ----------
-    laws : xarray.Dataset
-        As from `law_comparison.compare_laws`.
-
-    Returns
-    -------
-    list of str
-        The answer first.
-    """
+    """Return whether other laws give similar results, and what measured forces say of them."""
     others = [law for law in laws["law"].values if law != EXPONENTIAL.name]
     return [
         _verdicts(laws, others),

@@ -1,9 +1,4 @@
-"""Edges that were found between cutoffs far apart: how sure they are in another way, in words.
-
-What limits the force of a surface, in words: its scans, their size and pixels, the window.
-
-What limits the answer of a surface, in words.
-"""
+"""What limits the answer of a surface, in words: its edges, scans, pixels, window, intervals."""
 
 import numpy as np
 import xarray as xr
@@ -14,7 +9,7 @@ from hardcontact.answer.artificial import (
     reliable_measurements,
     share_inside,
 )
-from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.datasets import at_range
 from hardcontact.answer.sentences import (
     continued_words,
     differing_sides,
@@ -22,8 +17,7 @@ from hardcontact.answer.sentences import (
     is_open,
     printed_continued_force,
 )
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_length
+from hardcontact.numbers.printing import print_length, print_share
 from hardcontact.scales.critical_band import computed_cutoffs
 
 __all__ = [
@@ -50,18 +44,7 @@ EDGES = {"small": "The short edge of the band", "large": "The long edge of the b
 
 
 def sparse_cutoffs(edges: xr.Dataset) -> list[str]:
-    """Return which edges of a surface were found between cutoffs that lie far apart.
-
-    Parameters
-    ----------
-    edges : xarray.Dataset
-        Part of edges.nc of the surface.
-
-    Returns
-    -------
-    list of str
-        A sentence or two each: the cutoffs beside an edge, and what its interval is.
-    """
+    """Return which edges of a surface were found between cutoffs that lie far apart."""
     texts = []
     for side in EDGES:
         shorter, longer = _neighbours(edges.sel(side=side))
@@ -172,20 +155,7 @@ DESCRIPTION = "description"
 
 
 def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return what limits the answer of a surface, the gravest first.
-
-    Parameters
-    ----------
-    basis : str
-        "measured" or "substitute".
-    spectra, edges, force : xarray.Dataset
-        Parts of spectra.nc, edges.nc and force.nc of the surface.
-
-    Returns
-    -------
-    list of str
-        A sentence each.
-    """
+    """Return what limits the answer of a surface, the gravest first."""
     return [
         *_of_basis(basis),
         *(text for side in EDGES for text in _of_edge(side, edges)),
@@ -204,17 +174,8 @@ def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset
 def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
     """Return the limits that change what the answer of a surface says, for its first screen.
 
-    Parameters
-    ----------
-    spectra, edges, force : xarray.Dataset
-        Parts of spectra.nc, edges.nc and force.nc of the surface.
-
-    Returns
-    -------
-    list of str
-        A sentence each: edges in artificial roughness, contacts on scans that are reliable
-        nowhere or on a single pixel, and what changes the force by more than the tolerance of the
-        band.
+    Edges in artificial roughness, contacts on scans that are reliable nowhere or on a single pixel,
+    and what changes the force by more than the tolerance of the band.
     """
     tolerance = edges.attrs["tolerance"]
     too_small = force["finite_scan_ratio"].values[0] > 1 + tolerance
@@ -230,18 +191,7 @@ def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> l
 
 
 def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
-    """Return which edges of the band of a surface, or their intervals, lie where no scan reaches.
-
-    Parameters
-    ----------
-    spectra, edges : xarray.Dataset
-        Parts of spectra.nc and edges.nc of the surface.
-
-    Returns
-    -------
-    list of str
-        A sentence each.
-    """
+    """Return which edges of a surface, or their intervals, lie where no scan reaches."""
     bands = artificial_bands(spectra)
     places = {side: place_of_edge(edges.sel(side=side), bands) for side in EDGES}
     inside, partly = (

@@ -16,18 +16,7 @@ __all__ = ["next_measurements"]
 
 
 def next_measurements(of_surface: Datasets) -> list[str]:
-    """Return what to measure next for a surer answer, by what the present one lacks.
-
-    Parameters
-    ----------
-    of_surface : Datasets
-        Parts of the datasets of one surface, and the fit, which is of all.
-
-    Returns
-    -------
-    list of str
-        A sentence each.
-    """
+    """Return what to measure next, from the parts of one surface and the fit of all."""
     edges, force, spectra = of_surface.edges, of_surface.force, of_surface.spectra
     return list(
         chain(

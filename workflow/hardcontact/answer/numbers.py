@@ -7,9 +7,8 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, measurements
-from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.datasets import Datasets, Setting, at_range
 from hardcontact.answer.first_sentences import first_sentences
-from hardcontact.answer.force_curve import at_range
 from hardcontact.answer.limits import limits
 from hardcontact.answer.next_measurements import next_measurements
 from hardcontact.numbers.statistics import bounds
@@ -34,20 +33,7 @@ MEASUREMENT_TEXTS = ("path", "dataset", "kind", "shortest_reason", "longest_reas
 
 
 def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
-    """Return the numbers of an answer, ready for JSON: what is not known is None.
-
-    Parameters
-    ----------
-    given : Datasets
-        Of the study.
-    setting : Setting
-        Of the study.
-
-    Returns
-    -------
-    dict
-        Every number is a mapping with its `unit`.
-    """
+    """Return the numbers of an answer, ready for JSON: what is not known is None."""
     force = given.force
     return {
         "study": setting.study,

@@ -10,9 +10,8 @@ import xarray as xr
 from hardcontact.answer import fit_curve, force_curve, maps, psd, ratios
 from hardcontact.answer.artificial import artificial_bands, artificial_words
 from hardcontact.answer.canvas import png
-from hardcontact.answer.datasets import Datasets, Setting
+from hardcontact.answer.datasets import Datasets, Setting, model_of
 from hardcontact.answer.first_sentences import first_sentences, fit_sentences
-from hardcontact.answer.force_curve import model_of
 from hardcontact.answer.html import figure_html, list_html, page, table_html, text_html
 from hardcontact.answer.limits import grave_limits, limits
 from hardcontact.answer.next_measurements import next_measurements
@@ -25,8 +24,7 @@ from hardcontact.answer.sentences import (
     pooled_sentence,
 )
 from hardcontact.answer.tables import measurement_table, roughness_table
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.numbers.printing import print_length, print_quantity, print_share
 from hardcontact.surfaces.synthesis import SIDES
 
 __all__ = ["Answer", "answer"]

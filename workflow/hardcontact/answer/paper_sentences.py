@@ -19,34 +19,13 @@ def answer_sentences(answer: PaperAnswer) -> list[str]:
     """Return the answer, the most important first.
 
     A sentence whose numbers the study does not have is left out.
-
-    Parameters
-    ----------
-    answer : PaperAnswer
-        Of the study.
-
-    Returns
-    -------
-    list of str
-        Intervals are in brackets, with the numbers of the paper beside those computed.
     """
     said = (of(answer) for of in (_band, _meaning, _fit, _errors, _verdicts))
     return [sentence for sentence in said if sentence]
 
 
 def basis_sentences(answer: PaperAnswer) -> list[str]:
-    """Return what the numbers stand on: substitutes, scans, grids, intervals.
-
-    Parameters
-    ----------
-    answer : PaperAnswer
-        Of the study.
-
-    Returns
-    -------
-    list of str
-        The substitutes are named one by one.
-    """
+    """Return what the numbers stand on: substitutes, scans, grids, intervals."""
     return [_substitutes(answer), _scans(answer), _grids(answer), _intervals(answer)]
 
 

@@ -8,8 +8,7 @@ of one surface differ between laboratories, which no number of realizations show
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.datasets import Datasets
-from hardcontact.answer.force_curve import at_range
+from hardcontact.answer.datasets import Datasets, at_range
 from hardcontact.numbers.printing import print_length, print_quantity
 
 __all__ = ["over_quartiles", "quartile_sentences", "surfaces_with_quartiles"]
@@ -32,18 +31,7 @@ def over_quartiles(values: xr.DataArray) -> tuple[float, float]:
 
 
 def quartile_sentences(given: Datasets) -> list[str]:
-    """Return a sentence for each surface with quartiles: its edges, its force and their spans.
-
-    Parameters
-    ----------
-    given : Datasets
-        Of the study.
-
-    Returns
-    -------
-    list of str
-        Plain text; empty without quartiles.
-    """
+    """Return a sentence for each surface with quartiles: its edges, its force and their spans."""
     labels = given.labels()
     return [
         f"{labels[name]}, with the span over the quartiles of its source and that of all their "

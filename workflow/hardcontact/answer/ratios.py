@@ -14,6 +14,7 @@ from hardcontact.answer.artificial import artificial_bands
 from hardcontact.figures import style
 from hardcontact.figures.marks import REMOVED, reach
 from hardcontact.figures.tables import bounded
+from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import computed_cutoffs
 
 __all__ = ["draw"]
@@ -114,13 +115,13 @@ def _draw_interval(axes: Axes, of_side: xr.Dataset) -> None:
 
 def _legend_handles(edges: xr.Dataset) -> list[Any]:
     """Return one entry for each kind of mark."""
-    confidence = style.print_share(edges.attrs["confidence"])
+    confidence = print_share(edges.attrs["confidence"])
     open_edges = not np.isfinite(edges["edge"]).all()
     arrow = Line2D([], [], ls=":", marker=">", ms=5, label="open edge", **EDGE)
     known = np.isfinite(edges["scale_ratio_interval"]).any()
     return [
         Line2D([], [], label=f"mean and {confidence} interval" if known else "mean", **CURVE),
-        Patch(label=f"±{style.print_share(edges.attrs['tolerance'])}", **TOLERANCE),
+        Patch(label=f"±{print_share(edges.attrs['tolerance'])}", **TOLERANCE),
         Line2D([], [], label="edge of the band", **EDGE),
         *([Patch(label="interval of the edge", **EDGE_INTERVAL)] if known else []),
         Patch(label="no reliable scan", **style.ARTIFICIAL),

@@ -3,14 +3,7 @@
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import (
-    DIGITS,
-    EDGE_NAMES,
-    NEAR_ONE,
-    listed,
-    print_bounded_as_paper,
-    print_percent,
-)
+from hardcontact.answer.part_text import EDGE_NAMES, NEAR_ONE, listed
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
     SINGLE_PEAKS,
@@ -31,7 +24,12 @@ from hardcontact.insight.edge_scaling import (
     UNDECIDED,
     dependence,
 )
-from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.printing import (
+    DIGITS,
+    print_as_paper,
+    print_bounded_as_paper,
+    print_percent,
+)
 from hardcontact.numbers.statistics import bounds
 
 __all__ = ["scaling_sentences"]

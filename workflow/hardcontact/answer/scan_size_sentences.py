@@ -5,17 +5,13 @@ from collections.abc import Iterator
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.part_text import (
+from hardcontact.answer.part_text import NEAR_ONE, differs_from_one, labels, listed, print_each
+from hardcontact.numbers.printing import (
     DIGITS,
-    NEAR_ONE,
-    differs_from_one,
-    labels,
-    listed,
+    print_as_paper,
     print_bounded_as_paper,
-    print_each,
     print_percent,
 )
-from hardcontact.numbers.printing import print_as_paper
 from hardcontact.numbers.statistics import bounds
 
 __all__ = ["force_on_scans_sentence", "on_scans", "scan_size_sentences"]
@@ -27,18 +23,7 @@ OTHER_EDGES = (
 
 
 def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
-    """Return how wrong forces and long edges on small scans are, the rule, and the sizes needed.
-
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As `fig_scan_size.draw` takes it.
-
-    Returns
-    -------
-    list of str
-        The answer first.
-    """
+    """Return how wrong forces and long edges on small scans are, the rule, and the sizes needed."""
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
     return [
         _forces(scan_size),
@@ -55,35 +40,13 @@ def scan_size_sentences(scan_size: xr.Dataset) -> list[str]:
 
 
 def on_scans(scan_size: xr.Dataset) -> xr.Dataset:
-    """Return what edges and forces are on mirrored windows of the size of the study's scans.
-
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As `fig_scan_size.draw` takes it.
-
-    Returns
-    -------
-    xarray.Dataset
-        At one `edge_size`.
-    """
+    """Return what edges and forces are on mirrored windows of the size of the study's scans."""
     windows = scan_size.sel(edge_size=scan_size["mirrored"] == 1)
     return windows.sel(edge_size=scan_size.attrs["scan_size"], method="nearest")
 
 
 def force_on_scans_sentence(scan_size: xr.Dataset) -> str:
-    """Return by how much forces on mirrored scans differ from those on large surfaces.
-
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As `fig_scan_size.draw` takes it.
-
-    Returns
-    -------
-    str
-        Each surface with its interval.
-    """
+    """Return by how much forces on mirrored scans differ from those on large surfaces."""
     of_scan, larger = on_scans(scan_size), scan_size.isel(edge_size=-1)
     return (
         f"The mean force on mirrored scans of {_size(of_scan)} over that on surfaces of "

@@ -5,10 +5,8 @@ import re
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.force_curve import at_range
-from hardcontact.figures.style import print_share
-from hardcontact.numbers.printing import print_bounded, print_length, print_quantity
-from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.answer.datasets import at_range
+from hardcontact.numbers.printing import print_bounded, print_length, print_quantity, print_share
 
 __all__ = [
     "band_sentences",
@@ -26,8 +24,8 @@ __all__ = [
     "transition_words",
 ]
 
-#: The text of an open edge: bound, reason, and what is said of its interval.
-OPEN_TEXT = re.compile(r"^(.+?): (.+?)( \[.*\])?$")
+#: The text of an open edge: its bound with what is known of its interval, and the reason.
+OPEN_TEXT = re.compile(r"^(.+?): (.+)$")
 #: What an edge without an interval ends with.
 NO_INTERVAL = ", no interval"
 
@@ -99,7 +97,7 @@ def differing_sides(data: xr.Dataset) -> list[str]:
     list of str
         Of `small` and `large`.
     """
-    return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
+    return [side for side in ENDS if data["continued_differs"].sel(side=side).item() == 1]
 
 
 def transition_words(data: xr.Dataset, side: str) -> str:
@@ -176,12 +174,12 @@ def edge_words(edges: xr.Dataset, side: str) -> str:
     That there is no interval is said once for all.
     """
     text = str(edges["edge_text"].sel(side=side).item()).removesuffix(NO_INTERVAL)
-    return OPEN_TEXT.sub(r"\1\3 (\2)", text)
+    return OPEN_TEXT.sub(r"\1 (\2)", text)
 
 
 def _from_to(edges: xr.Dataset) -> str:
-    """Return both edges as "from 37 nm [31, 44] to at least 5 µm (the scans end here)"."""
-    first, last = (edge_words(edges, side) for side in SIDES)
+    """Return both edges as "from 37 [31, 44] nm to at least 5 µm (the scans end here)"."""
+    first, last = (edge_words(edges, side) for side in ENDS)
     return f"from {first} to {last}"
 
 
@@ -199,20 +197,7 @@ def printed_pair(force: xr.Dataset) -> str:
 
 
 def force_sentences(label: str, force: xr.Dataset) -> str:
-    """Return the predicted force of a surface, its uncertainty and its spread over contacts.
-
-    Parameters
-    ----------
-    label : str
-        Of the surface.
-    force : xarray.Dataset
-        Part of force.nc of the surface.
-
-    Returns
-    -------
-    str
-        Plain text.
-    """
+    """Return the predicted force of a surface, its uncertainty and its spread over contacts."""
     here = at_range(force)
     certainty = str(force["interval_note"].item())
     low, high = here["force_interval"].values

@@ -22,20 +22,7 @@ MEASUREMENTS = ("scan", "kind", "size, pixel", "reliable", "ends at", "tip radiu
 
 
 def roughness_table(topography: xr.Dataset, labels: Mapping[str, str]) -> str:
-    """Return the rms numbers of every scan and over all scales, in HTML.
-
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        As topography.nc.
-    labels : mapping of str to str
-        Printed name of each surface.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Return the rms numbers of every scan and over all scales, in HTML."""
     rows = []
     for surface, label in labels.items():
         of_surface = topography.sel(surface=surface)
@@ -53,20 +40,7 @@ def roughness_table(topography: xr.Dataset, labels: Mapping[str, str]) -> str:
 
 
 def measurement_table(spectra: xr.Dataset, labels: Mapping[str, str]) -> str:
-    """Return size, reliable wavelengths and their reasons of every measurement, in HTML.
-
-    Parameters
-    ----------
-    spectra : xarray.Dataset
-        As spectra.nc.
-    labels : mapping of str to str
-        Printed name of each surface.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Return size, reliable wavelengths and their reasons of every measurement, in HTML."""
     rows = []
     for surface, label in labels.items():
         known = measurements(spectra.sel(surface=surface))

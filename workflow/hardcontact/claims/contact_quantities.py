@@ -1,8 +1,4 @@
-"""Numbers about classical models and effective works of adhesion.
-
-Each function returns a number as `numbers.number` does; in brackets its dimensions.
-
-Numbers about contact: its height on the surface, its area, and its deformation.
+"""Numbers about contact (height, area, deformation), classical models and effective works.
 
 Lengths in nm, forces in N, pressures in Pa. Each function returns a number as `numbers.number`
 does; in brackets its dimensions.

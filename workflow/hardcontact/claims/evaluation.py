@@ -1,11 +1,8 @@
-"""Registry of the numbers that claims are about: variables of datasets, and derived quantities.
+"""Statements of the paper, each compared with a computed number.
 
-A number is a dataset of `value` and `value_interval`, as `numbers.number` returns it.
-
-Statements of the paper, each compared with a computed number.
-
-A claim names a number by dataset, quantity and selection, and a rule that turns the number, its
-interval and the published limits into a verdict.
+A claim names a number by dataset, quantity (a variable or a derived one) and selection, and a rule
+that turns the number, its interval and the published limits into a verdict. A number is a dataset
+of `value` and `value_interval`, as `numbers.number` returns it.
 """
 
 import json

@@ -1,8 +1,4 @@
-"""Numbers about roughness: of all scales over that of the AFM scans alone.
-
-Each function returns a number as `numbers.number` does; in brackets its dimensions.
-
-Numbers about pull-off forces: their dependence on the range of adhesion, their distribution.
+"""Numbers about roughness of all scales over that of the AFM scans, and about pull-off forces.
 
 Forces in N, lengths in nm. Each function returns a number as `numbers.number` does; in brackets
 its dimensions.

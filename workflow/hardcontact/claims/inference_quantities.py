@@ -1,13 +1,8 @@
-"""Numbers about the range and the work of adhesion, and what follows from them.
+"""Numbers about range and work of adhesion, and about the scales of roughness.
 
 Forces in N, lengths in nm, works of adhesion in J/m². Each function returns a number as
 `numbers.number` does; in brackets its dimensions. `paper` holds the numbers of
 resources/paper/parameters.csv under their names.
-
-Numbers about the scales of roughness: changes of the force without some wavelengths.
-
-Lengths in nm. Each function returns a number as `numbers.number` does; in brackets its
-dimensions. `paper` holds the numbers of resources/paper/parameters.csv under their names.
 """
 
 import numpy as np

@@ -89,20 +89,7 @@ def pages(
 
 
 def claims_page(claims: pd.DataFrame, confidence: float) -> str:
-    """Write the page of the evaluated claims: counts of verdicts, then section by section.
-
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        As from `open_ends.with_open_ends`.
-    confidence : float
-        Of the intervals.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Write the page of the evaluated claims: counts of verdicts, then section by section."""
     independent = summary(claims)["independent"].sum()
     sections = (f"<h2>{escape(k)}</h2>\n{table}" for k, table in section_tables(claims).items())
     return _page(
@@ -230,20 +217,7 @@ def _label_cells(tokens: Sequence[Token]) -> None:
 
 
 def parameters_page(configuration: Mapping[str, Any], versions: Mapping[str, str]) -> str:
-    """Write the page of parameters and versions.
-
-    Parameters
-    ----------
-    configuration : mapping
-        As it was given.
-    versions : mapping of str to str
-        Of packages.
-
-    Returns
-    -------
-    str
-        HTML.
-    """
+    """Write the page of parameters and versions."""
     rows = [[(escape(name), ""), (escape(number), "number")] for name, number in versions.items()]
     text = yaml.safe_dump(configuration, allow_unicode=True)
     return _page(

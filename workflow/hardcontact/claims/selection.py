@@ -1,7 +1,4 @@
-"""What a claim selects of a quantity: the one number that is judged.
-
-What of a claim is decided beforehand, by scans that are substitutes or by construction.
-"""
+"""What a claim selects of a quantity, and what scans and construction decide beforehand."""
 
 from collections.abc import Iterable, Mapping
 from itertools import chain, pairwise
@@ -12,7 +9,7 @@ import xarray as xr
 
 from hardcontact.claims.numbers import quotient
 from hardcontact.claims.verdicts import BY_CONSTRUCTION, ONE_SIDED, UNTESTABLE
-from hardcontact.surfaces.calibration import rows_met
+from hardcontact.records.published import rows_met
 
 __all__ = [
     "NO_SCAN",
@@ -131,23 +128,7 @@ def surfaces_of(
     """Return the surfaces that a claim depends on.
 
     These are the surfaces it selects, or all of its first dataset when it selects none. A claim
-    about more than topography depends on the sphere as well.
-
-    Parameters
-    ----------
-    claim : tuple
-        A row of resources/paper/claims.csv.
-    parts : mapping of str to xarray.Dataset
-        The datasets of the claim by name.
-    chosen : Selection
-        As from `selection.selection`.
-    topography : xarray.Dataset
-        As in topography.nc.
-
-    Returns
-    -------
-    list of str
-        Empty for a claim that needs no scan.
+    about more than topography depends on the sphere as well, one that needs no scan on none.
     """
     if claim.needs == NO_SCAN:
         return []
@@ -161,20 +142,7 @@ def surfaces_of(
 
 
 def basis(surfaces: list[str], topography: xr.Dataset) -> str:
-    """Return what a number about surfaces stands on.
-
-    Parameters
-    ----------
-    surfaces : list of str
-        As from `surfaces_of`.
-    topography : xarray.Dataset
-        As in topography.nc.
-
-    Returns
-    -------
-    str
-        `measured`, `substitute scans` or `no scan`.
-    """
+    """Return what a number stands on: `measured`, `substitute scans` or `no scan`."""
     if not surfaces:
         return NO_SCAN
     return "substitute scans" if any(_is_substitute(surfaces, topography)) else "measured"
@@ -185,22 +153,10 @@ def _is_substitute(surfaces: list[str], topography: xr.Dataset) -> list[bool]:
 
 
 def fixed_verdict(claim: Any, surfaces: list[str], topography: xr.Dataset) -> tuple[str, str]:
-    """Return a verdict that no number decides, and why.
+    """Return a verdict that no number decides, and why; both empty where the number decides.
 
-    Parameters
-    ----------
-    claim : tuple
-        A row of resources/paper/claims.csv.
-    surfaces : list of str
-        As from `surfaces_of`.
-    topography : xarray.Dataset
-        As in topography.nc: `calibrated_to_table1` names the rows of Table 1 that the scans of a
-        surface meet by construction.
-
-    Returns
-    -------
-    verdict, reason : str
-        Both empty where the number decides.
+    `calibrated_to_table1` names the rows of Table 1 that the scans of a surface meet by
+    construction.
     """
     if claim.needs == "construction":
         return BY_CONSTRUCTION, ""

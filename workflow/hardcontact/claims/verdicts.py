@@ -1,7 +1,4 @@
-"""Rules that turn a number, its interval and the published limits into a verdict.
-
-Intervals of the edges of the band that end at the last cutoff computed, and so are open.
-"""
+"""Rules that turn a number, its interval and the published limits into a verdict."""
 
 from collections.abc import Sequence
 from pathlib import Path

@@ -27,6 +27,7 @@ from hardcontact.figures.fig3_histograms import (
 )
 from hardcontact.figures.marks import MILLIJOULE
 from hardcontact.figures.tables import VALUE_COLUMNS, label_surfaces, value_and_bounds
+from hardcontact.numbers.printing import print_formatted
 from hardcontact.numbers.statistics import lognormal_shape
 
 __all__ = ["draw", "table"]
@@ -241,7 +242,7 @@ def _computed_rows(of_surface: xr.Dataset) -> pd.DataFrame:
 def _print_shapes(at_published: xr.Dataset, published: Fit) -> str:
     """Return the shape of both log-normals, the computed one with its interval."""
     computed = value_and_bounds(at_published, "lognormal_shape")
-    here = style.print_interval(computed, ".2f")
+    here = print_formatted(computed, ".2f")
     return f"published $s$ = {published[0]:.2f}\nhere {here}"
 
 

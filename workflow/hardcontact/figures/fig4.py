@@ -14,6 +14,7 @@ from hardcontact.figures.marks import (
     draw_published_range,
 )
 from hardcontact.figures.tables import ROW_COLUMNS, SHARE_OF_SETS, VALUE_COLUMNS, label_surfaces
+from hardcontact.numbers.printing import print_share
 
 __all__ = ["draw", "table"]
 
@@ -123,7 +124,7 @@ def _print_pair(published_constants: pd.DataFrame) -> str:
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Line2D | Patch]:
     """Return one entry a surface and one for each kind of line and symbol of panels b and c."""
-    confidence, share = map(style.print_share, (fit.attrs["confidence"], SHARE_OF_SETS))
+    confidence, share = map(print_share, (fit.attrs["confidence"], SHARE_OF_SETS))
     published = published_constants["value"]["range_of_adhesion"]
     best_range = fit["range_of_adhesion"].item()
     best_work = fit["work_of_adhesion"].item() / MILLIJOULE

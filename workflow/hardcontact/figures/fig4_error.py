@@ -15,6 +15,7 @@ from hardcontact.figures.marks import (
     draw_published_fit,
 )
 from hardcontact.figures.tables import published_value, value_and_bounds
+from hardcontact.numbers.printing import print_formatted
 
 __all__ = ["draw_error_map", "draw_least_error", "error_rows"]
 
@@ -127,7 +128,7 @@ def draw_least_error(
     style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
     axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
     over = " over scans" if np.isfinite(best["low"]) else ""
-    style.label_panel(axes, "d", f"smallest error {style.print_interval(best, '.2g')}{over}")
+    style.label_panel(axes, "d", f"smallest error {print_formatted(best, '.2g')}{over}")
 
 
 def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> None:

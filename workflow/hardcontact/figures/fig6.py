@@ -23,6 +23,7 @@ from hardcontact.figures.tables import (
     over_sets,
     published_edge,
 )
+from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
@@ -243,7 +244,7 @@ def _draw_ratios(axes: Axes, of_side: xr.Dataset, of_sets: xr.Dataset, scales: x
     axes.text(
         0.99,
         1 - tolerance,
-        f"±{style.print_share(tolerance)}",
+        f"±{print_share(tolerance)}",
         transform=axes.get_yaxis_transform(),
         color="0.35",
         fontsize=7,
@@ -304,7 +305,7 @@ def _labels(band: xr.Dataset) -> dict[str, str]:
 
 def _legend_handles(band: xr.Dataset, cutoffs: list[float]) -> list[Line2D | Patch]:
     """Return one entry a group and one for each kind of line."""
-    confidence = style.print_share(band.attrs["confidence"])
+    confidence = print_share(band.attrs["confidence"])
     return [
         *style.surface_handles(band),
         Line2D([], [], lw=1.8, label="mean |ratio − 1| of all", **_looks(band)[POOLED]),
@@ -315,7 +316,7 @@ def _legend_handles(band: xr.Dataset, cutoffs: list[float]) -> list[Line2D | Pat
             color="0.3",
             alpha=BAND_OF_SETS,
             lw=0,
-            label=f"{style.print_share(SHARE_OF_SETS)} of all sets of substitutes",
+            label=f"{print_share(SHARE_OF_SETS)} of all sets of substitutes",
         ),
         Line2D([], [], label="published: {:g} and {:g} nm".format(*cutoffs), **PUBLISHED),
         Patch(label="artificial roughness", **style.ARTIFICIAL),

@@ -18,6 +18,7 @@ from hardcontact.figures.tables import (
     published_edge,
     value_and_bounds,
 )
+from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
@@ -178,7 +179,7 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
     """Draw the long critical wavelength (µm), computed with its interval, and published."""
     value, low, high = (length / MICROMETRE for length in _critical(band).values())
     published = published_edge(published_constants, "large") / MICROMETRE
-    confidence = style.print_share(band.attrs["confidence"])
+    confidence = print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
     if np.isfinite([low, high]).all():
         axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")

@@ -12,6 +12,7 @@ from matplotlib.patches import Patch
 from hardcontact.figures import style
 from hardcontact.figures.style import draw_map
 from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.numbers.printing import print_share
 
 __all__ = ["draw", "table"]
 
@@ -208,7 +209,7 @@ def _draw_errors(axes: Axes, maps: xr.Dataset) -> None:
     for axis in (axes.xaxis, axes.yaxis):
         style.label_logarithmic(axis)
     axes.legend(handles=[*_sampling_handles(), _line("-", "one whole scan", 2.5)])
-    confidence = style.print_share(maps.attrs["confidence"])
+    confidence = print_share(maps.attrs["confidence"])
     style.label_panel(axes, "d", f"error that {confidence} keep within")
 
 
@@ -248,7 +249,7 @@ def _draw_scans_needed(axes: Axes, maps: xr.Dataset) -> None:
 
 
 def _tolerance(maps: xr.Dataset) -> str:
-    return style.print_share(maps.attrs["tolerance"])
+    return print_share(maps.attrs["tolerance"])
 
 
 def _finish_needed(axes: Axes, maps: xr.Dataset, what: str) -> None:

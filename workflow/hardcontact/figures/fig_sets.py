@@ -26,6 +26,7 @@ from hardcontact.figures.tables import (
     over_sets,
     published_value,
 )
+from hardcontact.numbers.printing import print_share
 
 __all__ = ["draw", "table"]
 
@@ -189,7 +190,7 @@ def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None
     low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
     axes.set(xscale="log", ylabel="share of sets (%)")
     axes.legend(loc="upper left")
-    share = style.print_share(SHARE_OF_SETS)
+    share = print_share(SHARE_OF_SETS)
     title = f"median {middle:.3g} nm, {share} in {low:.2g} to {high:.3g} nm"
     style.label_panel(axes, "a", f"best ρ of {sets.sizes['set']} sets: {title}")
 
@@ -260,7 +261,7 @@ def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     axes.set(xlabel="least error, plastic", ylabel="least error, rigid")
     for axis in (axes.xaxis, axes.yaxis):
         style.label_logarithmic(axis, at=(1, 2, 5))
-    share = style.print_share(float((plastic < rigid).mean()))
+    share = print_share(float((plastic < rigid).mean()))
     style.label_panel(axes, "d", f"plastic better in {share} of sets")
 
 

@@ -4,7 +4,7 @@ Pictures of height maps, with colour bar and scale bar.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from itertools import cycle
 from typing import Any
@@ -40,8 +40,6 @@ __all__ = [
     "legend_entries",
     "looks",
     "mark_basis",
-    "print_interval",
-    "print_share",
     "print_style",
     "shade_artificial",
     "surface_handles",
@@ -235,18 +233,6 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
         for handle, label in zip(*axes.get_legend_handles_labels(), strict=True):
             entries.setdefault(label, handle)
     return entries
-
-
-def print_share(share: float) -> str:
-    """Return a share of 1 in percent, as a confidence of 0.95 is printed: "95 %"."""
-    return f"{100 * share:g} %"
-
-
-def print_interval(ends: Mapping[str, float], digits: str) -> str:
-    """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if it has no others."""
-    value, low, high = (ends[name] for name in ("value", "low", "high"))
-    interval = f" [{low:{digits}}, {high:{digits}}]" if math.isfinite(low + high) else ""
-    return f"{value:{digits}}{interval}"
 
 
 def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:

@@ -6,7 +6,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.numbers.statistics import bounds
-from hardcontact.surfaces.calibration import rows_met
+from hardcontact.records.published import rows_met
 
 __all__ = [
     "BY_CONSTRUCTION",

@@ -232,16 +232,26 @@ def fit_measured(
     """
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
     measured = {name: measured_tests(forces[forces.surface == name]) for name in surfaces}
-    models = {}
-    for model in adhesion.contact_model.values.tolist():
-        of_model = adhesion.sel(contact_model=model)
-        curves = [
-            _curve(of_model.sel(surface=name), measured[name], sizes[name], sampling)
+    curves = {
+        model: [
+            _curve(
+                adhesion.sel(contact_model=model, surface=name),
+                measured[name],
+                sizes[name],
+                sampling,
+            )
             for name in surfaces
         ]
-        models[(model,)] = _fit(curves, adhesion.rho.values, sampling.confidence)
+        for model in adhesion.contact_model.values.tolist()
+    }
+    models = {
+        (model,): _fit(of_model, adhesion.rho.values, sampling.confidence)
+        for model, of_model in curves.items()
+    }
+    # Tests and parts of scans, which the notes tell of, are the same for all contact models.
+    of_any_model = next(iter(curves.values()))
     tests = _tests(measured, sampling) | {
-        "interval_note": ("surface", [curve.note for curve in curves]),
+        "interval_note": ("surface", [curve.note for curve in of_any_model]),
         "label": adhesion.label.sel(surface=surfaces),
     }
     return (

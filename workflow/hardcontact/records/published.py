@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pandas as pd
 
-__all__ = ["constants", "printed_pull_off", "pull_off", "table1"]
+__all__ = ["constants", "printed_pull_off", "pull_off", "rows_met", "table1"]
 
 #: Units of pull-off statistics: numbers in another one would be read as these.
 UNITS = {"mean_force": "N", "median_force": "N", "effective_work_of_adhesion": "J/m2"}
@@ -56,3 +56,8 @@ def table1(path: str | Path) -> pd.DataFrame:
     Columns: surface; quantity; value and uncertainty, both in `unit`; basis; source.
     """
     return pd.read_csv(path)
+
+
+def rows_met(stored: str) -> list[str]:
+    """Return the rows of Table 1 that an attribute or variable `calibrated_to_table1` names."""
+    return [row for row in stored.split(",") if row]

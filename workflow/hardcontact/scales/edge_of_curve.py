@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from hardcontact.numbers.printing import DIGITS, print_as_paper, print_edge
 from hardcontact.scales.critical_band import critical_wavelength
 
 __all__ = ["Curve", "Edge", "described_edge"]
@@ -142,28 +143,9 @@ def _status(edge: Edge, cell: float) -> tuple[str, str]:
 
 
 def _text(edge: Edge, interval: np.ndarray, reason: str, known: bool) -> str:
-    """Return an edge and the ends of its interval, if that is known, in words and one unit."""
+    """Return an edge in words: with the ends of its interval, if that is known, and the reason."""
     value = edge.bound if reason else edge.wavelength
-    unit, scale = ("µm", 1e3) if value >= 1e3 else ("nm", 1.0)
-    number, low, high = _numbers(np.array([value, *interval]) / scale)
-    text = f"{number} {unit}"
+    text = print_edge(value, *interval) if known else print_as_paper(value, "nm", digits=DIGITS)
     if reason:
         text = f"at {'least' if edge.at_least else 'most'} {text}: {reason}"
-    if not known:
-        return f"{text}, no interval"
-    if np.isfinite(interval).all():
-        return f"{text} [{low}, {high}]"
-    if not np.isfinite(interval).any():
-        return f"{text} [not bounded]"
-    bound = f"above {low}" if np.isfinite(interval[0]) else f"below {high}"
-    return f"{text} [{bound} {unit}]"
-
-
-def _numbers(values: np.ndarray) -> list[str]:
-    """Return numbers with as few digits, two or more, as tell them apart; NaN is "nan"."""
-    known = np.unique(values[np.isfinite(values)])
-    for digits in range(2, 7):
-        texts = [f"{float(f'{value:.{digits}g}'):.10g}" for value in values]
-        if len({*texts} - {"nan"}) == len(known):
-            break
-    return texts
+    return text if known else f"{text}, no interval"

@@ -19,7 +19,6 @@ __all__ = [
     "calibrate_tail",
     "calibrate_varying_hurst",
     "expected_moments",
-    "rows_met",
     "rows_of_surface",
     "transfer_weights",
 ]
@@ -100,11 +99,6 @@ TOLERANCE = 1e-9
 
 #: Hurst exponents between which that of a tail is sought.
 TAIL_HURST = (-6.0, 5.0)
-
-
-def rows_met(stored: str) -> list[str]:
-    """Return the rows of Table 1 that an attribute or variable `calibrated_to_table1` names."""
-    return [row for row in stored.split(",") if row]
 
 
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:

@@ -20,7 +20,8 @@ import numpy as np
 import pandas as pd
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.calibration import expected_moments, rows_met, transfer_weights
+from hardcontact.records.published import rows_met
+from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, spectrum_from

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.numbers.printing import print_number
 from hardcontact.surfaces.measured_spectrum import (
     bias_of_log,
     independent_waves,
@@ -19,7 +20,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.reliable_band import ReliableBand, band_of_psd, digits
+from hardcontact.surfaces.reliable_band import ReliableBand, band_of_psd
 from hardcontact.surfaces.spectral_models import power_law_tail
 from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, Spectrum, spectrum_dataset
 
@@ -137,8 +138,8 @@ def _log_mean(parts: Sequence[_Part]) -> tuple[NDArray[np.float64], NDArray[np.f
 def _too_few(parts: Sequence[_Part], count: int) -> str:
     """Return the line that refuses measurements with too few reliable bins."""
     found = "; ".join(
-        f"{_name(part.measurement)} from {digits(part.band.shortest)} nm "
-        f"({part.band.shortest_reason}) to {digits(part.band.longest)} nm "
+        f"{_name(part.measurement)} from {print_number(part.band.shortest)} nm "
+        f"({part.band.shortest_reason}) to {print_number(part.band.longest)} nm "
         f"({part.band.longest_reason})"
         for part in parts
     )
@@ -157,7 +158,9 @@ def _gaps(bands: Sequence[ReliableBand]) -> list[str]:
     texts, reached = list[str](), 0.0
     for band in sorted(bands, key=lambda one: one.shortest):
         if reached and band.shortest > reached:
-            texts.append(f"between {digits(reached)} and {digits(band.shortest)} nm interpolated")
+            texts.append(
+                f"between {print_number(reached)} and {print_number(band.shortest)} nm interpolated"
+            )
         reached = max(reached, band.longest)
     return texts
 
@@ -268,7 +271,7 @@ def continued_spectrum(
     short, long = 2 * np.pi / wavevector[[-1, -count]]
     return spectrum, (
         f"below the wavelengths measured, artificial: self-affine with H = {hurst:.2f}, fitted "
-        f"from {digits(short)} to {digits(long)} nm and held within 0 to 1, "
+        f"from {print_number(short)} to {print_number(long)} nm and held within 0 to 1, "
         f"ending at {2 * np.pi / WAVEVECTORS[ends]:.2g} nm: {reason}"
     )
 

@@ -27,6 +27,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from hardcontact.numbers.printing import print_number
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
@@ -39,7 +40,7 @@ from hardcontact.surfaces.measured_spectrum import (
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
-__all__ = ["ReliableBand", "band_of_psd", "digits", "reliable_band"]
+__all__ = ["ReliableBand", "band_of_psd", "reliable_band"]
 
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
 #: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
@@ -78,11 +79,6 @@ class ReliableBand(NamedTuple):
     longest_reason: str
 
 
-def digits(length: float) -> str:
-    """Return three digits of a length, without an exponent."""
-    return f"{float(f'{length:.3g}'):g}"
-
-
 def reliable_band(measurement: Measurement, tip_radius: float | None) -> ReliableBand:
     """Return the wavelengths at which a measurement is reliable.
 
@@ -109,7 +105,7 @@ def band_of_psd(
     """Return the wavelengths at which a measurement is reliable, from its `measured_psd`."""
     pixel, size = measurement.pixel_size, size_of(measurement)
     ends = [
-        (PIXELS * pixel, f"{PIXELS} pixels of {digits(pixel)} nm"),
+        (PIXELS * pixel, f"{PIXELS} pixels of {print_number(pixel)} nm"),
         *_spectral_ends(measurement, density),
         *_tip_end(measurement, tip_radius),
     ]
@@ -125,7 +121,7 @@ def _tip_end(measurement: Measurement, tip_radius: float | None) -> list[tuple[f
     cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
         tip_radius, rtol=TOLERANCE
     )
-    return [] if cutoff is None else [(float(cutoff), f"tip of {digits(tip_radius)} nm")]
+    return [] if cutoff is None else [(float(cutoff), f"tip of {print_number(tip_radius)} nm")]
 
 
 def _spectral_ends(
@@ -145,10 +141,10 @@ def _spectral_ends(
     ends = []
     if risen < unsmoothed:
         end = _end(q, risen)
-        ends.append((end, f"noise floor below {digits(end)} nm"))
+        ends.append((end, f"noise floor below {print_number(end)} nm"))
     if last < risen or unsmoothed < len(q) and risen == unsmoothed:
         end = _end(q, last)
-        ends.append((end, f"smoothed by the microscope below {digits(end)} nm"))
+        ends.append((end, f"smoothed by the microscope below {print_number(end)} nm"))
     return ends
 
 

@@ -5,7 +5,16 @@ import pytest
 import xarray as xr
 from intervals import between_multiples
 
-from hardcontact.numbers.printing import best_unit, print_bounded, print_length, print_quantity
+from hardcontact.numbers.printing import (
+    best_unit,
+    print_bounded,
+    print_edge,
+    print_formatted,
+    print_length,
+    print_number,
+    print_quantity,
+    print_share,
+)
 
 
 @pytest.mark.parametrize(
@@ -29,7 +38,7 @@ def test_quantities_have_three_digits_and_the_fitting_unit(value, unit, printed)
 
 
 def test_an_interval_has_the_unit_of_its_value():
-    assert print_quantity(900.0, "nm", 450.0, 1800.0) == "900 nm [450, 1800]"
+    assert print_quantity(900.0, "nm", 450.0, 1800.0) == "900 [450, 1800] nm"
 
 
 @pytest.mark.parametrize("ends", [(np.nan, 3.0), (3.0, np.nan), (np.nan, np.nan), (3.0, np.inf)])
@@ -39,7 +48,7 @@ def test_an_interval_without_an_end_is_none(ends):
 
 def test_variables_are_printed_with_their_interval():
     data = xr.Dataset(between_multiples("force", (), 2e-6, (0.5, 2), 0.95))
-    assert print_bounded(data, "force", "N") == "2 µN [1, 4]"
+    assert print_bounded(data, "force", "N") == "2 [1, 4] µN"
 
 
 def test_units_have_their_size_in_that_of_the_dataset():
@@ -50,4 +59,34 @@ def test_units_have_their_size_in_that_of_the_dataset():
 def test_an_interval_that_bounds_nothing_says_so():
     assert print_quantity(3.0, "nm", 0.0, np.inf) == "3 nm [not bounded]"
     assert print_quantity(1.5e-4, "N", 1.2e-7, 7.8e17) == "150 µN [not bounded]"
-    assert print_quantity(3.0, "nm", 0.0, 5.0) == "3 nm [0, 5]"
+    assert print_quantity(3.0, "nm", 0.0, 5.0) == "3 [0, 5] nm"
+
+
+def test_confidence_is_printed_in_percent():
+    assert print_share(0.95) == "95 %"
+    assert print_share(0.999) == "99.9 %"
+
+
+def test_intervals_are_printed_where_there_are_any():
+    error = {"value": 0.0561, "low": 0.045, "high": 0.0684}
+    assert print_formatted(error, ".2g") == "0.056 [0.045, 0.068]"
+    assert print_formatted({"value": 1.8, "low": np.nan, "high": np.nan}, ".2f") == "1.80"
+
+
+@pytest.mark.parametrize(
+    ("numbers", "printed"),
+    [
+        ((999.7, 900.0, 1100.0), "1 [0.9, 1.1] µm"),
+        ((999.7, 999.0, 1001.0), "999.7 [999, 1001] nm"),
+        ((999.7, np.nan, np.nan), "1 µm [not bounded]"),
+        ((40.0, 12.3, np.nan), "40 nm [above 12 nm]"),
+        ((1500.0, np.nan, 3000.0), "1.5 µm [below 3 µm]"),
+    ],
+)
+def test_an_edge_has_the_unit_of_its_rounded_number(numbers, printed):
+    assert print_edge(*numbers) == printed
+
+
+def test_numbers_are_printed_without_exponent():
+    printed = [print_number(length) for length in (5000.0, 99594.5, 12.6056, 0.1953)]
+    assert printed == ["5000", "99600", "12.6", "0.195"]
