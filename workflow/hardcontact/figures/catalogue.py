@@ -11,19 +11,7 @@ __all__ = ["FIGURES", "OF_ATOMIC", "OF_INSIGHT", "OF_PAPER", "Figure"]
 
 
 class Figure(NamedTuple):
-    """Description of one figure.
-
-    Attributes
-    ----------
-    chapter, label : str
-        Chapter of the report, and name of the figure in it.
-    title : str
-        Title of its files.
-    datasets : tuple of str
-        Final datasets that it is drawn from, by the names of their files.
-    published : tuple of str
-        Published tables that it is drawn from, keys of `study.patterns.PUBLISHED`.
-    """
+    """Place in the report, title and inputs of one figure."""
 
     chapter: str
     label: str

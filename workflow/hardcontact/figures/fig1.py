@@ -27,16 +27,8 @@ NOTE = (
 def table(topography: xr.Dataset) -> pd.DataFrame:
     """Return rms height and height range of each map drawn, beside the mean over all scans.
 
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        As `draw` takes it, with `rms_height_mean(surface)` and `rms_height_std(surface)` in nm.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
-        scans. The maps themselves stay in topography.nc.
+    One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
+    scans. The maps themselves stay in topography.nc.
     """
     rows = []
     for letter, (surface, state, heights) in zip(
@@ -60,19 +52,7 @@ def table(topography: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(topography: xr.Dataset) -> Figure:
-    """Draw Fig. 1: one levelled scan of each substrate, the sphere with and without its curvature.
-
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        With `example_heights(surface, row, column)`, `sphere_as_scanned(row, column)` and
-        `scan_size(surface)`, all in nm.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature."""
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
     figure = style.create(2.15 * rows + 2 * style.FOOTER)

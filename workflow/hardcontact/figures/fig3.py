@@ -46,18 +46,10 @@ def table(
 ) -> pd.DataFrame:
     """Return the histograms of computed forces and the log-normals, published and computed.
 
-    Parameters
-    ----------
-    adhesion, inference, published_constants, published_pull_off : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a bin, its edges `force_low` and `force_high` in N and its probability density in
-        1/N (bins of the linear panels "1", of the logarithmic panels "2"); one row a log-normal
-        shape (1), median (N), mean (N) and fraction below the force floor, with the interval over
-        scans. `pair` is that of range and work of adhesion, "published" or "fitted".
+    One row a bin, its edges `force_low` and `force_high` in N and its probability density in 1/N
+    (bins of the linear panels "1", of the logarithmic panels "2"); one row a log-normal shape (1),
+    median (N), mean (N) and fraction below the force floor, with the interval over scans. `pair` is
+    that of range and work of adhesion, "published" or "fitted".
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     forces = _forces_at_pairs(adhesion, fit, published_constants)
@@ -83,23 +75,7 @@ def draw(
 ) -> Figure:
     """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        With `pull_off_force` (N, at W = attrs["work_of_adhesion"] J/m2), which is taken at the
-        published pair of range and work of adhesion, and at the fitted one.
-    inference : xarray.Dataset
-        With the fitted pair (nm, J/m2), what describes the forces at each pair, by `pair`, and the
-        attribute `force_floor`.
-    published_constants : pandas.DataFrame
-        With the published pair (nm, J/m2).
-    published_pull_off : pandas.DataFrame
-        With mean and median force (N) by surface.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    Forces are taken at the published pair of range and work of adhesion, and at the fitted one.
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     surfaces = [str(name) for name in inference["surface"].values]

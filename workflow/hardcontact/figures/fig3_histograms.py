@@ -66,20 +66,9 @@ def lognormal_density(fit: Fit, edges: np.ndarray) -> np.ndarray:
 
 
 def draw_linear(axes: Axes, of_pairs: Pairs, published: Fit, floor: float, colour: str) -> None:
-    """Draw the computed histograms and the published log-normal over the same bins.
+    """Draw the computed histograms and the published log-normal over the same bins, in µN.
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw, with the force in µN.
-    of_pairs : Pairs
-        Forces in N.
-    published : Fit
-        The published log-normal; NaN where there is none.
-    floor : float
-        Force (N) that the experiment could not resolve.
-    colour : str
-        Of the surface.
+    Forces are in N; those below the floor (N) the experiment could not resolve.
     """
     edges = linear_edges(of_pairs, published)
     _draw_histograms(axes, of_pairs, edges, colour)
@@ -95,21 +84,7 @@ def draw_linear(axes: Axes, of_pairs: Pairs, published: Fit, floor: float, colou
 def draw_logarithmic(
     axes: Axes, of_pairs: Pairs, fits: dict[str, Fit], floor: float, colour: str
 ) -> None:
-    """Draw the computed histograms and both log-normals on logarithmic axes.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw, with the force in µN.
-    of_pairs : Pairs
-        Forces in N.
-    fits : dict of str to Fit
-        The "published" and the "computed" log-normal; NaN where there is none.
-    floor : float
-        Force (N) that the experiment could not resolve.
-    colour : str
-        Of the surface.
-    """
+    """Draw the computed histograms and both log-normals (NaN: none) on logarithmic axes, in µN."""
     edges = logarithmic_edges(of_pairs)
     _draw_histograms(axes, of_pairs, edges, colour)
     ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *_upper_ends(fits)])

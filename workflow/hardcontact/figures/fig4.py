@@ -30,19 +30,10 @@ def table(
 ) -> pd.DataFrame:
     """Return the curves and fitted values of Fig. 4, one row a point.
 
-    Parameters
-    ----------
-    contact, inference, sets, published_constants, published_pull_off : xarray.Dataset, \
-pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e), `value` with
-        `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the median and
-        SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error) stay in
-        contact.nc and inference.nc.
+    `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e), `value` with
+    `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the median and
+    SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error) stay in
+    contact.nc and inference.nc.
     """
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     curves = fig4_curves.force_curves(fit, of_sets, _published_work(published_constants))
@@ -62,26 +53,7 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> Figure:
-    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) error of range and work.
-
-    Parameters
-    ----------
-    contact : xarray.Dataset
-        With the adhesive pressure (y, x) in Pa and the force (separation) in N.
-    inference : xarray.Dataset
-        With all that is computed of the study's own scans in panels b to e.
-    sets : xarray.Dataset
-        With `ratio` and `mean_force` (set, contact_model, surface, rho) and the fit of each set.
-    published_constants : pandas.DataFrame
-        With range (nm) and work of adhesion (J/m2) and their uncertainties.
-    published_pull_off : pandas.DataFrame
-        With mean and median force (N) by surface.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit."""
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     work = _published_work(published_constants)
     curves = fig4_curves.force_curves(fit, of_sets, work)

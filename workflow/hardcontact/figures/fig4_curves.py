@@ -48,22 +48,7 @@ def force_curves(fit: xr.Dataset, of_sets: xr.Dataset, work: float) -> Curves:
 def curve_rows(
     fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
 ) -> list[pd.DataFrame]:
-    """Return what panels b and c show: curves, values at the fit, published values.
-
-    Parameters
-    ----------
-    fit : xarray.Dataset
-        The part of inference.nc with one contact model.
-    curves : Curves
-        As from `force_curves`.
-    published_pull_off : pandas.DataFrame
-        With mean and median force (N) by surface.
-
-    Returns
-    -------
-    list of pandas.DataFrame
-        Ratios 1, forces in N, ranges of adhesion, also those of `x`, in nm.
-    """
+    """Return what panels b and c show: curves, values at the fit (nm, N), published values."""
     return [
         *_computed_rows(curves),
         _fitted_rows(fit),

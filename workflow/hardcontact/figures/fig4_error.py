@@ -31,19 +31,9 @@ MODELS: dict[str, dict[str, Any]] = {
 def error_rows(
     inference: xr.Dataset, sets: xr.Dataset, model: str, published_constants: pd.DataFrame
 ) -> pd.DataFrame:
-    """Return what panels d and e show but for the map itself.
+    """Return what panels d and e show but for the map itself, ranges in nm and works in J/m2.
 
-    Parameters
-    ----------
-    inference, sets, published_constants : xarray.Dataset, pandas.DataFrame
-        As Fig. 4 takes them.
-    model : str
-        Contact model of the fit.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Ranges in nm, works in J/m2. `x` is the range of adhesion (nm) that `value` belongs to.
+    `x` is the range of adhesion (nm) that `value` belongs to.
     """
     fit = inference.sel(contact_model=model)
     fine = inference["error_of_range"]
@@ -80,19 +70,7 @@ def draw_least_error(
     sets: xr.Dataset,
     model: str,
 ) -> None:
-    """Draw the error, least over W, against rho (nm), and the best fit of each set.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw.
-    inference : xarray.Dataset
-        With `error_of_range(contact_model, rho_fine)`, its minima, `best_error` and its interval.
-    sets : xarray.Dataset
-        With `range_of_adhesion(set, contact_model)` in nm and `best_error` there.
-    model : str
-        Contact model of the fits that are marked.
-    """
+    """Draw the error, least over W, against rho (nm), and the best fit of each set."""
     fit, of_sets = inference.sel(contact_model=model), sets.sel(contact_model=model)
     threshold = inference.attrs["error_threshold"]
     axes.plot(
@@ -131,17 +109,7 @@ def draw_least_error(
 
 
 def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> None:
-    """Map the mean relative error over rho (nm) and W (mJ/m2), and mark fit and published values.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw.
-    fit : xarray.Dataset
-        The part of inference.nc with one contact model.
-    published_constants : pandas.DataFrame
-        With range (nm) and work of adhesion (J/m2) and their uncertainties.
-    """
+    """Map the mean relative error over rho (nm) and W (mJ/m2), with fit and published values."""
     error = fit["mean_relative_error"].transpose("work", "rho_fine")
     rho, work = fit["rho_fine"].values, fit["work"].values / MILLIJOULE
     image = axes.pcolormesh(

@@ -29,17 +29,9 @@ COLUMNS = [*ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the line scans and the distributions of Fig. 5, one row a point, values in nm.
 
-    Parameters
-    ----------
-    indent, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Line scans (panels b, c): height of the sphere before and after against `position` in nm.
-        Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
-        `preload` in N. The map stays in indent.nc.
+    Line scans (panels b, c): height of the sphere before and after against `position` in nm.
+    Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
+    `preload` in N. The map stays in indent.nc.
     """
     published = published_constants["value"]
     shown = _at_preload(indent, published[PRELOAD])
@@ -56,21 +48,7 @@ def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame
 
 @style.print_style()
 def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw Fig. 5: (a) one contact, (b, c) lines through its deepest point, (d-f) all contacts.
-
-    Parameters
-    ----------
-    indent : xarray.Dataset
-        With `indentation(preload, y, x)` and `sphere_height(y, x)`, up from its apex, and of each
-        contact `depth`, `edge_length` and `lateral_size`, all in nm; preloads in N.
-    published_constants : pandas.DataFrame
-        With depth and edge length (nm) of an indent and the preload (N) they belong to.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
     shown = _at_preload(indent, published[PRELOAD])
     figure = style.create(5.3)

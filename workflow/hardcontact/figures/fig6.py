@@ -127,19 +127,11 @@ def table(
 ) -> pd.DataFrame:
     """Return force ratios and critical wavelengths of Fig. 6, one row a point.
 
-    Parameters
-    ----------
-    band, scales, sets, closed_form, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1),
-        `critical_wavelength` (nm), and `closed_form_ratio` (1) of the spectrum alone. `over` says
-        what `value`, `low` and `high` are: mean and interval over the "realizations" of the study,
-        or median and SHARE_OF_SETS over the "sets". `beyond` names those of the three that lie
-        beyond the last cutoff computed and are empty.
+    `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1),
+    `critical_wavelength` (nm), and `closed_form_ratio` (1) of the spectrum alone. `over` says what
+    `value`, `low` and `high` are: mean and interval over the "realizations" of the study, or median
+    and SHARE_OF_SETS over the "sets". `beyond` names those of the three that lie beyond the last
+    cutoff computed and are empty.
     """
     rows = pd.concat(
         frame
@@ -168,26 +160,6 @@ def draw(
     Panel a against the short-, b against the long-wavelength cutoff; below, the change of either
     sign, also of all substrates pooled, and the cutoffs where it exceeds the tolerance. The
     published cutoff runs through all.
-
-    Parameters
-    ----------
-    band : xarray.Dataset
-        With `scale_ratio(side, surface, cutoff_wavelength)`, `scale_change(side, group,
-        cutoff_wavelength)`, `critical_wavelength(side, group)` in nm, their intervals, and the
-        attribute `scale_tolerance`.
-    scales : xarray.Dataset
-        With `ratio(surface, realization, side, cutoff_wavelength)` and `transition(side)` in nm.
-    sets : xarray.Dataset
-        With the variables of `band` without intervals, by `set`.
-    closed_form : xarray.Dataset
-        With `filtered_ratio(surface, side, cutoff_wavelength)`, from the spectra alone.
-    published_constants : pandas.DataFrame
-        With the critical wavelengths of both sides (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
     """
     figure = style.create(6.4)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))

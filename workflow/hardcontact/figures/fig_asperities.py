@@ -54,20 +54,12 @@ COLUMNS = [*ROW_COLUMNS, "rho", *VALUE_COLUMNS]
 def table(
     asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
 ) -> pd.DataFrame:
-    """Return the curves against the range of adhesion rho (nm) and the lengths beside them.
+    """Return the curves against the range of adhesion `rho` (nm) and the lengths beside them.
 
-    Parameters
-    ----------
-    asperities, band, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
-        diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and
-        the diameter that holds the same share of the force, and the long critical wavelength,
-        computed with its interval and published.
+    Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
+    diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and the
+    diameter that holds the same share of the force, and the long critical wavelength, computed with
+    its interval and published.
     """
     frames = [
         *(_curve_rows(asperities, name) for name in QUANTITIES),
@@ -79,23 +71,7 @@ def table(
 
 @style.print_style()
 def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
-
-    Parameters
-    ----------
-    asperities : xarray.Dataset
-        With the shares (1), patches (1) and extent (nm) of each contact against `rho` (nm), and the
-        attributes `share` and `sphere_radius` (nm).
-    band : xarray.Dataset
-        With `critical_wavelength(side, group)` in nm and its interval.
-    published_constants : pandas.DataFrame
-        With the long critical wavelength (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide."""
     figure = style.create(5.2)
     grid = figure.subplots(2, 2, sharex=True)
     for axes, (name, quantity) in zip(grid.ravel(), QUANTITIES.items(), strict=True):

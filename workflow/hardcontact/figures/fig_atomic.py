@@ -32,16 +32,8 @@ COLUMNS = [
 def table(atomic: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    atomic : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        `ratio` against `cutoff_wavelength` and its short `edge` (panel a), the forces over those
-        of the finest pixels at each cutoff and without one (panel b). An open edge has no row.
+    `ratio` against `cutoff_wavelength` and its short `edge` (panel a), the forces over those of the
+    finest pixels at each cutoff and without one (panel b), lengths in nm. An open edge has no row.
     """
     rows = [
         bounded(atomic, name)
@@ -57,19 +49,7 @@ def table(atomic: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(atomic: xr.Dataset) -> Figure:
-    """Draw (a) ratio curves on each number of pixels, (b) their forces over the finest.
-
-    Parameters
-    ----------
-    atomic : xarray.Dataset
-        As from `finer_master.on_several_pixels`, with the attributes `label`, `basis` and
-        `transition` (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) ratio curves on each number of pixels, (b) their forces over the finest."""
     figure = style.create(3.3)
     curves, changes = figure.subplots(1, 2, sharex=True)
     _draw_ratios(curves, atomic)

@@ -58,18 +58,9 @@ QUANTITIES = {  # panel, origin; empty: not drawn
 def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the numbers of all panels, and further tests of the models.
 
-    Parameters
-    ----------
-    classical, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it
-        has any; each model with its definition of roughness and what its formula was checked
-        against. `x` is the Tabor parameter of `transition_coefficient`; `panel` is empty for what
-        is not drawn.
+    Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it has
+    any; each model with its definition of roughness and what its formula was checked against. `x`
+    is the Tabor parameter of `transition_coefficient`; `panel` is empty for what is not drawn.
     """
     rows = pd.concat([_rows(classical, name) for name in QUANTITIES], ignore_index=True)
     described = classical[["model_roughness", "model_verified"]].to_dataframe()
@@ -80,17 +71,7 @@ def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFr
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) forces, (b) errors of the models, (c) effective works, (d) the transition.
 
-    Parameters
-    ----------
-    classical : xarray.Dataset
-        With the variables of `QUANTITIES`: forces in N, works of adhesion in J/m2, all else 1.
-    published_constants : pandas.DataFrame
-        With the work of adhesion (J/m2) that the models are computed at.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    The models are computed at the published work of adhesion.
     """
     work = published_constants["value"]["work_of_adhesion"]
     figure = style.create(6.0)

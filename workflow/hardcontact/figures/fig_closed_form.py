@@ -30,17 +30,9 @@ COLUMNS = [*ROW_COLUMNS, "map_size", "source", "rho", *VALUE_COLUMNS]
 def table(closed_form: xr.Dataset) -> pd.DataFrame:
     """Return forces, their errors and the freezing, one row a point.
 
-    Parameters
-    ----------
-    closed_form : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Panel a: `computed_force` with its interval, `predicted_force` and its first term alone in
-        N; b: `error`, predicted over computed; c: `whole_freezing` of all scales. Against `rho` and
-        by `map_size`, both in nm. Without a panel: both edges of the band in nm.
+    Panel a: `computed_force` with its interval, `predicted_force` and its first term alone in N; b:
+    `error`, predicted over computed; c: `whole_freezing` of all scales. Against `rho` and by
+    `map_size`, both in nm. Without a panel: both edges of the band in nm.
     """
     computed = bounded(closed_form, "computed_force")
     rows = [computed_rows(computed, panel="a", quantity="computed_force", unit="N")]
@@ -60,18 +52,7 @@ def table(closed_form: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(closed_form: xr.Dataset) -> Figure:
-    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing.
-
-    Parameters
-    ----------
-    closed_form : xarray.Dataset
-        Of `adhesion.closed_form_errors`, with `label(surface)` and `basis(surface)`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing."""
     figure = style.create(3.3)
     forces, errors, freezing = figure.subplots(1, 3)
     largest = closed_form.isel(map_size=-1)

@@ -32,19 +32,11 @@ COLUMNS = [*ROW_COLUMNS, "scan", "contact", *VALUE_COLUMNS]
 
 
 def table(elastic: xr.Dataset) -> pd.DataFrame:
-    """Return what panels b to d are drawn from, one row a number.
+    """Return what panels b to d are drawn from, one row a number; the maps stay in elastic.nc.
 
-    Parameters
-    ----------
-    elastic : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
-        elastic over its rigid pull-off force (1); of each surface their medians; and the levels
-        they are compared with, the published one as `low` to `high`. The maps stay in elastic.nc.
+    Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
+    elastic over its rigid pull-off force (1); of each surface their medians; and the levels they
+    are compared with, the published one as `low` to `high`.
     """
     contacts = _contacts(elastic)
     rows = pd.concat(
@@ -55,20 +47,7 @@ def table(elastic: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(elastic: xr.Dataset) -> Figure:
-    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
-
-    Parameters
-    ----------
-    elastic : xarray.Dataset
-        With `pressure(surface, y, x)` and the attribute `hardness` in Pa, and of each contact
-        `hard_share` (1), `peak_pressure` (Pa), `rigid_pull_off_force` and `elastic_pull_off_force`
-        (N).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
     contacts = _contacts(elastic)
     figure = style.create(4.6)
     rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))

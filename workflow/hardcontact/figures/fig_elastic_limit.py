@@ -37,17 +37,9 @@ COLUMNS = [*ROW_COLUMNS, "variant", "scan", "contact", "share", *VALUE_COLUMNS]
 def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    elastic_limit : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        The plasticity index that a `share` of contacts does not exceed (panel a), shares of plastic
-        contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
-        variant (d), and the bearing area.
+    The plasticity index that a `share` of contacts does not exceed (panel a), shares of plastic
+    contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
+    variant (d), and the bearing area.
     """
     index = computed_rows(
         _distribution(elastic_limit).to_dataset(name="value"),
@@ -81,18 +73,7 @@ def _distribution(limit: xr.Dataset) -> xr.DataArray:
 
 @style.print_style()
 def draw(elastic_limit: xr.Dataset) -> Figure:
-    """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces.
-
-    Parameters
-    ----------
-    elastic_limit : xarray.Dataset
-        As from `elastic_limit`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces."""
     figure = style.create(4.8)
     indices, shares, areas, forces = figure.subplots(2, 2).ravel()
     _draw_indices(indices, elastic_limit)

@@ -40,18 +40,10 @@ COLUMNS = [
 def table(laws: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    laws : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        By law and case its range, work and error (panel a), the error of every length at its best
-        work (panel b, `case` its target), the ratios of forces, computed and published (panel c),
-        and the edges of the band, also over those of Eq. 1 (panels d and e), of each substrate and
-        of all pooled: a `group`.
+    By law and case its range (nm), work (J/m2) and error (panel a), the error of every length at
+    its best work (b, `case` its target), the ratios of forces, computed and published (c), and the
+    edges of the band, also over those of Eq. 1 (d and e), of each substrate and of all pooled: a
+    `group`.
     """
     strengths = laws[["implied_over_known"]].rename(implied_over_known="value")
     drawn = [("a", name, unit, bounded(laws, name)) for name, unit in FITS.items()]
@@ -78,18 +70,7 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(laws: xr.Dataset) -> Figure:
-    """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band.
-
-    Parameters
-    ----------
-    laws : xarray.Dataset
-        As from `law_comparison.compare_laws`, with `label(surface)` and `basis(surface)`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band."""
     figure, (pressures, errors, ratios), (small, large) = style.three_above_two(5.2, 1)
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)

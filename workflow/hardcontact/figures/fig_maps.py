@@ -24,20 +24,11 @@ COLUMNS = [*ROW_COLUMNS, "sample", "rho", "contacts", "relative_force", *VALUE_C
 
 
 def table(maps: xr.Dataset) -> pd.DataFrame:
-    """Return what panels b to f are drawn from, one row a number.
+    """Return what panels b to f are drawn from, one row a number; the maps stay in maps.nc.
 
-    Parameters
-    ----------
-    maps : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Of each surface the mean of the map that is drawn and the distribution of all maps, over
-        the force of a smooth sphere; relative errors of means at the confidence of the study by the
-        number of contacts, and of the mean of one whole scan; contacts and scans needed, with
-        their intervals. The maps stay in maps.nc.
+    Of each surface the mean of the map that is drawn and the distribution of all maps, over the
+    force of a smooth sphere; relative errors of means at the confidence of the study by the number
+    of contacts, and of the mean of one whole scan; contacts and scans needed, with their intervals.
     """
     rows = [
         _rows(_drawn_mean(maps), "b", "mean_over_smooth_sphere"),
@@ -53,18 +44,7 @@ def table(maps: xr.Dataset) -> pd.DataFrame:
 
 @style.print_style()
 def draw(maps: xr.Dataset) -> Figure:
-    """Draw (a) heights, (b) forces on them, (c) distributions, (d) errors, (e, f) what is needed.
-
-    Parameters
-    ----------
-    maps : xarray.Dataset
-        `surface_maps.maps_of_surfaces`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) heights, (b) forces, (c) distributions, (d) errors, (e, f) what a mean needs."""
     figure = style.create(8.2)
     rows = figure.add_gridspec(4, 1, height_ratios=(1, 1, 1.25, 1.25))
     across = maps.sizes["surface"]

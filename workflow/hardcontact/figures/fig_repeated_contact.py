@@ -35,17 +35,9 @@ COLUMNS = [*ROW_COLUMNS, "preload", "scan", "order", "indent", "stage", *VALUE_C
 def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    repeated_contact, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Force ratio, depth (nm) and size (nm) by surface, preload (N) and number of contacts
-        (`stage`), and depth and size of every indent after the last. Published: the ranges of
-        depths and sizes in an image. Of the map its deepest pixel; the rest stays in the dataset.
+    Force ratio, depth (nm) and size (nm) by surface, preload (N) and number of contacts (`stage`),
+    and depth and size of every indent after the last. Published: the ranges of depths and sizes in
+    an image. Of the map its deepest pixel; the rest stays in the dataset.
     """
     curves = [
         computed_rows(bounded(repeated_contact, name), panel=panel, quantity=name, unit=unit)
@@ -71,20 +63,7 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
 
 @style.print_style()
 def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind.
-
-    Parameters
-    ----------
-    repeated_contact : xarray.Dataset
-        As from `repeated_contact`.
-    published_constants : pandas.DataFrame
-        With the ranges of depths and sizes (nm) in an image after 400 contacts.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind."""
     figure, curves, (view, sizes) = style.three_above_two(5.2, 1.15)
     for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
         _draw_curves(axes, repeated_contact, name)

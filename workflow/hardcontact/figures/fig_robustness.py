@@ -67,19 +67,10 @@ def table(
 ) -> pd.DataFrame:
     """Return the four quantities, one row each of a variant, of the study and of the paper.
 
-    Of range and work a row each of the other minima of the error of a variant follows.
-
-    Parameters
-    ----------
-    robustness, inference, band, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its
-        interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity
-        or the force never leaves the band. `variant` is empty but for variants.
+    Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its
+    interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity or
+    the force never leaves the band. Of range and work a row each of the other minima of the error
+    of a variant follows. `variant` is empty but for variants.
     """
     of_study = inference.sel(contact_model=CONTACT_MODEL).merge(
         band.sel(group=GROUP), compat="override"
@@ -107,19 +98,7 @@ def draw(
 ) -> Figure:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
-    Parameters
-    ----------
-    robustness : xarray.Dataset
-        With the quantities (variant) in nm and J/m2.
-    inference, band : xarray.Dataset
-        With those of the study itself, which has more contacts, pixels and realizations.
-    published_constants : pandas.DataFrame
-        With the published ones and their uncertainties.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    The study itself, above them, has more contacts, pixels and realizations.
     """
     rows = table(robustness, inference, band, published_constants)
     heights = _heights(robustness)

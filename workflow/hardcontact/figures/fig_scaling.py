@@ -43,19 +43,9 @@ COLUMNS = [
 def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        As `draw` takes it.
-    published_constants : pandas.DataFrame
-        With the critical wavelengths of both sides (nm).
-
-    Returns
-    -------
-    pandas.DataFrame
-        Edges of all combinations (panel a: short edges at the paper's contact area, b: long edges,
-        c: short edges at other areas), exponents with what they say (d), rms height and roll-off
-        of each surface, and the published edges.
+    Edges (nm) of all combinations (panel a: short edges at the paper's contact area, b: long edges,
+    c: short edges at other areas), exponents with what they say (d), rms height and roll-off (nm)
+    of each surface, and the published edges.
     """
     edges = bounded(scaling, "edge").assign(reach=scaling["reach"])
     exponents = _exponents(scaling).assign(dependence=scaling["dependence"])
@@ -88,18 +78,7 @@ def _exponents(scaling: xr.Dataset) -> xr.Dataset:
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw edges against (a) the range and (b) reach of the attraction, (c) contact, (d) exponents.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        As from `edge_scaling.edge_scaling`, with the attributes ``sphere_radius``, ``rho`` (nm)
-        and ``area`` (nm²) of the paper: sections go through the combination nearest to them.
-    published_constants : pandas.DataFrame
-        With the critical wavelengths of both sides (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    Sections go through the combination nearest to the paper's radius, range (nm) and area (nm²).
     """
     figure = style.create(5.6)
     (short, long), (contact, exponents) = figure.subplots(2, 2)

@@ -31,17 +31,9 @@ OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zor
 def table(scan_size: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b),
-        and the sizes needed (c); long edges on windows and whole surfaces, and the forces there
-        over that on the largest (d). The value of an edge that is open is its bound.
+    Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b), and
+    the sizes needed (c, nm); long edges (nm) on windows and whole surfaces, and the forces there
+    over that on the largest (d). The value of an edge that is open is its bound.
     """
     surfaces = bounded(scan_size, "excess").assign(predicted=scan_size["predicted_excess"])
     known = scan_size[["known_excess", "predicted_known_excess"]].rename(
@@ -80,19 +72,7 @@ def _of_sizes(values: xr.Dataset, quantity: str, unit: str) -> pd.DataFrame:
 
 @style.print_style()
 def draw(scan_size: xr.Dataset) -> Figure:
-    """Draw (a) the excess against the scan, (b) against the rule, (c) sizes needed, (d) long edges.
-
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As from `scan_size_trials.scan_size_trials` and `window_edges.window_edges`, with label and
-        basis of surfaces and the attributes ``rho`` and ``scan_size`` (nm) of the study.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) the excess against the scan, (b) the rule, (c) sizes needed, (d) long edges."""
     figure = style.create(5.4)
     (sizes, rule), (needed, edges) = figure.subplots(2, 2)
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")

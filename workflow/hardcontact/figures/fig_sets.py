@@ -46,17 +46,9 @@ def table(
 ) -> pd.DataFrame:
     """Return the fits of each set and the rank correlations of its facts, one row a number.
 
-    Parameters
-    ----------
-    sets, inference, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Panel a: share of the sets (1) whose best range lies between `range_low` and `range_high`
-        (nm). b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published.
-        c: rank correlation (1) with its interval. d: least error (1) of each set.
+    Panel a: share of the sets (1) whose best range lies between `range_low` and `range_high` (nm).
+    b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published. c: rank
+    correlation (1) with its interval. d: least error (1) of each set.
     """
     facts = fig_sets_facts.correlations(sets.sel(contact_model=PLASTIC))
     rows = pd.concat(
@@ -74,22 +66,7 @@ def table(
 
 @style.print_style()
 def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors.
-
-    Parameters
-    ----------
-    sets : xarray.Dataset
-        With the fit of each set, by contact model, and the facts of its scans, by surface.
-    inference : xarray.Dataset
-        With the fit of the study's own scans.
-    published_constants : pandas.DataFrame
-        With range (nm) and work of adhesion (J/m2) and their uncertainties.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors."""
     fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     labels = {str(name): str(label) for name, label in inference["label"].to_series().items()}
     facts = fig_sets_facts.correlations(of_sets)

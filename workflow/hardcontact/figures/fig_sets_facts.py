@@ -30,16 +30,8 @@ LEAST_SPREAD = 1e-6  # over the sets, of a fact that can move anything, as a sha
 def correlations(of_sets: xr.Dataset) -> pd.DataFrame:
     """Return the rank correlation over the sets of each fact with the range of adhesion.
 
-    Parameters
-    ----------
-    of_sets : xarray.Dataset
-        With FACTS (set, surface) and `range_of_adhesion(set)`.
-
-    Returns
-    -------
-    pandas.DataFrame
-        `quantity` (the fact), `surface`, `value`, Spearman's coefficient, and its interval `low`,
-        `high` by Fisher's transformation. Facts that are the same in all sets are left out.
+    Columns: `quantity` (the fact), `surface`, `value`, Spearman's coefficient, and its interval
+    `low`, `high` by Fisher's transformation. Facts that are the same in all sets are left out.
     """
     count, rows = of_sets.sizes["set"], []
     for name in FACTS if count >= FEWEST_SETS else ():
@@ -74,17 +66,7 @@ def name_fact(row: pd.Series, label: str) -> str:
 
 
 def draw_correlations(axes: Axes, rows: pd.DataFrame, surfaces: list[str]) -> None:
-    """Draw a bar for each rank correlation, by fact and, within it, by surface.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw.
-    rows : pandas.DataFrame
-        As from `correlations`.
-    surfaces : list of str
-        In the order of their colours.
-    """
+    """Draw a bar for each rank correlation, by fact and, within it, by surface, of its colour."""
     colours, most = style.colours(surfaces), strongest(rows)
     facts = [name for name in FACTS if name in set(rows["quantity"])]
     step = 0.8 / len(surfaces)

@@ -59,16 +59,7 @@ def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
 def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
     """Mark the best fit of the study with a star, and the other minima of its error with rings.
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        With the range of adhesion (nm) along x.
-    fit : xarray.Dataset
-        The part of inference.nc with one contact model.
-    height : str
-        What y is: "work" or "error".
-    unit : float
-        That of y, in that of the dataset.
+    Along x the range of adhesion (nm), along y the `height`, "work" or "error", in `unit`.
     """
     best = {"work": "work_of_adhesion", "error": "best_error"}[height]
     others = fit["minimum_range"].values != fit["range_of_adhesion"].item()

@@ -117,21 +117,9 @@ def create(height: float) -> Figure:
 
 
 def three_above_two(height: float, below: float) -> tuple[Figure, np.ndarray, np.ndarray]:
-    """Return a figure of this height in inches with three panels above two.
+    """Return a figure of this height (inch) and its panels, three above two.
 
-    Parameters
-    ----------
-    height : float
-        Of the figure, in inches.
-    below : float
-        Height of the lower panels over that of the upper ones.
-
-    Returns
-    -------
-    figure : matplotlib.figure.Figure
-        The figure.
-    upper, lower : ndarray of matplotlib.axes.Axes
-        (3,) and (2,).
+    `below` is the height of the lower panels over that of the upper ones.
     """
     figure = create(height)
     rows = figure.add_gridspec(2, 1, height_ratios=(1, below))
@@ -174,13 +162,8 @@ def label_logarithmic(axis: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
 def end_near_values(panels: Sequence[Axes]) -> None:
     """End the logarithmic y axes of panels a decade beyond the values drawn as lines, at most.
 
-    Error bars and bands do not count: an interval of two scans may span twenty decades, and all
-    values would lie in one line. What is longer leaves the frame.
-
-    Parameters
-    ----------
-    panels : sequence of matplotlib.axes.Axes
-        That share their y axis, or one.
+    The panels share their y axis. Error bars and bands do not count: an interval of two scans may
+    span twenty decades, and all values would lie in one line. What is longer leaves the frame.
     """
     heights = [
         np.asarray(line.get_ydata(), float)
@@ -252,12 +235,7 @@ def print_interval(ends: Mapping[str, float], digits: str) -> str:
 def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
     """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        With room for one line at its foot.
-    dataset : xarray.Dataset
-        With `label(surface)` and `basis(surface)`, the latter "substitute" or "measured".
+    The dataset has `label(surface)` and `basis(surface)`, "substitute" or "measured".
     """
     substitutes = dataset["label"].values[dataset["basis"].values == "substitute"]
     note = "all surfaces measured"

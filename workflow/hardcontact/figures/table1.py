@@ -68,18 +68,9 @@ QUANTITIES = (
 def table(topography: xr.Dataset, published_table1: pd.DataFrame) -> pd.DataFrame:
     """Return the published and the computed values of Table 1, one row a value.
 
-    Parameters
-    ----------
-    topography, published_table1 : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the
-        standard deviation over the scans (none for the moments of the joined spectrum).
-        `by_construction` says that a substitute was made to meet the published value under this
-        definition.
+    Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the standard
+    deviation over the scans (none for the moments of the joined spectrum). `by_construction` says
+    that a substitute was made to meet the published value under this definition.
     """
     rows = [
         row
@@ -95,22 +86,7 @@ def table(topography: xr.Dataset, published_table1: pd.DataFrame) -> pd.DataFram
 
 @style.print_style()
 def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
-    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones.
-
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        With the moments of each surface, over scans `<name>_mean` and `<name>_std`, of the joined
-        spectrum `all_scales_<name>`; `calibrated_to_table1(surface)`, the rows of Table 1 that a
-        substitute was fitted to, and the attributes `table1_variables` and `sphere_surface`.
-    published_table1 : pandas.DataFrame
-        One row a value, with columns surface, quantity, value and uncertainty.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones."""
     rows = table(topography, published_table1)
     lines = rows[["scope", "quantity", "origin", "definition"]].drop_duplicates()
     lines = lines.sort_values("origin", ascending=False, kind="stable")  # published ones first

@@ -41,19 +41,9 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
 
 
 def computed_rows(values: xr.Dataset, **columns: Any) -> pd.DataFrame:
-    """Return a row for each known value of computed quantities.
+    """Return a row for each known `value` of computed quantities: its dimensions and variables.
 
-    Parameters
-    ----------
-    values : xarray.Dataset
-        With `value`, perhaps its bounds `low` and `high`, and more that belongs to each value.
-    **columns : str or callable
-        Columns that say what the rows are, as `pandas.DataFrame.assign` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        A column for each dimension, coordinate and variable, and these.
+    The columns, as `pandas.DataFrame.assign` takes them, say what the rows are.
     """
     known = values.to_dataframe().reset_index().dropna(subset=["value"])
     return known.assign(origin="computed", **columns)
@@ -87,32 +77,11 @@ def published_edge(constants: pd.DataFrame, side: str) -> float:
 
 
 def label_surfaces(rows: pd.DataFrame, data: xr.Dataset, column: str = "surface") -> pd.DataFrame:
-    """Add to each row the label and the basis of its surface.
-
-    Parameters
-    ----------
-    rows : pandas.DataFrame
-        With a column that names surfaces; label and basis of any other name are missing.
-    data : xarray.Dataset
-        With `label(surface)` and `basis(surface)`.
-    column : str
-        Name of that column.
-
-    Returns
-    -------
-    pandas.DataFrame
-        With the columns `label` and `basis`.
-    """
+    """Add to each row label and basis of the surface in a column; other names there have none."""
     named = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return rows.join(named, on=column)
 
 
 def rows_by_construction(of_surface: xr.Dataset) -> list[str]:
-    """Return the rows of Table 1 that a substitute is made to meet, none of a measured surface.
-
-    Parameters
-    ----------
-    of_surface : xarray.Dataset
-        The part of topography.nc with one surface.
-    """
+    """Return the rows of Table 1 that a substitute is made to meet, none of a measured surface."""
     return rows_met(of_surface["calibrated_to_table1"].item())
