@@ -2,11 +2,13 @@
 
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import fig4_contact, fig4_curves, fig4_error, style
+from hardcontact.figures import fig4_curves, fig4_error, style
 from hardcontact.figures.marks import (
     BAND_OF_SETS,
     MILLIJOULE,
@@ -18,6 +20,9 @@ from hardcontact.figures.tables import ROW_COLUMNS, SHARE_OF_SETS, VALUE_COLUMNS
 __all__ = ["draw", "table"]
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+MICRONEWTON = 1e-6
+MEGAPASCAL = 1e6
+PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 COLUMNS = [*ROW_COLUMNS, "over", "x", *VALUE_COLUMNS]
 
 
@@ -38,7 +43,7 @@ def table(
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     curves = fig4_curves.force_curves(fit, of_sets, _published_work(published_constants))
     frames = [
-        fig4_contact.separation_rows(contact),
+        _separation_rows(contact),
         *fig4_curves.curve_rows(fit, curves, published_pull_off),
         fig4_error.error_rows(inference, sets, CONTACT_MODEL, published_constants),
     ]
@@ -63,8 +68,8 @@ def draw(
     pressure, separation, key = upper.subplots(squeeze=False)[0]
     ratios, forces = rows[1].subgridspec(1, 2).subplots(squeeze=False)[0]
     least, error = rows[2].subgridspec(1, 2).subplots(squeeze=False)[0]
-    fig4_contact.draw_pressure(pressure, contact)
-    fig4_contact.draw_separation(separation, contact)
+    _draw_pressure(pressure, contact)
+    _draw_separation(separation, contact)
     separation.set_title(_print_pair(published_constants), loc="left")
     fig4_curves.draw_ratios(ratios, fit, curves, published_pull_off)
     fig4_curves.draw_forces(forces, fit, curves, work, published_pull_off)
@@ -117,3 +122,55 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
             **fig4_curves.AT_FIT,
         ),
     ]
+
+
+def _separation_rows(contact: xr.Dataset) -> pd.DataFrame:
+    """Return the force (N) against the separation `x` (nm) of the contact."""
+    return pd.DataFrame(
+        {
+            "panel": "a",
+            "surface": str(contact.attrs["surface"]),
+            "origin": "computed",
+            "quantity": "force",
+            "x": contact["separation"].values,
+            "value": contact["force"].values,
+            "unit": "N",
+        }
+    )
+
+
+def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
+    """Map the adhesive pressure (MPa) around the apex, over its largest PRESSURE_DECADES."""
+    pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
+    top = pressure.max().item()
+    bottom = top / 10**PRESSURE_DECADES
+    x, y = contact["x"].values / 1000, contact["y"].values / 1000
+    image = axes.pcolormesh(
+        x,
+        y,
+        pressure.clip(min=bottom).values,
+        norm=LogNorm(bottom, top),
+        cmap="magma",
+        shading="nearest",
+        rasterized=True,
+    )
+    reach = _reach(pressure, bottom) / 1000
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x (µm)", ylabel="y (µm)")
+    axes.set_aspect("equal")
+    axes.locator_params(nbins=4)
+    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="adhesive pressure (MPa)")
+    style.label_panel(axes, "a", str(contact.attrs["label"]))
+
+
+def _draw_separation(axes: Axes, contact: xr.Dataset) -> None:
+    """Draw the force (µN) against the separation (nm)."""
+    axes.axhline(0, color="0.7", lw=0.6)
+    axes.plot(contact["separation"], contact["force"] / MICRONEWTON, color=style.PUBLISHED)
+    axes.set(xlabel="separation (nm)", ylabel="force (µN)")
+    axes.locator_params(nbins=5)
+
+
+def _reach(pressure: xr.DataArray, bottom: float) -> float:
+    """Return the half width (nm) of the square about the apex that holds all pressure > bottom."""
+    farthest = (abs(pressure[along]).where(pressure > bottom).max().item() for along in "xy")
+    return 1.05 * float(max(farthest))

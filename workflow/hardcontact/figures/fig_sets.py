@@ -8,8 +8,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from scipy import stats
 
-from hardcontact.figures import fig_sets_facts, style
+from hardcontact.figures import style
 from hardcontact.figures.marks import (
     FIT_STAR,
     MILLIJOULE,
@@ -37,6 +38,19 @@ MODELS: dict[str, dict[str, Any]] = {
 BINS_PER_DECADE = 8
 MINIMUM_UNITS = {"range": "nm", "work": "J/m2", "error": "1"}
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+#: Printed names of the facts, and their units. Every set of several substitute scans has the
+#: heights of Table 1.
+FACTS = {
+    "rms_height": ("height", "nm"),
+    "rms_height_std": ("height, sd", "nm"),
+    "rms_gradient": ("slope", ""),
+    "rms_gradient_std": ("slope, sd", ""),
+    "rms_half_laplacian": ("curvature", "nm⁻¹"),
+    "rms_half_laplacian_std": ("curvature, sd", "nm⁻¹"),
+}
+CONFIDENCE = 0.95
+FEWEST_SETS = 5  # fewer have no correlation worth showing
+LEAST_SPREAD = 1e-6  # over the sets, of a fact that can move anything, as a share of its mean
 COLUMNS = [*ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
 COLUMNS += VALUE_COLUMNS
 
@@ -50,7 +64,7 @@ def table(
     b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published. c: rank
     correlation (1) with its interval. d: least error (1) of each set.
     """
-    facts = fig_sets_facts.correlations(sets.sel(contact_model=PLASTIC))
+    facts = _correlations(sets.sel(contact_model=PLASTIC))
     rows = pd.concat(
         [
             *(_histogram_rows(sets, inference, model) for model in MODELS),
@@ -69,7 +83,7 @@ def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFr
     """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors."""
     fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     labels = {str(name): str(label) for name, label in inference["label"].to_series().items()}
-    facts = fig_sets_facts.correlations(of_sets)
+    facts = _correlations(of_sets)
     figure = style.create(5.8)
     columns = figure.add_gridspec(1, 2, width_ratios=(1.45, 1))
     left = columns[0].subgridspec(2, 1, height_ratios=(1, 2.6))
@@ -77,12 +91,12 @@ def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFr
     right = columns[1].subgridspec(2, 1, height_ratios=(1.3, 1))
     bars, errors = right.subplots(squeeze=False)[:, 0]
     _draw_histogram(counts, sets, inference)
-    _draw_places(places, of_sets, fig_sets_facts.strongest(facts), labels)
+    _draw_places(places, of_sets, _strongest(facts), labels)
     draw_fit(places, fit, "work", MILLIJOULE)
     draw_published_fit(places, published_constants)
     for axes in (counts, places):
         draw_published_range(axes, published_constants)
-    fig_sets_facts.draw_correlations(bars, facts, list(labels))
+    _draw_correlations(bars, facts, list(labels))
     style.label_panel(bars, "c", "what moves ρ: facts of the scans")
     figure.align_ylabels([counts, places])
     _draw_errors(errors, sets, inference)
@@ -204,7 +218,7 @@ def _draw_places(
     if moved_by is not None:
         bar = axes.figure.colorbar(points, ax=axes, location="bottom", pad=0.02, aspect=40)
         bar.ax.locator_params(nbins=6)
-        bar.set_label(fig_sets_facts.name_fact(moved_by, labels[moved_by["surface"]]))
+        bar.set_label(_name_fact(moved_by, labels[moved_by["surface"]]))
     axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
     axes.set(ylabel="work of adhesion $W$ (mJ/m²)")
     style.label_logarithmic(axes.xaxis, at=(1, 3))
@@ -255,3 +269,63 @@ def _legend_handles(
         *style.legend_entries([places]).values(),
         Line2D([], [], label=f"published ρ = {published:g} nm", **PUBLISHED_RANGE),
     ]
+
+
+def _correlations(of_sets: xr.Dataset) -> pd.DataFrame:
+    """Return the rank correlation over the sets of each fact with the range of adhesion.
+
+    Columns: `quantity` (the fact), `surface`, `value`, Spearman's coefficient, and its interval
+    `low`, `high` by Fisher's transformation. Facts that are the same in all sets are left out.
+    """
+    count, rows = of_sets.sizes["set"], []
+    for name in FACTS if count >= FEWEST_SETS else ():
+        for surface in map(str, of_sets["surface"].values):
+            fact = of_sets[name].sel(surface=surface).values
+            if fact.std() > LEAST_SPREAD * abs(fact.mean()):
+                value = stats.spearmanr(fact, of_sets["range_of_adhesion"].values).statistic
+                rows.append({"quantity": name, "surface": surface, **_with_bounds(value, count)})
+    return pd.DataFrame(rows, columns=["quantity", "surface", "value", "low", "high"])
+
+
+def _with_bounds(value: float, count: int) -> dict[str, float]:
+    """Return a rank correlation of `count` pairs with its interval.
+
+    The variance of its Fisher transform is 1.06/(count - 3) (Fieller, Hartley and Pearson 1957).
+    """
+    half = stats.norm.ppf((1 + CONFIDENCE) / 2) * np.sqrt(1.06 / (count - 3))
+    low, high = np.tanh(np.arctanh(np.clip(value, -0.999999, 0.999999)) + [-half, half])
+    return {"value": float(value), "low": float(low), "high": float(high)}
+
+
+def _strongest(rows: pd.DataFrame) -> pd.Series | None:
+    """Return the row of `_correlations` of the largest absolute value; None if there is none."""
+    known = rows.dropna(subset="value")
+    return None if known.empty else known.iloc[int(known["value"].abs().argmax())]
+
+
+def _name_fact(row: pd.Series, label: str) -> str:
+    """Return the printed name and unit of the fact of a row, given the label of its surface."""
+    name, unit = FACTS[row["quantity"]]
+    return f"rms {name}, of {label}" + (f" ({unit})" if unit else "")
+
+
+def _draw_correlations(axes: Axes, rows: pd.DataFrame, surfaces: list[str]) -> None:
+    """Draw a bar for each rank correlation, by fact and, within it, by surface, of its colour."""
+    colours, most = style.colours(surfaces), _strongest(rows)
+    facts = [name for name in FACTS if name in set(rows["quantity"])]
+    step = 0.8 / len(surfaces)
+    for index, row in rows.iterrows():
+        place = facts.index(row["quantity"]) + step * (surfaces.index(row["surface"]) + 0.5) - 0.4
+        edge: dict[str, Any] = {"edgecolor": "black", "linewidth": 1.2}
+        axes.barh(
+            place,
+            row["value"],
+            step,
+            color=colours[row["surface"]],
+            **(edge if most is not None and index == most.name else {}),
+        )
+        axes.plot([row["low"], row["high"]], [place] * 2, color="0.2", lw=0.8)
+    axes.axvline(0, color="0.3", lw=0.6)
+    axes.set_yticks(range(len(facts)), [FACTS[name][0] for name in facts])
+    axes.set(xlim=(-1, 1), xlabel="rank correlation with ρ")
+    axes.set_ylim(max(len(facts), 1) - 0.4, -0.6)
