@@ -7,7 +7,7 @@ from random_scans import PIXEL, UNCD
 
 from hardcontact.records import published
 from hardcontact.surfaces import calibration, spectral_models
-from hardcontact.surfaces.calibration import expected_moments, transfer_weights
+from hardcontact.surfaces.calibration import expected_moments, rows_met, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 
@@ -95,3 +95,8 @@ def test_rows_that_calibrate_are_rows_of_the_published_table(at_root):
         assert {*calibration.AFM_ROWS, *calibration.TAIL_ROWS} == set(of_surface.quantity) - {
             "all_rms_height"
         }
+
+
+def test_rows_met_are_those_named():
+    assert rows_met("afm_rms_height,all_rms_slope") == ["afm_rms_height", "all_rms_slope"]
+    assert rows_met("") == []

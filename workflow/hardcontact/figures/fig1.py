@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
-from hardcontact.figures.style import draw_map
-from hardcontact.figures.tables import BY_CONSTRUCTION, rows_by_construction
+from hardcontact.figures.tables import BY_CONSTRUCTION
+from hardcontact.surfaces.calibration import rows_met
 
 __all__ = ["draw", "table"]
 
@@ -45,7 +45,8 @@ def table(topography: xr.Dataset) -> pd.DataFrame:
         rows.append({**named, "quantity": "map_rms_height", "value": _rms(heights)})
         rows.append({**named, "quantity": "map_peak_to_valley", "value": np.ptp(heights)})
         if state != AS_SCANNED:
-            over_scans = _over_scans(topography, surface)
+            mean, deviation = _over_scans(topography.sel(surface=surface))
+            over_scans = {"value": mean, "uncertainty": deviation}
             rows.append({**named, "quantity": "rms_height_mean", **over_scans})
     return pd.DataFrame(rows).assign(unit="nm")
 
@@ -59,7 +60,7 @@ def draw(topography: xr.Dataset) -> Figure:
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
-        draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
+        style.draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
         axes.spines[:].set(edgecolor=colours[surface], linewidth=1.5)
         label = str(topography["label"].sel(surface=surface).item())
         name = f"{label}, {state}" if state else label
@@ -96,17 +97,15 @@ def _rms(heights: np.ndarray) -> float:
     return float(np.std(heights, dtype=float))
 
 
-def _over_scans(topography: xr.Dataset, surface: str) -> dict[str, float]:
-    of_surface = topography[["rms_height_mean", "rms_height_std"]].sel(surface=surface)
-    return {
-        "value": of_surface["rms_height_mean"].item(),
-        "uncertainty": of_surface["rms_height_std"].item(),
-    }
+def _over_scans(of_surface: xr.Dataset) -> tuple[float, float]:
+    """Return mean and standard deviation of the rms height (nm) over the scans of a surface."""
+    return of_surface["rms_height_mean"].item(), of_surface["rms_height_std"].item()
 
 
 def _print_over_scans(of_surface: xr.Dataset) -> str:
     """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
-    mean, deviation = (of_surface[f"rms_height_{name}"].item() for name in ("mean", "std"))
-    mark = BY_CONSTRUCTION if "afm_rms_height" in rows_by_construction(of_surface) else ""
+    mean, deviation = _over_scans(of_surface)
+    met = rows_met(of_surface["calibrated_to_table1"].item())
+    mark = BY_CONSTRUCTION if "afm_rms_height" in met else ""
     scatter = f" ± {deviation:.3g}" if math.isfinite(deviation) else ""
     return f"all: {mean:.3g}{scatter}{mark}"

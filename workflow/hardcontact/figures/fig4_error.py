@@ -14,7 +14,7 @@ from hardcontact.figures.marks import (
     draw_fit,
     draw_published_fit,
 )
-from hardcontact.figures.tables import published_value, value_and_bounds
+from hardcontact.figures.tables import published_rows, value_and_bounds
 
 __all__ = ["draw_error_map", "draw_least_error", "error_rows"]
 
@@ -56,11 +56,7 @@ def error_rows(
     ]
     marks = [*_minimum_rows(fit), *_fit_rows(fit), *_region_rows(fit)]
     computed = pd.concat([*curves, *clouds, pd.DataFrame(marks)]).assign(origin="computed")
-    published = pd.DataFrame(
-        {"panel": "e", "origin": "published", "quantity": name, "unit": unit}
-        | published_value(published_constants, name)
-        for name, unit in UNITS.items()
-    )
+    published = published_rows(published_constants, UNITS, "e")
     return pd.concat([computed, published], ignore_index=True)
 
 

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import style
 from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import VALUE_COLUMNS, bounded
+from hardcontact.figures.tables import VALUE_COLUMNS, bounded, computed_rows
 
 __all__ = ["draw", "table"]
 
@@ -35,16 +35,12 @@ def table(atomic: xr.Dataset) -> pd.DataFrame:
     `ratio` against `cutoff_wavelength` and its short `edge` (panel a), the forces over those of the
     finest pixels at each cutoff and without one (panel b), lengths in nm. An open edge has no row.
     """
-    rows = [
-        bounded(atomic, name)
-        .to_dataframe()
-        .reset_index()
-        .assign(quantity=name, panel=panel, unit=unit, origin="computed")
+    rows = pd.concat(
+        computed_rows(bounded(atomic, name), panel=panel, quantity=name, unit=unit)
         for name, (panel, unit) in QUANTITIES.items()
-    ]
+    )
     sizes = atomic["pixel_size"].to_series().rename("pixel_size")
-    known = pd.concat(rows).dropna(subset=["value"])
-    return known.join(sizes, on="pixels").reindex(columns=COLUMNS).reset_index(drop=True)
+    return rows.join(sizes, on="pixels").reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 @style.print_style()

@@ -42,9 +42,8 @@ def table(closed_form: xr.Dataset) -> pd.DataFrame:
         ("b", "error", "1"),
         ("c", "whole_freezing", "1"),
     ):
-        values = closed_form[[name]].rename({name: "value"})
-        rows.append(computed_rows(values, panel=panel, quantity=name, unit=unit))
-    edges = computed_rows(closed_form[["edge"]].rename(edge="value"), panel="", unit="nm")
+        rows.append(computed_rows(closed_form[name], panel=panel, quantity=name, unit=unit))
+    edges = computed_rows(closed_form["edge"], panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
     rows.append(edges)
     return label_surfaces(pd.concat(rows, ignore_index=True), closed_form)[COLUMNS]

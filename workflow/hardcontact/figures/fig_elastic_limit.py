@@ -41,26 +41,19 @@ def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
     contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
     variant (d), and the bearing area.
     """
-    index = computed_rows(
-        _distribution(elastic_limit).to_dataset(name="value"),
-        panel="a", quantity="plasticity_index", unit="1",
-    )  # fmt: skip
-    shares = [
-        computed_rows(bounded(elastic_limit, name), panel="b", quantity=name, unit="1")
-        for name in SHARES
+    drawn: list[tuple[str, str, str, xr.Dataset | xr.DataArray]] = [
+        ("a", "plasticity_index", "1", _distribution(elastic_limit)),
+        *(("b", name, "1", bounded(elastic_limit, name)) for name in SHARES),
+        *(("c", name, "nm2", elastic_limit[name]) for name in AREAS),
+        ("d", "force_ratio", "1", bounded(elastic_limit, "force_ratio")),
     ]
-    areas = [
-        computed_rows(
-            elastic_limit[[name]].rename({name: "value"}), panel="c", quantity=name, unit="nm2"
-        )
-        for name in AREAS
-    ]
-    forces = computed_rows(
-        bounded(elastic_limit, "force_ratio"), panel="d", quantity="force_ratio", unit="1"
+    computed = pd.concat(
+        computed_rows(values, panel=panel, quantity=name, unit=unit)
+        for panel, name, unit, values in drawn
     )
     bearing = pd.DataFrame([{"panel": "c", "origin": "given", "quantity": "bearing_area"}])
     bearing = bearing.assign(value=elastic_limit.attrs["bearing_area"], unit="nm2")
-    rows = label_surfaces(pd.concat([index, *shares, *areas, forces]), elastic_limit)
+    rows = label_surfaces(computed, elastic_limit)
     return pd.concat([rows, bearing]).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
@@ -108,7 +101,7 @@ def _draw_shares(axes: Axes, limit: xr.Dataset) -> None:
     for (name, label), shift in zip(SHARES.items(), (-0.12, 0.12), strict=True):
         for place, (surface, look) in enumerate(looks.items()):
             one = bounded(limit, name).sel(surface=surface)
-            known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
+            known = np.nan_to_num(reach(one))[:, None]
             axes.errorbar(place + shift, one["value"], known, ls="none", **look, **OPEN[name])
         axes.plot([], [], "o", color="0.3", ls="none", label=label, **OPEN[name])
     axes.set(ylim=(-0.06, 1.06), yticks=np.linspace(0, 1, 6), ylabel="share of contacts")
@@ -141,7 +134,7 @@ def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
         ratio = bounded(limit, "force_ratio").sel(variant=variant)
         for place, colour in enumerate(colours):
             one = ratio.isel(surface=place)
-            known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
+            known = np.nan_to_num(reach(one))[:, None]
             axes.errorbar(place + shift, one["value"], known, fmt=marker, color=colour)
         axes.plot([], [], marker, color="0.3", label=NAMES[variant])
     axes.axhline(1, color="0.7", lw=0.6, zorder=0)

@@ -45,13 +45,13 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
     edges of the band, also over those of Eq. 1 (d and e), of each substrate and of all pooled: a
     `group`.
     """
-    strengths = laws[["implied_over_known"]].rename(implied_over_known="value")
+    drawn: list[tuple[str, str, str, xr.Dataset | xr.DataArray]]
     drawn = [("a", name, unit, bounded(laws, name)) for name, unit in FITS.items()]
     drawn += [
-        ("a", "implied_over_known", "1", strengths),
-        ("b", "error", "1", laws[["error"]].rename(error="value", target="case")),
+        ("a", "implied_over_known", "1", laws["implied_over_known"]),
+        ("b", "error", "1", laws["error"].rename(target="case")),
         ("c", "ratio", "1", bounded(laws, "ratio")),
-        ("c", "published_ratio", "1", laws[["published_ratio"]].rename(published_ratio="value")),
+        ("c", "published_ratio", "1", laws["published_ratio"]),
     ]
     drawn += [
         (panel, name, unit, bounded(laws, name).rename(group="surface").sel(side=[side]))
@@ -159,5 +159,5 @@ def _draw_beside(
     for (law, look), offset in zip(looks.items(), beside, strict=True):
         of_law = values.sel(law=law)
         places = np.arange(of_law["value"].size) + offset + shift
-        known = np.nan_to_num(np.maximum(reach(of_law), 0))
+        known = np.nan_to_num(reach(of_law))
         axes.errorbar(places, of_law["value"], known, ls="none", ms=3.5, lw=0.8, **look)

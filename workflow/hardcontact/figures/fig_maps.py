@@ -10,7 +10,6 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.figures import style
-from hardcontact.figures.style import draw_map
 from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
 
 __all__ = ["draw", "table"]
@@ -115,7 +114,7 @@ def _draw_maps(above: np.ndarray, below: np.ndarray, maps: xr.Dataset) -> None:
             for name in ("heights", "pull_off_force")
         )
         size = float(of_surface["scan_size"])
-        draw_map(above[place], heights, size)
+        style.draw_map(above[place], heights, size)
         image = below[place].imshow(
             forces / forces.mean(dtype=float),
             norm=LogNorm(1 / limit, limit),

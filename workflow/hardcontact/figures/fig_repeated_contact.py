@@ -45,10 +45,10 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
     ]
     image = _of_image(repeated_contact)
     indents = [
-        computed_rows(values.rename({name: "value"}), panel=panel, quantity=name, unit="nm")
+        computed_rows(values, panel=panel, quantity=name, unit="nm")
         for name, panel, values in (
-            ("indentation", "d", image[["indentation"]].max(["y", "x"])),
-            *((name, "e", image[[name]]) for name in SIZES),
+            ("indentation", "d", image["indentation"].max(["y", "x"])),
+            *((name, "e", image[name]) for name in SIZES),
         )
     ]
     published = [

@@ -39,13 +39,12 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     known = scan_size[["known_excess", "predicted_known_excess"]].rename(
         known_excess="value", predicted_known_excess="predicted"
     )
-    needed = scan_size[["size_needed"]].rename(size_needed="value")
     on_largest = bounded(scan_size, "force_over_largest").assign(mirrored=scan_size["mirrored"])
     rows = pd.concat(
         [
             computed_rows(surfaces, panel="a", quantity="excess", unit="1"),
             computed_rows(known, panel="b", quantity="excess", unit="1"),
-            computed_rows(needed, panel="c", quantity="size_needed", unit="nm"),
+            computed_rows(scan_size["size_needed"], panel="c", quantity="size_needed", unit="nm"),
             _of_sizes(_edges(scan_size), "long_edge", "nm").assign(rho=scan_size.attrs["rho"]),
             _of_sizes(on_largest, "force_over_largest", "1").assign(rho=scan_size.attrs["rho"]),
         ]

@@ -23,9 +23,10 @@ from hardcontact.figures.tables import (
     ROW_COLUMNS,
     SHARE_OF_SETS,
     VALUE_COLUMNS,
+    computed_rows,
     label_surfaces,
     over_sets,
-    published_value,
+    published_rows,
 )
 
 __all__ = ["draw", "table"]
@@ -36,8 +37,8 @@ MODELS: dict[str, dict[str, Any]] = {
     "rigid": {"color": "black", "ls": "--", "lw": 1.0},
 }
 BINS_PER_DECADE = 8
-MINIMUM_UNITS = {"range": "nm", "work": "J/m2", "error": "1"}
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+UNITS = {"minimum_range": "nm", "minimum_work": "J/m2", "minimum_error": "1", **FITTED_UNITS}
 #: Printed names of the facts, and their units. Every set of several substitute scans has the
 #: heights of Table 1.
 FACTS = {
@@ -64,14 +65,18 @@ def table(
     b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published. c: rank
     correlation (1) with its interval. d: least error (1) of each set.
     """
-    facts = _correlations(sets.sel(contact_model=PLASTIC))
+    of_sets = sets.sel(contact_model=PLASTIC)
+    facts, errors = _correlations(of_sets), sets["best_error"].to_dataframe("value").reset_index()
     rows = pd.concat(
         [
             *(_histogram_rows(sets, inference, model) for model in MODELS),
-            _minimum_rows(sets),
+            *(
+                computed_rows(of_sets[name], panel="b", quantity=name, unit=unit)
+                for name, unit in UNITS.items()
+            ),
             facts.assign(panel="c", unit="1", origin="computed", contact_model=PLASTIC),
-            _error_rows(sets),
-            _published_rows(published_constants),
+            errors.assign(panel="d", origin="computed", quantity="best_error", unit="1"),
+            published_rows(published_constants, FITTED_UNITS, "b"),
         ],
         ignore_index=True,
     )
@@ -136,38 +141,6 @@ def _histogram_rows(sets: xr.Dataset, inference: xr.Dataset, model: str) -> pd.D
             "value": _shares(sets, model, edges),
             "unit": "1",
         }
-    )
-
-
-def _minimum_rows(sets: xr.Dataset) -> pd.DataFrame:
-    of_sets = sets.sel(contact_model=PLASTIC)
-    frames = [
-        of_sets[f"minimum_{name}"]
-        .to_dataframe("value")
-        .reset_index()
-        .assign(panel="b", quantity=f"minimum_{name}", unit=unit)
-        for name, unit in MINIMUM_UNITS.items()
-    ]
-    frames += [
-        of_sets[name]
-        .to_dataframe("value")
-        .reset_index()
-        .assign(panel="b", quantity=name, unit=unit)
-        for name, unit in FITTED_UNITS.items()
-    ]
-    return pd.concat(frames).dropna(subset="value").assign(origin="computed")
-
-
-def _error_rows(sets: xr.Dataset) -> pd.DataFrame:
-    frame = sets["best_error"].to_dataframe("value").reset_index()
-    return frame.assign(panel="d", origin="computed", quantity="best_error", unit="1")
-
-
-def _published_rows(published_constants: pd.DataFrame) -> pd.DataFrame:
-    return pd.DataFrame(
-        {"panel": "b", "origin": "published", "quantity": name, "unit": unit}
-        | published_value(published_constants, name)
-        for name, unit in FITTED_UNITS.items()
     )
 
 

@@ -11,7 +11,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
-from hardcontact.figures.tables import BY_CONSTRUCTION, label_surfaces, rows_by_construction
+from hardcontact.figures.tables import BY_CONSTRUCTION, label_surfaces
+from hardcontact.surfaces.calibration import rows_met
 
 __all__ = ["draw", "table"]
 
@@ -129,7 +130,7 @@ def _published_rows(
 
 def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str, Any]]:
     """Return a row for each definition of the quantity."""
-    by_construction = quantity.name in rows_by_construction(of_surface)
+    by_construction = quantity.name in rows_met(of_surface["calibrated_to_table1"].item())
     taken = json.loads(of_surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
     rows = []
     for variable, definition in quantity.definitions.items():

@@ -6,7 +6,6 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.numbers.statistics import bounds
-from hardcontact.surfaces.calibration import rows_met
 
 __all__ = [
     "BY_CONSTRUCTION",
@@ -18,8 +17,8 @@ __all__ = [
     "label_surfaces",
     "over_sets",
     "published_edge",
+    "published_rows",
     "published_value",
-    "rows_by_construction",
     "value_and_bounds",
 ]
 
@@ -40,12 +39,14 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
     return data[[name]].rename({name: "value"}).assign(low=low, high=high)
 
 
-def computed_rows(values: xr.Dataset, **columns: Any) -> pd.DataFrame:
+def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataFrame:
     """Return a row for each known `value` of computed quantities: its dimensions and variables.
 
     The columns, as `pandas.DataFrame.assign` takes them, say what the rows are.
     """
-    known = values.to_dataframe().reset_index().dropna(subset=["value"])
+    of_array = isinstance(values, xr.DataArray)
+    frame = values.to_dataframe("value") if of_array else values.to_dataframe()
+    known = frame.reset_index().dropna(subset=["value"])
     return known.assign(origin="computed", **columns)
 
 
@@ -71,6 +72,15 @@ def published_value(constants: pd.DataFrame, name: str) -> dict[str, float]:
     return {"value": value, "low": value - spread, "high": value + spread}
 
 
+def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -> pd.DataFrame:
+    """Return a row for each of these published constants, with the ends of its uncertainty."""
+    return pd.DataFrame(
+        {"panel": panel, "origin": "published", "quantity": name, "unit": unit}
+        | published_value(constants, name)
+        for name, unit in units.items()
+    )
+
+
 def published_edge(constants: pd.DataFrame, side: str) -> float:
     """Return the published critical wavelength (nm) of one side of the band."""
     return float(constants["value"][f"critical_wavelength_{side}"])
@@ -80,8 +90,3 @@ def label_surfaces(rows: pd.DataFrame, data: xr.Dataset, column: str = "surface"
     """Add to each row label and basis of the surface in a column; other names there have none."""
     named = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return rows.join(named, on=column)
-
-
-def rows_by_construction(of_surface: xr.Dataset) -> list[str]:
-    """Return the rows of Table 1 that a substitute is made to meet, none of a measured surface."""
-    return rows_met(of_surface["calibrated_to_table1"].item())
