@@ -9,8 +9,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import BY_CONSTRUCTION
+from hardcontact.figures import style, tables
 from hardcontact.surfaces.calibration import rows_met
 
 __all__ = ["draw", "table"]
@@ -20,7 +19,7 @@ AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"
 NOTE = (
     "all: mean ± standard deviation over the scans of the surface; "
-    f"{BY_CONSTRUCTION} by construction those of Table 1"
+    f"{tables.BY_CONSTRUCTION} by construction those of Table 1"
 )
 
 
@@ -106,6 +105,6 @@ def _print_over_scans(of_surface: xr.Dataset) -> str:
     """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
     mean, deviation = _over_scans(of_surface)
     met = rows_met(of_surface["calibrated_to_table1"].item())
-    mark = BY_CONSTRUCTION if "afm_rms_height" in met else ""
+    mark = tables.BY_CONSTRUCTION if "afm_rms_height" in met else ""
     scatter = f" ± {deviation:.3g}" if math.isfinite(deviation) else ""
     return f"all: {mean:.3g}{scatter}{mark}"

@@ -13,9 +13,7 @@ from matplotlib.patches import Patch
 from scipy.stats import lognorm
 
 from hardcontact.adhesion.force_curves import at_range
-from hardcontact.figures import style
-from hardcontact.figures.marks import MILLIJOULE
-from hardcontact.figures.tables import VALUE_COLUMNS, label_surfaces, value_and_bounds
+from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.statistics import lognormal_shape
 
 __all__ = ["draw", "table"]
@@ -23,14 +21,13 @@ __all__ = ["draw", "table"]
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8
-MICRONEWTON = 1e-6
 AT_PUBLISHED: dict[str, Any] = {"color": "0.4", "alpha": 0.55}
 AT_FIT: dict[str, Any] = {"edgecolor": "0.2", "linewidth": 1.2}
 PUBLISHED_LINE: dict[str, Any] = {"color": style.PUBLISHED, "lw": 1.0}
 COMPUTED_LINE: dict[str, Any] = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
 COLUMNS = [
     "surface", "label", "basis", "origin", "pair", "quantity", "panel", "force_low", "force_high",
-    *VALUE_COLUMNS,
+    *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
 Fit = tuple[float, float]  # shape and median (N) of a log-normal
@@ -62,7 +59,7 @@ def table(
             *(_computed_rows(fit.sel(surface=surface, pair=pair)) for pair in forces),
         )
         frames.append(pd.concat(of_surface).assign(surface=surface))
-    return label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
+    return tables.label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
 
 
 @style.print_style()
@@ -151,25 +148,17 @@ def _fit(numbers: pd.Series | xr.Dataset) -> Fit:
 def _histogram_rows(of_pairs: Pairs, published: Fit) -> pd.DataFrame:
     """Return the histograms of one surface, a row a bin, and the published log-normal."""
     linear, logarithmic = _linear_edges(of_pairs, published), _logarithmic_edges(of_pairs)
-    shown = [("published", "1", "published", linear, _lognormal_density(published, linear))]
+    shown = [("published", "1", "", linear, _lognormal_density(published, linear))]
     for pair, forces in of_pairs.items():
         shown.append(("computed", "1", pair, linear, _density(forces, linear)))
         shown.append(("computed", "2", pair, logarithmic, _density(forces, logarithmic)))
-    return pd.concat(
-        pd.DataFrame(
-            {
-                "panel": panel,
-                "origin": origin,
-                "pair": pair if origin == "computed" else "",
-                "quantity": "probability_density",
-                "unit": "1/N",
-                "force_low": edges[:-1],
-                "force_high": edges[1:],
-                "value": densities,
-            }
+    rows = pd.concat(
+        pd.DataFrame({"force_low": edges[:-1], "force_high": edges[1:], "value": values}).assign(
+            origin=origin, panel=panel, pair=pair
         )
-        for origin, panel, pair, edges, densities in shown
+        for origin, panel, pair, edges, values in shown
     )
+    return rows.assign(quantity="probability_density", unit="1/N")
 
 
 def _published_rows(published: pd.Series) -> pd.DataFrame:
@@ -180,16 +169,10 @@ def _published_rows(published: pd.Series) -> pd.DataFrame:
         "mean_force": "N",
         "median_force": "N",
     }
-    return pd.DataFrame(
-        {
-            "origin": "published",
-            "pair": "",
-            "quantity": name,
-            "unit": unit,
-            "value": published[name],
-        }
-        for name, unit in units.items()
+    rows = pd.DataFrame(
+        {"quantity": name, "unit": unit, "value": published[name]} for name, unit in units.items()
     )
+    return rows.assign(origin="published", pair="")
 
 
 def _computed_rows(of_surface: xr.Dataset) -> pd.DataFrame:
@@ -201,21 +184,16 @@ def _computed_rows(of_surface: xr.Dataset) -> pd.DataFrame:
         "median_force": ("force_median", "N"),
         "censored_fraction": ("censored_fraction", "1"),
     }
-    return pd.DataFrame(
-        {
-            "origin": "computed",
-            "pair": str(of_surface["pair"].item()),
-            "quantity": name,
-            "unit": unit,
-            **value_and_bounds(of_surface, variable),
-        }
+    rows = pd.DataFrame(
+        {"quantity": name, "unit": unit, **tables.value_and_bounds(of_surface, variable)}
         for name, (variable, unit) in quantities.items()
     )
+    return rows.assign(origin="computed", pair=str(of_surface["pair"].item()))
 
 
 def _print_shapes(at_published: xr.Dataset, published: Fit) -> str:
     """Return the shape of both log-normals, the computed one with its interval."""
-    computed = value_and_bounds(at_published, "lognormal_shape")
+    computed = tables.value_and_bounds(at_published, "lognormal_shape")
     here = style.print_interval(computed, ".2f")
     return f"published $s$ = {published[0]:.2f}\nhere {here}"
 
@@ -223,7 +201,7 @@ def _print_shapes(at_published: xr.Dataset, published: Fit) -> str:
 def _legend_handles(pairs: dict[str, tuple[float, float]], floor: float) -> list[Line2D | Patch]:
     """Return one entry for each kind of area and line, with the pairs of range and work."""
     printed = {
-        pair: f"{pair} ρ = {rho:.3g} nm, $W$ = {work / MILLIJOULE:.3g} mJ/m²"
+        pair: f"{pair} ρ = {rho:.3g} nm, $W$ = {work / marks.MILLIJOULE:.3g} mJ/m²"
         for pair, (rho, work) in pairs.items()
     }
     return [
@@ -273,10 +251,12 @@ def _draw_linear(axes: Axes, of_pairs: Pairs, published: Fit, floor: float, colo
     edges = _linear_edges(of_pairs, published)
     _draw_histograms(axes, of_pairs, edges, colour)
     axes.stairs(
-        _lognormal_density(published, edges) * MICRONEWTON, edges / MICRONEWTON, **PUBLISHED_LINE
+        _lognormal_density(published, edges) * marks.MICRONEWTON,
+        edges / marks.MICRONEWTON,
+        **PUBLISHED_LINE,
     )
     _shade_floor(axes, 0, floor)
-    axes.set_xlim(0, edges[-1] / MICRONEWTON)
+    axes.set_xlim(0, edges[-1] / marks.MICRONEWTON)
     axes.set_ylim(bottom=0)
     axes.locator_params(nbins=4)
 
@@ -291,11 +271,11 @@ def _draw_logarithmic(
     line = np.geomspace(*ends, 200)
     for origin, look in (("published", PUBLISHED_LINE), ("computed", COMPUTED_LINE)):
         shape, median = fits[origin]
-        curve = lognorm.pdf(line, shape, scale=median) * MICRONEWTON
-        axes.plot(line / MICRONEWTON, curve, **look)
+        curve = lognorm.pdf(line, shape, scale=median) * marks.MICRONEWTON
+        axes.plot(line / marks.MICRONEWTON, curve, **look)
     densities = np.concatenate([_density(forces, edges) for forces in of_pairs.values()])
-    bars = densities[densities > 0] * MICRONEWTON
-    axes.set(xscale="log", yscale="log", xlim=np.divide(ends, MICRONEWTON))
+    bars = densities[densities > 0] * marks.MICRONEWTON
+    axes.set(xscale="log", yscale="log", xlim=np.divide(ends, marks.MICRONEWTON))
     # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
     axes.set_ylim(bars.min() / 3, bars.max() * 10)
     _shade_floor(axes, ends[0], floor)
@@ -303,13 +283,15 @@ def _draw_logarithmic(
 
 def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str) -> None:
     """Fill the histogram at the published pair, and outline that at the fitted one."""
-    printed = {pair: _density(forces, edges) * MICRONEWTON for pair, forces in of_pairs.items()}
+    printed = {
+        pair: _density(forces, edges) * marks.MICRONEWTON for pair, forces in of_pairs.items()
+    }
     of_surface: dict[str, dict[str, Any]] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},
         "fitted": {**AT_FIT, "edgecolor": colour},
     }
     for pair, look in of_surface.items():
-        axes.stairs(printed[pair], edges / MICRONEWTON, **look)
+        axes.stairs(printed[pair], edges / marks.MICRONEWTON, **look)
 
 
 def _upper_ends(fits: dict[str, Fit]) -> list[float]:
@@ -319,4 +301,4 @@ def _upper_ends(fits: dict[str, Fit]) -> list[float]:
 
 def _shade_floor(axes: Axes, low: float, floor: float) -> None:
     """Shade the forces the experiment could not resolve."""
-    axes.axvspan(low / MICRONEWTON, floor / MICRONEWTON, color="0.85", zorder=0)
+    axes.axvspan(low / marks.MICRONEWTON, floor / marks.MICRONEWTON, color="0.85", zorder=0)

@@ -8,22 +8,14 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import fig4_curves, fig4_error, style
-from hardcontact.figures.marks import (
-    BAND_OF_SETS,
-    MILLIJOULE,
-    PUBLISHED_RANGE,
-    draw_published_range,
-)
-from hardcontact.figures.tables import ROW_COLUMNS, SHARE_OF_SETS, VALUE_COLUMNS, label_surfaces
+from hardcontact.figures import fig4_curves, fig4_error, marks, style, tables
 
 __all__ = ["draw", "table"]
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
-MICRONEWTON = 1e-6
 MEGAPASCAL = 1e6
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
-COLUMNS = [*ROW_COLUMNS, "over", "x", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "over", "x", *tables.VALUE_COLUMNS]
 
 
 def table(
@@ -47,7 +39,7 @@ def table(
         *fig4_curves.curve_rows(fit, curves, published_pull_off),
         fig4_error.error_rows(inference, sets, CONTACT_MODEL, published_constants),
     ]
-    return label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
+    return tables.label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
 
 
 @style.print_style()
@@ -76,7 +68,7 @@ def draw(
     fig4_error.draw_least_error(least, inference, sets, CONTACT_MODEL)
     fig4_error.draw_error_map(error, fit, published_constants)
     for axes in (ratios, forces, least, error):
-        draw_published_range(axes, published_constants)
+        marks.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, at=(1, 3))
@@ -94,23 +86,23 @@ def _published_work(published_constants: pd.DataFrame) -> float:
 def _print_pair(published_constants: pd.DataFrame) -> str:
     """Return the published range and work of adhesion, as panel a has them."""
     published = published_constants["value"]["range_of_adhesion"]
-    work = _published_work(published_constants) / MILLIJOULE
+    work = _published_work(published_constants) / marks.MILLIJOULE
     return f"ρ = {published:g} nm, $W$ = {work:.3g} mJ/m²"
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Line2D | Patch]:
     """Return one entry a surface and one for each kind of line and symbol of panels b and c."""
-    confidence, share = map(style.print_share, (fit.attrs["confidence"], SHARE_OF_SETS))
+    confidence = style.print_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
     best_range = fit["range_of_adhesion"].item()
-    best_work = fit["work_of_adhesion"].item() / MILLIJOULE
+    best_work = fit["work_of_adhesion"].item() / marks.MILLIJOULE
     return [
         *style.surface_handles(fit),
         Line2D([], [], color="0.3", lw=0.7, label=f"{confidence} interval over scans (bars)"),
-        Patch(color="0.3", alpha=BAND_OF_SETS, lw=0, label=f"{share} of all sets of substitutes"),
+        marks.sets_handle(),
         Line2D([], [], color="0.3", lw=0.9, label="published mean"),
         Line2D([], [], color="0.3", lw=0.9, ls=":", label="published median"),
-        Line2D([], [], label=f"published range, ρ = {published:g} nm", **PUBLISHED_RANGE),
+        Line2D([], [], label=f"published range, ρ = {published:g} nm", **marks.PUBLISHED_RANGE),
         Line2D([], [], label="ρ that fits the ratios best", **fig4_curves.RATIO_FIT),
         Line2D(
             [],
@@ -126,17 +118,9 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 
 def _separation_rows(contact: xr.Dataset) -> pd.DataFrame:
     """Return the force (N) against the separation `x` (nm) of the contact."""
-    return pd.DataFrame(
-        {
-            "panel": "a",
-            "surface": str(contact.attrs["surface"]),
-            "origin": "computed",
-            "quantity": "force",
-            "x": contact["separation"].values,
-            "value": contact["force"].values,
-            "unit": "N",
-        }
-    )
+    curve = pd.DataFrame({"x": contact["separation"].values, "value": contact["force"].values})
+    surface = str(contact.attrs["surface"])
+    return curve.assign(panel="a", surface=surface, origin="computed", quantity="force", unit="N")
 
 
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
@@ -165,7 +149,7 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
 def _draw_separation(axes: Axes, contact: xr.Dataset) -> None:
     """Draw the force (µN) against the separation (nm)."""
     axes.axhline(0, color="0.7", lw=0.6)
-    axes.plot(contact["separation"], contact["force"] / MICRONEWTON, color=style.PUBLISHED)
+    axes.plot(contact["separation"], contact["force"] / marks.MICRONEWTON, color=style.PUBLISHED)
     axes.set(xlabel="separation (nm)", ylabel="force (µN)")
     axes.locator_params(nbins=5)
 

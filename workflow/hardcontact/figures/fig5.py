@@ -7,12 +7,10 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
-MICRONEWTON = 1e-6
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
 DEPTHS = mpl.colormaps["Purples"]  # preloads have its colours too, as black is for published values
@@ -23,7 +21,7 @@ SIZES = {  # title, axis, published constant
 }
 PRELOAD = "preload_indentation"  # the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
-COLUMNS = [*ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
+COLUMNS = [*tables.ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 
 
 def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
@@ -94,19 +92,13 @@ def _line(shown: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
 
 
 def _line_rows(shown: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
-    return pd.concat(
-        pd.DataFrame(
-            {
-                "panel": panel,
-                "origin": "computed",
-                "quantity": quantity,
-                "preload": shown["preload"].item(),
-                "position": heights[along].values,
-                "value": heights.values,
-            }
+    rows = pd.concat(
+        pd.DataFrame({"position": heights[along].values, "value": heights.values}).assign(
+            quantity=quantity
         )
         for quantity, heights in _line(shown, along).items()
     )
+    return rows.assign(panel=panel, origin="computed", preload=shown["preload"].item())
 
 
 def _distribution(indent: xr.Dataset, name: str) -> xr.DataArray:
@@ -200,4 +192,4 @@ def _draw_sizes(row: np.ndarray, indent: xr.Dataset, published: pd.Series) -> No
 
 
 def _print_preload(preload: float | xr.DataArray) -> str:
-    return f"{float(preload) / MICRONEWTON:g} µN"
+    return f"{float(preload) / marks.MICRONEWTON:g} µN"

@@ -10,14 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    label_surfaces,
-    published_edge,
-    value_and_bounds,
-)
+from hardcontact.figures import style, tables
 from hardcontact.scales.critical_band import POOLED
 
 __all__ = ["draw", "table"]
@@ -48,7 +41,7 @@ SMOOTH = {
     "smooth_extent": ("smooth sphere on a plane (d)", "-"),
     "interaction_radius": ("interaction radius √(2Rρ) (d)", "-."),
 }
-COLUMNS = [*ROW_COLUMNS, "rho", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "rho", *tables.VALUE_COLUMNS]
 
 
 def table(
@@ -61,12 +54,15 @@ def table(
     diameter that holds the same share of the force, and the long critical wavelength, computed with
     its interval and published.
     """
-    frames = [
-        *(_curve_rows(asperities, name) for name in QUANTITIES),
-        *(_smooth_rows(asperities, name) for name in SMOOTH),
-        _critical_rows(band, published_constants),
-    ]
-    return label_surfaces(pd.concat(frames, ignore_index=True), asperities)[COLUMNS]
+    curves = tables.drawn_rows(
+        *(
+            (quantity.panel, name, quantity.unit, _quartiles(asperities, name))
+            for name, quantity in QUANTITIES.items()
+        ),
+        *(("d", name, "nm", lengths) for name, lengths in _smooth(asperities).items()),
+    )
+    rows = pd.concat([curves, _critical_rows(band, published_constants)], ignore_index=True)
+    return tables.label_surfaces(rows, asperities)[COLUMNS]
 
 
 @style.print_style()
@@ -86,8 +82,7 @@ def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataF
     _draw_critical(grid[1, 1], band, published_constants)
     for axes in grid[1]:
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis)
-        style.label_logarithmic(axes.yaxis)
+        style.label_logarithmic(axes.xaxis, axes.yaxis)
     figure.legend(*_legend_entries(grid), loc="outside upper center", ncols=4)
     style.mark_basis(figure, asperities)
     return figure
@@ -111,24 +106,13 @@ def _smooth(asperities: xr.Dataset) -> dict[str, xr.DataArray]:
 
 def _critical(band: xr.Dataset) -> dict[str, float]:
     """Return the long critical wavelength (nm) of all substrates and its interval."""
-    return value_and_bounds(band.sel(side="large", group=POOLED), "critical_wavelength")
-
-
-def _curve_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
-    rows = _quartiles(asperities, name).to_dataframe()[list(QUARTILES)].reset_index()
-    panel, unit = QUANTITIES[name].panel, QUANTITIES[name].unit
-    return rows.assign(panel=panel, origin="computed", quantity=name, unit=unit)
-
-
-def _smooth_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
-    rows = _smooth(asperities)[name].to_series().rename("value").reset_index()
-    return rows.assign(panel="d", origin="computed", quantity=name, unit="nm")
+    return tables.value_and_bounds(band.sel(side="large", group=POOLED), "critical_wavelength")
 
 
 def _critical_rows(band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     both = [
         {"origin": "computed", **_critical(band)},
-        {"origin": "published", "value": published_edge(published_constants, "large")},
+        {"origin": "published", "value": tables.published_edge(published_constants, "large")},
     ]
     return pd.DataFrame(both).assign(panel="d", quantity="critical_wavelength", unit="nm")
 
@@ -153,7 +137,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long critical wavelength (µm), computed with its interval, and published."""
     value, low, high = (length / MICROMETRE for length in _critical(band).values())
-    published = published_edge(published_constants, "large") / MICROMETRE
+    published = tables.published_edge(published_constants, "large") / MICROMETRE
     confidence = style.print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
     if np.isfinite([low, high]).all():

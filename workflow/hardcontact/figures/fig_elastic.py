@@ -7,8 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, label_surfaces
+from hardcontact.figures import style, tables
 
 __all__ = ["draw", "table"]
 
@@ -28,7 +27,7 @@ QUANTITIES = {  # panel, unit
     "peak_pressure": ("c", "Pa"),
     "elastic_over_rigid": ("d", "1"),
 }
-COLUMNS = [*ROW_COLUMNS, "scan", "contact", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "scan", "contact", *tables.VALUE_COLUMNS]
 
 
 def table(elastic: xr.Dataset) -> pd.DataFrame:
@@ -42,7 +41,7 @@ def table(elastic: xr.Dataset) -> pd.DataFrame:
     rows = pd.concat(
         [*(_rows(values, str(name)) for name, values in contacts.items()), _level_rows(elastic)]
     )
-    return label_surfaces(rows, elastic)[COLUMNS].reset_index(drop=True)
+    return tables.label_surfaces(rows, elastic)[COLUMNS].reset_index(drop=True)
 
 
 @style.print_style()
@@ -79,11 +78,9 @@ def _contacts(elastic: xr.Dataset) -> xr.Dataset:
 
 def _rows(values: xr.DataArray, name: str) -> pd.DataFrame:
     """Return a row for each contact and one for the median of each surface."""
-    of_contacts = values.to_series().rename("value").dropna().reset_index()
-    medians = values.median(["scan", "contact"]).to_series().rename("value").reset_index()
-    rows = [of_contacts.assign(quantity=name), medians.assign(quantity=f"{name}_median")]
     panel, unit = QUANTITIES[name]
-    return pd.concat(rows).assign(panel=panel, origin="computed", unit=unit)
+    medians = values.median(["scan", "contact"])
+    return tables.drawn_rows((panel, name, unit, values), (panel, f"{name}_median", unit, medians))
 
 
 def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
@@ -93,8 +90,8 @@ def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
             "panel": "c",
             "origin": origin,
             "quantity": name,
-            "value": elastic.attrs[name],
             "unit": "Pa",
+            "value": elastic.attrs[name],
         }
         for name, (origin, _, _) in LEVELS.items()
     ]

@@ -9,8 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures import style, tables
 
 __all__ = ["draw", "table"]
 
@@ -19,7 +18,14 @@ FORCES = "RdBu_r"  # white at the mean of the map
 REACH = 0.999  # share of the positions of each surface inside the colours
 LINES = {"array": "-", "random": "--"}
 NEEDS = {"contacts_needed": "e", "scans_needed": "f"}
-COLUMNS = [*ROW_COLUMNS, "sample", "rho", "contacts", "relative_force", *VALUE_COLUMNS]
+COLUMNS = [
+    *tables.ROW_COLUMNS,
+    "sample",
+    "rho",
+    "contacts",
+    "relative_force",
+    *tables.VALUE_COLUMNS,
+]
 
 
 def table(maps: xr.Dataset) -> pd.DataFrame:
@@ -38,7 +44,7 @@ def table(maps: xr.Dataset) -> pd.DataFrame:
     ]
     rows = [one.rename(columns={"sampling": "sample"}) for one in rows]
     joined = pd.concat(rows, ignore_index=True).assign(origin="computed", unit="1")
-    return label_surfaces(joined, maps).reindex(columns=COLUMNS)
+    return tables.label_surfaces(joined, maps).reindex(columns=COLUMNS)
 
 
 @style.print_style()
@@ -99,7 +105,7 @@ def _range_of(values: xr.DataArray) -> float:
 
 
 def _need_rows(maps: xr.Dataset, name: str, panel: str) -> pd.DataFrame:
-    rows = bounded(maps, name).to_dataframe().reset_index()
+    rows = tables.bounded(maps, name).to_dataframe().reset_index()
     return rows.assign(panel=panel, quantity=name)
 
 
@@ -184,8 +190,7 @@ def _draw_errors(axes: Axes, maps: xr.Dataset) -> None:
     axes.axhline(100 * maps.attrs["tolerance"], color="0.4", lw=0.8, ls=":")
     axes.axvline(maps.attrs["array_contacts"], color="0.4", lw=0.8, ls=":")
     axes.set(xscale="log", yscale="log", xlabel="contacts on the scan", ylabel="error of mean (%)")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
     axes.legend(handles=[*_sampling_handles(), _line("-", "one whole scan", 2.5)])
     confidence = style.print_share(maps.attrs["confidence"])
     style.label_panel(axes, "d", f"error that {confidence} keep within")
@@ -201,7 +206,7 @@ def _sampling_handles() -> list[Line2D]:
 
 def _draw_contacts_needed(axes: Axes, maps: xr.Dataset) -> None:
     """Draw the contacts that the mean of their scan needs, in arrays with intervals, at random."""
-    needed = bounded(maps, "contacts_needed")
+    needed = tables.bounded(maps, "contacts_needed")
     for surface, look in style.looks(maps["surface"].values).items():
         of_surface = needed.sel(surface=surface)
         style.draw_over_range(axes, of_surface.sel(sampling="array"), band=0.15, **look)
@@ -215,7 +220,7 @@ def _draw_contacts_needed(axes: Axes, maps: xr.Dataset) -> None:
 
 def _draw_scans_needed(axes: Axes, maps: xr.Dataset) -> None:
     """Draw the scans that the mean of the surface needs, with their intervals."""
-    needed = bounded(maps, "scans_needed")
+    needed = tables.bounded(maps, "scans_needed")
     style.label_panel(axes, "f", f"scans for {_tolerance(maps)} of the surface's mean")
     if needed["value"].isnull().all():
         axes.text(0.5, 0.5, "unknown from one scan a surface", ha="center", va="center")
@@ -233,5 +238,4 @@ def _tolerance(maps: xr.Dataset) -> str:
 def _finish_needed(axes: Axes, maps: xr.Dataset, what: str) -> None:
     axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
     axes.set_ylabel(f"{what} needed")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)

@@ -14,8 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import VALUE_COLUMNS, published_value, value_and_bounds
+from hardcontact.figures import style, tables
 
 __all__ = ["draw", "table"]
 
@@ -27,7 +26,7 @@ GAP = 0.4  # rows between groups of variants
 VARIANT: dict[str, Any] = {"color": "0.15", "marker": "o"}
 STUDY: dict[str, Any] = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
 MINIMUM: dict[str, Any] = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
-COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *VALUE_COLUMNS]
+COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
 
 
 class _Quantity(NamedTuple):
@@ -80,10 +79,9 @@ def table(
         {"panel": quantity.panel, "quantity": name, "unit": quantity.unit, **row}
         for name, quantity in QUANTITIES.items()
         for row in (
-            *_variant_rows(robustness, name),
-            *_minimum_rows(robustness, quantity.minimum),
+            *_variant_rows(robustness, name, quantity.minimum),
             {**study, **_result(of_study, name)},
-            {"origin": "published", **published_value(published_constants, name)},
+            {"origin": "published", **tables.published_value(published_constants, name)},
         )
     ]
     return pd.DataFrame(rows)[COLUMNS]
@@ -117,39 +115,32 @@ def _result(data: xr.Dataset, name: str) -> dict[str, float]:
     """Return value, low and high of a quantity of one variant, or of the study."""
     variable, _, side = name.partition("_wavelength_")
     if side:
-        return value_and_bounds(data.sel(side=side), f"{variable}_wavelength")
-    return value_and_bounds(data, name)
+        return tables.value_and_bounds(data.sel(side=side), f"{variable}_wavelength")
+    return tables.value_and_bounds(data, name)
 
 
-def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict[str, Any]]:
-    return [
+def _variant_rows(robustness: xr.Dataset, name: str, minimum: str) -> list[dict[str, Any]]:
+    """Return one row a variant, then one for each local minimum of its error but the least."""
+    variants = [
         {
             "variant": str(variant),
             "label": str(robustness["variant_label"].sel(variant=variant).item()),
             "group": str(robustness["group"].sel(variant=variant).item()),
             "origin": "computed",
-            **_result(robustness.sel(variant=variant), name),
         }
         for variant in robustness["variant"].values
     ]
-
-
-def _minimum_rows(robustness: xr.Dataset, minimum: str) -> list[dict[str, Any]]:
-    """Return one row for each local minimum of the error beside the least one."""
-    return [
-        {
-            "variant": str(variant),
-            "label": str(robustness["variant_label"].sel(variant=variant).item()),
-            "group": str(robustness["group"].sel(variant=variant).item()),
-            "origin": "computed",
-            "quantity": minimum,
-            "value": value,
-        }
-        for variant in robustness["variant"].values
-        if minimum
-        for value in robustness[minimum].sel(variant=variant).isel(minimum=slice(1, None)).values
-        if np.isfinite(value)
-    ]
+    rows: list[dict[str, Any]]
+    rows = [{**one, **_result(robustness.sel(variant=one["variant"]), name)} for one in variants]
+    if minimum:
+        others = robustness[minimum].isel(minimum=slice(1, None))
+        rows += [
+            {**one, "quantity": minimum, "value": value}
+            for one in variants
+            for value in others.sel(variant=one["variant"]).values
+            if np.isfinite(value)
+        ]
+    return rows
 
 
 def _heights(robustness: xr.Dataset) -> np.ndarray:

@@ -10,24 +10,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy import stats
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import (
-    FIT_STAR,
-    MILLIJOULE,
-    PUBLISHED_RANGE,
-    draw_fit,
-    draw_published_fit,
-    draw_published_range,
-)
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    SHARE_OF_SETS,
-    VALUE_COLUMNS,
-    computed_rows,
-    label_surfaces,
-    over_sets,
-    published_rows,
-)
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
@@ -52,8 +35,8 @@ FACTS = {
 CONFIDENCE = 0.95
 FEWEST_SETS = 5  # fewer have no correlation worth showing
 LEAST_SPREAD = 1e-6  # over the sets, of a fact that can move anything, as a share of its mean
-COLUMNS = [*ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
-COLUMNS += VALUE_COLUMNS
+COLUMNS = [*tables.ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
+COLUMNS += tables.VALUE_COLUMNS
 
 
 def table(
@@ -70,17 +53,14 @@ def table(
     rows = pd.concat(
         [
             *(_histogram_rows(sets, inference, model) for model in MODELS),
-            *(
-                computed_rows(of_sets[name], panel="b", quantity=name, unit=unit)
-                for name, unit in UNITS.items()
-            ),
+            tables.drawn_rows(*(("b", name, unit, of_sets[name]) for name, unit in UNITS.items())),
             facts.assign(panel="c", unit="1", origin="computed", contact_model=PLASTIC),
             errors.assign(panel="d", origin="computed", quantity="best_error", unit="1"),
-            published_rows(published_constants, FITTED_UNITS, "b"),
+            tables.published_rows(published_constants, FITTED_UNITS, "b"),
         ],
         ignore_index=True,
     )
-    return label_surfaces(rows, inference)[COLUMNS]
+    return tables.label_surfaces(rows, inference)[COLUMNS]
 
 
 @style.print_style()
@@ -97,10 +77,10 @@ def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFr
     bars, errors = right.subplots(squeeze=False)[:, 0]
     _draw_histogram(counts, sets, inference)
     _draw_places(places, of_sets, _strongest(facts), labels)
-    draw_fit(places, fit, "work", MILLIJOULE)
-    draw_published_fit(places, published_constants)
+    marks.draw_fit(places, fit, "work", marks.MILLIJOULE)
+    marks.draw_published_fit(places, published_constants)
     for axes in (counts, places):
-        draw_published_range(axes, published_constants)
+        marks.draw_published_range(axes, published_constants)
     _draw_correlations(bars, facts, list(labels))
     style.label_panel(bars, "c", "what moves ρ: facts of the scans")
     figure.align_ylabels([counts, places])
@@ -130,18 +110,10 @@ def _shares(sets: xr.Dataset, model: str, edges: np.ndarray) -> np.ndarray:
 
 def _histogram_rows(sets: xr.Dataset, inference: xr.Dataset, model: str) -> pd.DataFrame:
     edges = _edges(inference)
-    return pd.DataFrame(
-        {
-            "panel": "a",
-            "origin": "computed",
-            "quantity": "share_of_sets",
-            "contact_model": model,
-            "range_low": edges[:-1],
-            "range_high": edges[1:],
-            "value": _shares(sets, model, edges),
-            "unit": "1",
-        }
-    )
+    shares = _shares(sets, model, edges)
+    rows = pd.DataFrame({"range_low": edges[:-1], "range_high": edges[1:], "value": shares})
+    named = {"origin": "computed", "quantity": "share_of_sets", "contact_model": model}
+    return rows.assign(panel="a", unit="1", **named)
 
 
 def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
@@ -149,11 +121,11 @@ def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None
     edges = _edges(inference)
     for model, look in MODELS.items():
         axes.stairs(100 * _shares(sets, model, edges), edges, label=f"{model} contact", **look)
-    spread = over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
+    spread = tables.over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
     low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
     axes.set(xscale="log", ylabel="share of sets (%)")
     axes.legend(loc="upper left")
-    share = style.print_share(SHARE_OF_SETS)
+    share = style.print_share(tables.SHARE_OF_SETS)
     title = f"median {middle:.3g} nm, {share} in {low:.2g} to {high:.3g} nm"
     style.label_panel(axes, "a", f"best ρ of {sets.sizes['set']} sets: {title}")
 
@@ -166,7 +138,7 @@ def _draw_places(
     others = of_sets["minimum_range"].where(of_sets["minimum_range"] != best)
     axes.plot(
         others.values.ravel(),
-        of_sets["minimum_work"].values.ravel() / MILLIJOULE,
+        of_sets["minimum_work"].values.ravel() / marks.MILLIJOULE,
         "o",
         mfc="none",
         mec="0.6",
@@ -181,7 +153,7 @@ def _draw_places(
         shown = {"c": fact.values, "cmap": "cividis"}
     points = axes.scatter(
         best,
-        of_sets["work_of_adhesion"] / MILLIJOULE,
+        of_sets["work_of_adhesion"] / marks.MILLIJOULE,
         s=20,
         zorder=3,
         edgecolors="white",
@@ -205,7 +177,7 @@ def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     plastic, rigid = (sets["best_error"].sel(contact_model=name) for name in MODELS)
     axes.plot(plastic, rigid, ".", color="0.55", ms=4, mew=0)
     of_study = [inference["best_error"].sel(contact_model=name).item() for name in MODELS]
-    axes.plot(*([value] for value in of_study), **FIT_STAR)
+    axes.plot(*([value] for value in of_study), **marks.FIT_STAR)
     errors = [*plastic.values, *rigid.values, *of_study, threshold]
     ends = 0.8 * np.nanmin(errors), 1.25 * np.nanmax(errors)
     axes.plot(ends, ends, color="0.3", lw=0.8)
@@ -222,8 +194,7 @@ def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     )
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
     axes.set(xlabel="least error, plastic", ylabel="least error, rigid")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis, at=(1, 2, 5))
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 2, 5))
     share = style.print_share(float((plastic < rigid).mean()))
     style.label_panel(axes, "d", f"plastic better in {share} of sets")
 
@@ -240,7 +211,7 @@ def _legend_handles(
         ),
         Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
         *style.legend_entries([places]).values(),
-        Line2D([], [], label=f"published ρ = {published:g} nm", **PUBLISHED_RANGE),
+        Line2D([], [], label=f"published ρ = {published:g} nm", **marks.PUBLISHED_RANGE),
     ]
 
 

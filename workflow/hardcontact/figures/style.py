@@ -145,18 +145,19 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
     axes.set_title(rf"$\mathbf{{{letter}}}$  {title}", loc="left")
 
 
-def label_logarithmic(axis: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
-    """Label a logarithmic axis by plain numbers: at these digits of each decade, or at decades.
+def label_logarithmic(*axes: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
+    """Label logarithmic axes by plain numbers: at these digits of each decade, or at decades.
 
     Over more than three decades there is room for one label a decade at most.
     """
-    low, high = axis.get_view_interval()
-    if high > 1e3 * low:
-        at = (1,)
-    axis.set_major_locator(LogLocator(subs=at))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.set_minor_locator(LogLocator(subs=[digit for digit in range(2, 10) if digit not in at]))
-    axis.set_minor_formatter(NullFormatter())
+    for axis in axes:
+        low, high = axis.get_view_interval()
+        digits = (1,) if high > 1e3 * low else at
+        others = [digit for digit in range(2, 10) if digit not in digits]
+        axis.set_major_locator(LogLocator(subs=digits))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_locator(LogLocator(subs=others))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def end_near_values(panels: Sequence[Axes]) -> None:

@@ -14,6 +14,7 @@ __all__ = [
     "VALUE_COLUMNS",
     "bounded",
     "computed_rows",
+    "drawn_rows",
     "label_surfaces",
     "over_sets",
     "published_edge",
@@ -48,6 +49,14 @@ def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataF
     frame = values.to_dataframe("value") if of_array else values.to_dataframe()
     known = frame.reset_index().dropna(subset=["value"])
     return known.assign(origin="computed", **columns)
+
+
+def drawn_rows(*drawn: tuple[Any, str, str, xr.Dataset | xr.DataArray]) -> pd.DataFrame:
+    """Return the rows of computed quantities, each given by panel, name, unit and values."""
+    return pd.concat(
+        computed_rows(values, panel=panel, quantity=name, unit=unit)
+        for panel, name, unit, values in drawn
+    )
 
 
 def over_sets(values: xr.DataArray) -> xr.Dataset:
