@@ -120,16 +120,12 @@ def _forces_at_pairs(
     forces = {}
     for pair, (rho, work) in _pairs(fit, published_constants).items():
         scaled = at_range(per_work, rho) * work / adhesion.attrs["work_of_adhesion"]
+        of_surfaces = {str(name): scaled.sel(surface=name) for name in adhesion["surface"].values}
+        # A surface with fewer scans than others has NaN in place of theirs.
         forces[pair] = {
-            str(name): _finite(scaled.sel(surface=name)) for name in adhesion["surface"].values
+            name: values.values[np.isfinite(values.values)] for name, values in of_surfaces.items()
         }
     return forces
-
-
-def _finite(values: xr.DataArray) -> np.ndarray:
-    """Return the values flat, without NaN where a surface has fewer scans than others."""
-    flat: np.ndarray = values.values[np.isfinite(values.values)]
-    return flat
 
 
 def _published(inference: xr.Dataset, published_pull_off: pd.DataFrame) -> dict[str, pd.Series]:

@@ -1,7 +1,4 @@
-"""Style of all figures: fonts, colours and markers of surfaces, axes, note on substitutes.
-
-Pictures of height maps, with colour bar and scale bar.
-"""
+"""Style of all figures: fonts, looks of surfaces, axes, legends, maps, note on substitutes."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -119,10 +119,9 @@ def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
 
 def _published_rows(quantity: str, surface: str, published: pd.DataFrame) -> list[dict[Any, Any]]:
     of_surface = published[(published["surface"] == surface) & (published["quantity"] == quantity)]
-    numbers = of_surface[["surface", "value", "uncertainty"]]
-    return numbers.assign(origin="published", definition="", by_construction=False).to_dict(
-        "records"
-    )
+    rows = of_surface[["surface", "value", "uncertainty"]]
+    rows = rows.assign(origin="published", definition="", by_construction=False)
+    return rows.to_dict("records")
 
 
 def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str, Any]]:
