@@ -9,7 +9,7 @@ from figure_inputs.sets import SETS, sets
 from figure_rows import select
 from scipy import stats
 
-from hardcontact.figures import fig_sets, fig_sets_facts
+from hardcontact.figures import fig_sets
 
 PLASTIC = {"contact_model": "plastic"}
 
@@ -27,7 +27,7 @@ def draw(data):
 def following(values, ranges):
     """A dataset of one surface whose slope takes the values, and ranges of adhesion."""
     same = np.ones((len(values), 1))
-    facts = {name: (("set", "surface"), same) for name in fig_sets_facts.FACTS}
+    facts = {name: (("set", "surface"), same) for name in fig_sets.FACTS}
     facts["rms_gradient"] = ("set", "surface"), np.reshape(values, (-1, 1))
     return xr.Dataset(facts, {"surface": ["uncd"]}).assign(range_of_adhesion=("set", ranges))
 
@@ -57,7 +57,7 @@ def test_table_holds_the_fits_of_every_set():
 @pytest.mark.parametrize(("power", "expected"), [(3, 1), (-2, -1)])
 def test_a_fact_that_orders_the_ranges_has_correlation_one(power, expected):
     values = np.linspace(1, 2, 30)
-    (row,) = fig_sets_facts.correlations(following(values, values**power)).to_dict("records")
+    (row,) = fig_sets._correlations(following(values, values**power)).to_dict("records")
     assert row["quantity"] == "rms_gradient" and row["value"] == pytest.approx(expected)
 
 
@@ -67,7 +67,7 @@ def test_interval_holds_the_correlation_of_normal_pairs_as_often_as_it_says():
     expected = 6 / np.pi * np.arcsin(correlation / 2)  # Spearman's of a normal distribution
     for _ in range(400):
         first, second = rng.multivariate_normal([0, 0], [[1, 0.5], [0.5, 1]], 50).T
-        row = fig_sets_facts.correlations(following(first + 9, np.exp(second))).iloc[0]
+        row = fig_sets._correlations(following(first + 9, np.exp(second))).iloc[0]
         assert row["value"] == pytest.approx(stats.spearmanr(first, second).statistic)
         inside += row["low"] < expected < row["high"]
     assert 0.92 <= inside / 400 <= 0.98
@@ -78,13 +78,13 @@ def test_facts_without_spread_are_left_out():
     assert set(rows["quantity"]) == {
         "rms_gradient", "rms_gradient_std", "rms_half_laplacian", "rms_half_laplacian_std",
     }  # fmt: skip
-    strongest = fig_sets_facts.strongest(rows)
+    strongest = fig_sets._strongest(rows)
     assert abs(strongest["value"]) == rows["value"].abs().max()
 
 
 def test_figure_of_sets_that_differ_in_no_fact():
     data = sets()
-    for name in fig_sets_facts.FACTS:
+    for name in fig_sets.FACTS:
         data[name] = data[name].isel(set=0).broadcast_like(data[name])
     assert select(table(data), panel="c").empty
     assert not [axes for axes in draw(data).axes if axes.get_label() == "<colorbar>"]

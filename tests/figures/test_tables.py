@@ -13,7 +13,6 @@ from hardcontact.figures.tables import (
     over_sets,
     published_edge,
     published_value,
-    rows_by_construction,
     value_and_bounds,
 )
 
@@ -68,9 +67,3 @@ def test_sets_are_summed_up_by_values_of_their_own():
     summary = over_sets(values[::-1])
     numbers = {str(name): number.item() for name, number in summary.items()}
     assert numbers == {"value": 49.0, "low": 4.0, "high": 94.0}
-
-
-def test_rows_by_construction_are_those_of_substitutes():
-    made = xr.Dataset({"calibrated_to_table1": ("surface", ["afm_rms_height,all_rms_slope", ""])})
-    assert rows_by_construction(made.isel(surface=0)) == ["afm_rms_height", "all_rms_slope"]
-    assert rows_by_construction(made.isel(surface=1)) == []

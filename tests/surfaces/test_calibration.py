@@ -6,6 +6,7 @@ import pytest
 from random_scans import PIXEL, UNCD
 
 from hardcontact.records import published
+from hardcontact.records.published import rows_met
 from hardcontact.surfaces import calibration, descriptions, spectral_models
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
@@ -95,3 +96,8 @@ def test_rows_that_calibrate_are_rows_of_the_published_table(at_root):
         assert {*descriptions.AFM_ROWS, *descriptions.TAIL_ROWS} == set(of_surface.quantity) - {
             "all_rms_height"
         }
+
+
+def test_rows_met_are_those_named():
+    assert rows_met("afm_rms_height,all_rms_slope") == ["afm_rms_height", "all_rms_slope"]
+    assert rows_met("") == []

@@ -11,25 +11,13 @@ __all__ = ["FIGURES", "OF_ATOMIC", "OF_INSIGHT", "OF_PAPER", "Figure"]
 
 
 class Figure(NamedTuple):
-    """Description of one figure.
+    """Place in the report, title and inputs of one figure."""
 
-    Attributes
-    ----------
-    chapter, label : str
-        Chapter of the report, and name of the figure in it.
-    title : str
-        Title of its files.
-    datasets : tuple of str
-        Final datasets that it is drawn from, by the names of their files.
-    published : tuple of str
-        Published tables that it is drawn from, keys of `study.patterns.PUBLISHED`.
-    """
-
-    chapter: str
-    label: str
-    title: str
-    datasets: tuple[str, ...]
-    published: tuple[str, ...] = ()
+    chapter: str  # of the report
+    label: str  # in the report
+    title: str  # of its files
+    datasets: tuple[str, ...]  # final ones that it is drawn from, by the names of their files
+    published: tuple[str, ...] = ()  # tables, keys of `config.patterns.PUBLISHED`
 
     @property
     def inputs(self) -> tuple[str, ...]:
@@ -127,17 +115,9 @@ OF_INSIGHT = {
         ("scaling",),
         ("published_constants",),
     ),
-    "fig_scan_size": Figure(
-        INSIGHT,
-        "size of scans",
-        "how large a scan must be",
-        ("scan_size",),
-    ),
+    "fig_scan_size": Figure(INSIGHT, "size of scans", "how large a scan must be", ("scan_size",)),
     "fig_closed_form": Figure(
-        INSIGHT,
-        "force from a spectrum",
-        "closed form of the pull-off force",
-        ("closed_form",),
+        INSIGHT, "force from a spectrum", "closed form of the pull-off force", ("closed_form",)
     ),
     "fig_laws": Figure(
         INSIGHT,
@@ -172,9 +152,6 @@ FIGURES = OF_PAPER | OF_INSIGHT
 #: Figures of targets that are no part of the study: it is complete without them.
 OF_ATOMIC = {
     "fig_atomic": Figure(
-        "Beyond the study",
-        "atomic scale",
-        "pull-off force on pixels of atomic size",
-        ("atomic",),
-    ),
+        "Beyond the study", "atomic scale", "pull-off force on pixels of atomic size", ("atomic",)
+    )
 }

@@ -48,18 +48,9 @@ def _read(name: str, path: str) -> xr.Dataset | pd.DataFrame:
 
 @style.print_style()
 def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:
-    """Write a figure and its table: the same bytes each time, and all files or none.
+    """Write a figure and the table of its numbers as "pdf", "png" and "csv", with its title.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        The figure.
-    table : pandas.DataFrame
-        The numbers drawn.
-    title : str
-        In the metadata of PDF and PNG.
-    outputs : mapping of str to str
-        Paths of the "pdf", "png" and "csv".
+    The bytes are the same each time, and all files are written or none.
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:

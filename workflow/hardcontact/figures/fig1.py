@@ -9,9 +9,8 @@ import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import style
-from hardcontact.figures.style import draw_map
-from hardcontact.figures.tables import BY_CONSTRUCTION, rows_by_construction
+from hardcontact.figures import style, tables
+from hardcontact.records.published import rows_met
 
 __all__ = ["draw", "table"]
 
@@ -20,23 +19,15 @@ AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"
 NOTE = (
     "all: mean ± standard deviation over the scans of the surface; "
-    f"{BY_CONSTRUCTION} by construction those of Table 1"
+    f"{tables.BY_CONSTRUCTION} by construction those of Table 1"
 )
 
 
 def table(topography: xr.Dataset) -> pd.DataFrame:
     """Return rms height and height range of each map drawn, beside the mean over all scans.
 
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        As `draw` takes it, with `rms_height_mean(surface)` and `rms_height_std(surface)` in nm.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
-        scans. The maps themselves stay in topography.nc.
+    One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
+    scans. The maps themselves stay in topography.nc.
     """
     rows = []
     for letter, (surface, state, heights) in zip(
@@ -53,33 +44,22 @@ def table(topography: xr.Dataset) -> pd.DataFrame:
         rows.append({**named, "quantity": "map_rms_height", "value": _rms(heights)})
         rows.append({**named, "quantity": "map_peak_to_valley", "value": np.ptp(heights)})
         if state != AS_SCANNED:
-            over_scans = _over_scans(topography, surface)
+            mean, deviation = _over_scans(topography.sel(surface=surface))
+            over_scans = {"value": mean, "uncertainty": deviation}
             rows.append({**named, "quantity": "rms_height_mean", **over_scans})
     return pd.DataFrame(rows).assign(unit="nm")
 
 
 @style.print_style()
 def draw(topography: xr.Dataset) -> Figure:
-    """Draw Fig. 1: one levelled scan of each substrate, the sphere with and without its curvature.
-
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        With `example_heights(surface, row, column)`, `sphere_as_scanned(row, column)` and
-        `scan_size(surface)`, all in nm.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature."""
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
     figure = style.create(2.15 * rows + 2 * style.FOOTER)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
-        draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
+        style.draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
         axes.spines[:].set(edgecolor=colours[surface], linewidth=1.5)
         label = str(topography["label"].sel(surface=surface).item())
         name = f"{label}, {state}" if state else label
@@ -116,17 +96,15 @@ def _rms(heights: np.ndarray) -> float:
     return float(np.std(heights, dtype=float))
 
 
-def _over_scans(topography: xr.Dataset, surface: str) -> dict[str, float]:
-    of_surface = topography[["rms_height_mean", "rms_height_std"]].sel(surface=surface)
-    return {
-        "value": of_surface["rms_height_mean"].item(),
-        "uncertainty": of_surface["rms_height_std"].item(),
-    }
+def _over_scans(of_surface: xr.Dataset) -> tuple[float, float]:
+    """Return mean and standard deviation of the rms height (nm) over the scans of a surface."""
+    return of_surface["rms_height_mean"].item(), of_surface["rms_height_std"].item()
 
 
 def _print_over_scans(of_surface: xr.Dataset) -> str:
     """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
-    mean, deviation = (of_surface[f"rms_height_{name}"].item() for name in ("mean", "std"))
-    mark = BY_CONSTRUCTION if "afm_rms_height" in rows_by_construction(of_surface) else ""
+    mean, deviation = _over_scans(of_surface)
+    met = rows_met(of_surface["calibrated_to_table1"].item())
+    mark = tables.BY_CONSTRUCTION if "afm_rms_height" in met else ""
     scatter = f" ± {deviation:.3g}" if math.isfinite(deviation) else ""
     return f"all: {mean:.3g}{scatter}{mark}"

@@ -1,42 +1,38 @@
 """Fig. 3: how the pull-off forces are distributed, published and computed."""
 
 from string import ascii_lowercase
+from typing import Any
 
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from scipy.stats import lognorm
 
 from hardcontact.adhesion.force_curves import at_range
-from hardcontact.figures import style
-from hardcontact.figures.fig3_histograms import (
-    AT_FIT,
-    AT_PUBLISHED,
-    COMPUTED_LINE,
-    PUBLISHED_LINE,
-    Fit,
-    Pairs,
-    density,
-    draw_linear,
-    draw_logarithmic,
-    linear_edges,
-    logarithmic_edges,
-    lognormal_density,
-)
-from hardcontact.figures.marks import MILLIJOULE
-from hardcontact.figures.tables import VALUE_COLUMNS, label_surfaces, value_and_bounds
+from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_formatted
 from hardcontact.numbers.statistics import lognormal_shape
 
 __all__ = ["draw", "table"]
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+LINEAR_BINS = 24
+BINS_PER_DECADE = 8
+AT_PUBLISHED: dict[str, Any] = {"color": "0.4", "alpha": 0.55}
+AT_FIT: dict[str, Any] = {"edgecolor": "0.2", "linewidth": 1.2}
+PUBLISHED_LINE: dict[str, Any] = {"color": style.PUBLISHED, "lw": 1.0}
+COMPUTED_LINE: dict[str, Any] = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
 COLUMNS = [
     "surface", "label", "basis", "origin", "pair", "quantity", "panel", "force_low", "force_high",
-    *VALUE_COLUMNS,
+    *tables.VALUE_COLUMNS,
 ]  # fmt: skip
+
+Fit = tuple[float, float]  # shape and median (N) of a log-normal
+Pairs = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
 
 
 def table(
@@ -47,18 +43,10 @@ def table(
 ) -> pd.DataFrame:
     """Return the histograms of computed forces and the log-normals, published and computed.
 
-    Parameters
-    ----------
-    adhesion, inference, published_constants, published_pull_off : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a bin, its edges `force_low` and `force_high` in N and its probability density in
-        1/N (bins of the linear panels "1", of the logarithmic panels "2"); one row a log-normal
-        shape (1), median (N), mean (N) and fraction below the force floor, with the interval over
-        scans. `pair` is that of range and work of adhesion, "published" or "fitted".
+    One row a bin, its edges `force_low` and `force_high` in N and its probability density in 1/N
+    (bins of the linear panels "1", of the logarithmic panels "2"); one row a log-normal shape (1),
+    median (N), mean (N) and fraction below the force floor, with the interval over scans. `pair` is
+    that of range and work of adhesion, "published" or "fitted".
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     forces = _forces_at_pairs(adhesion, fit, published_constants)
@@ -72,7 +60,7 @@ def table(
             *(_computed_rows(fit.sel(surface=surface, pair=pair)) for pair in forces),
         )
         frames.append(pd.concat(of_surface).assign(surface=surface))
-    return label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
+    return tables.label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
 
 
 @style.print_style()
@@ -84,23 +72,7 @@ def draw(
 ) -> Figure:
     """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        With `pull_off_force` (N, at W = attrs["work_of_adhesion"] J/m2), which is taken at the
-        published pair of range and work of adhesion, and at the fitted one.
-    inference : xarray.Dataset
-        With the fitted pair (nm, J/m2), what describes the forces at each pair, by `pair`, and the
-        attribute `force_floor`.
-    published_constants : pandas.DataFrame
-        With the published pair (nm, J/m2).
-    published_pull_off : pandas.DataFrame
-        With mean and median force (N) by surface.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    Forces are taken at the published pair of range and work of adhesion, and at the fitted one.
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     surfaces = [str(name) for name in inference["surface"].values]
@@ -115,8 +87,8 @@ def draw(
         of_pairs = {pair: forces[pair][surface] for pair in forces}
         at_published = fit.sel(surface=surface, pair="published")
         fits = {"published": _fit(published[surface]), "computed": _fit(at_published)}
-        draw_linear(linear, of_pairs, fits["published"], floor, colours[surface])
-        draw_logarithmic(logarithmic, of_pairs, fits, floor, colours[surface])
+        _draw_linear(linear, of_pairs, fits["published"], floor, colours[surface])
+        _draw_logarithmic(logarithmic, of_pairs, fits, floor, colours[surface])
         style.label_panel(linear, f"{letter}_1", str(at_published["label"].item()))
         style.label_panel(
             logarithmic, f"{letter}_2", _print_shapes(at_published, fits["published"])
@@ -149,16 +121,12 @@ def _forces_at_pairs(
     forces = {}
     for pair, (rho, work) in _pairs(fit, published_constants).items():
         scaled = at_range(per_work, rho) * work / adhesion.attrs["work_of_adhesion"]
+        of_surfaces = {str(name): scaled.sel(surface=name) for name in adhesion["surface"].values}
+        # A surface with fewer scans than others has NaN in place of theirs.
         forces[pair] = {
-            str(name): _finite(scaled.sel(surface=name)) for name in adhesion["surface"].values
+            name: values.values[np.isfinite(values.values)] for name, values in of_surfaces.items()
         }
     return forces
-
-
-def _finite(values: xr.DataArray) -> np.ndarray:
-    """Return the values flat, without NaN where a surface has fewer scans than others."""
-    flat: np.ndarray = values.values[np.isfinite(values.values)]
-    return flat
 
 
 def _published(inference: xr.Dataset, published_pull_off: pd.DataFrame) -> dict[str, pd.Series]:
@@ -176,26 +144,18 @@ def _fit(numbers: pd.Series | xr.Dataset) -> Fit:
 
 def _histogram_rows(of_pairs: Pairs, published: Fit) -> pd.DataFrame:
     """Return the histograms of one surface, a row a bin, and the published log-normal."""
-    linear, logarithmic = linear_edges(of_pairs, published), logarithmic_edges(of_pairs)
-    shown = [("published", "1", "published", linear, lognormal_density(published, linear))]
+    linear, logarithmic = _linear_edges(of_pairs, published), _logarithmic_edges(of_pairs)
+    shown = [("published", "1", "", linear, _lognormal_density(published, linear))]
     for pair, forces in of_pairs.items():
-        shown.append(("computed", "1", pair, linear, density(forces, linear)))
-        shown.append(("computed", "2", pair, logarithmic, density(forces, logarithmic)))
-    return pd.concat(
-        pd.DataFrame(
-            {
-                "panel": panel,
-                "origin": origin,
-                "pair": pair if origin == "computed" else "",
-                "quantity": "probability_density",
-                "unit": "1/N",
-                "force_low": edges[:-1],
-                "force_high": edges[1:],
-                "value": densities,
-            }
+        shown.append(("computed", "1", pair, linear, _density(forces, linear)))
+        shown.append(("computed", "2", pair, logarithmic, _density(forces, logarithmic)))
+    rows = pd.concat(
+        pd.DataFrame({"force_low": edges[:-1], "force_high": edges[1:], "value": values}).assign(
+            origin=origin, panel=panel, pair=pair
         )
-        for origin, panel, pair, edges, densities in shown
+        for origin, panel, pair, edges, values in shown
     )
+    return rows.assign(quantity="probability_density", unit="1/N")
 
 
 def _published_rows(published: pd.Series) -> pd.DataFrame:
@@ -206,16 +166,10 @@ def _published_rows(published: pd.Series) -> pd.DataFrame:
         "mean_force": "N",
         "median_force": "N",
     }
-    return pd.DataFrame(
-        {
-            "origin": "published",
-            "pair": "",
-            "quantity": name,
-            "unit": unit,
-            "value": published[name],
-        }
-        for name, unit in units.items()
+    rows = pd.DataFrame(
+        {"quantity": name, "unit": unit, "value": published[name]} for name, unit in units.items()
     )
+    return rows.assign(origin="published", pair="")
 
 
 def _computed_rows(of_surface: xr.Dataset) -> pd.DataFrame:
@@ -227,21 +181,16 @@ def _computed_rows(of_surface: xr.Dataset) -> pd.DataFrame:
         "median_force": ("force_median", "N"),
         "censored_fraction": ("censored_fraction", "1"),
     }
-    return pd.DataFrame(
-        {
-            "origin": "computed",
-            "pair": str(of_surface["pair"].item()),
-            "quantity": name,
-            "unit": unit,
-            **value_and_bounds(of_surface, variable),
-        }
+    rows = pd.DataFrame(
+        {"quantity": name, "unit": unit, **tables.value_and_bounds(of_surface, variable)}
         for name, (variable, unit) in quantities.items()
     )
+    return rows.assign(origin="computed", pair=str(of_surface["pair"].item()))
 
 
 def _print_shapes(at_published: xr.Dataset, published: Fit) -> str:
     """Return the shape of both log-normals, the computed one with its interval."""
-    computed = value_and_bounds(at_published, "lognormal_shape")
+    computed = tables.value_and_bounds(at_published, "lognormal_shape")
     here = print_formatted(computed, ".2f")
     return f"published $s$ = {published[0]:.2f}\nhere {here}"
 
@@ -249,7 +198,7 @@ def _print_shapes(at_published: xr.Dataset, published: Fit) -> str:
 def _legend_handles(pairs: dict[str, tuple[float, float]], floor: float) -> list[Line2D | Patch]:
     """Return one entry for each kind of area and line, with the pairs of range and work."""
     printed = {
-        pair: f"{pair} ρ = {rho:.3g} nm, $W$ = {work / MILLIJOULE:.3g} mJ/m²"
+        pair: f"{pair} ρ = {rho:.3g} nm, $W$ = {work / marks.MILLIJOULE:.3g} mJ/m²"
         for pair, (rho, work) in pairs.items()
     }
     return [
@@ -259,3 +208,94 @@ def _legend_handles(pairs: dict[str, tuple[float, float]], floor: float) -> list
         Line2D([], [], label="log-normal of the forces at the published pair", **COMPUTED_LINE),
         Patch(color="0.85", label=f"below {floor * 1e9:.0f} nN"),
     ]
+
+
+def _linear_edges(of_pairs: Pairs, published: Fit) -> np.ndarray:
+    """Return bin edges (N) from zero to a high quantile of each distribution."""
+    shape, median = published
+    ends = [np.quantile(forces, 0.97) for forces in of_pairs.values()]
+    return np.linspace(
+        0, np.nanmax([*ends, lognorm.ppf(0.9, shape, scale=median)]), LINEAR_BINS + 1
+    )
+
+
+def _logarithmic_edges(of_pairs: Pairs) -> np.ndarray:
+    """Return bin edges (N) evenly spaced in the logarithm that hold every force."""
+    every = np.concatenate(list(of_pairs.values()))
+    first, last = np.log10(every.min()), np.log10(every.max())
+    steps = np.arange(np.floor(first * BINS_PER_DECADE), np.ceil(last * BINS_PER_DECADE) + 2)
+    return 10 ** (steps / BINS_PER_DECADE)
+
+
+def _density(forces: np.ndarray, edges: np.ndarray) -> np.ndarray:
+    """Return the density (1/N) in each bin; forces beyond the bins count in the total."""
+    densities: np.ndarray = np.histogram(forces, edges)[0] / (forces.size * np.diff(edges))
+    return densities
+
+
+def _lognormal_density(fit: Fit, edges: np.ndarray) -> np.ndarray:
+    """Return the log-normal's mean probability density (1/N) in each bin."""
+    shape, median = fit
+    densities: np.ndarray = np.diff(lognorm.cdf(edges, shape, scale=median)) / np.diff(edges)
+    return densities
+
+
+def _draw_linear(axes: Axes, of_pairs: Pairs, published: Fit, floor: float, colour: str) -> None:
+    """Draw the computed histograms and the published log-normal over the same bins, in µN.
+
+    Forces are in N; those below the floor (N) the experiment could not resolve.
+    """
+    edges = _linear_edges(of_pairs, published)
+    _draw_histograms(axes, of_pairs, edges, colour)
+    axes.stairs(
+        _lognormal_density(published, edges) * marks.MICRONEWTON,
+        edges / marks.MICRONEWTON,
+        **PUBLISHED_LINE,
+    )
+    _shade_floor(axes, 0, floor)
+    axes.set_xlim(0, edges[-1] / marks.MICRONEWTON)
+    axes.set_ylim(bottom=0)
+    axes.locator_params(nbins=4)
+
+
+def _draw_logarithmic(
+    axes: Axes, of_pairs: Pairs, fits: dict[str, Fit], floor: float, colour: str
+) -> None:
+    """Draw the computed histograms and both log-normals (NaN: none) on logarithmic axes, in µN."""
+    edges = _logarithmic_edges(of_pairs)
+    _draw_histograms(axes, of_pairs, edges, colour)
+    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *_upper_ends(fits)])
+    line = np.geomspace(*ends, 200)
+    for origin, look in (("published", PUBLISHED_LINE), ("computed", COMPUTED_LINE)):
+        shape, median = fits[origin]
+        curve = lognorm.pdf(line, shape, scale=median) * marks.MICRONEWTON
+        axes.plot(line / marks.MICRONEWTON, curve, **look)
+    densities = np.concatenate([_density(forces, edges) for forces in of_pairs.values()])
+    bars = densities[densities > 0] * marks.MICRONEWTON
+    axes.set(xscale="log", yscale="log", xlim=np.divide(ends, marks.MICRONEWTON))
+    # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
+    axes.set_ylim(bars.min() / 3, bars.max() * 10)
+    _shade_floor(axes, ends[0], floor)
+
+
+def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str) -> None:
+    """Fill the histogram at the published pair, and outline that at the fitted one."""
+    printed = {
+        pair: _density(forces, edges) * marks.MICRONEWTON for pair, forces in of_pairs.items()
+    }
+    of_surface: dict[str, dict[str, Any]] = {
+        "published": {**AT_PUBLISHED, "color": colour, "fill": True},
+        "fitted": {**AT_FIT, "edgecolor": colour},
+    }
+    for pair, look in of_surface.items():
+        axes.stairs(printed[pair], edges / marks.MICRONEWTON, **look)
+
+
+def _upper_ends(fits: dict[str, Fit]) -> list[float]:
+    """Return the force (N) that one in a thousand exceeds, for each log-normal."""
+    return [lognorm.ppf(0.999, shape, scale=median) for shape, median in fits.values()]
+
+
+def _shade_floor(axes: Axes, low: float, floor: float) -> None:
+    """Shade the forces the experiment could not resolve."""
+    axes.axvspan(low / marks.MICRONEWTON, floor / marks.MICRONEWTON, color="0.85", zorder=0)

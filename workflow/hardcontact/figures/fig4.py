@@ -2,24 +2,21 @@
 
 import pandas as pd
 import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import fig4_contact, fig4_curves, fig4_error, style
-from hardcontact.figures.marks import (
-    BAND_OF_SETS,
-    MILLIJOULE,
-    PUBLISHED_RANGE,
-    draw_published_range,
-)
-from hardcontact.figures.tables import ROW_COLUMNS, SHARE_OF_SETS, VALUE_COLUMNS, label_surfaces
+from hardcontact.figures import fig4_curves, fig4_error, marks, style, tables
 from hardcontact.numbers.printing import print_share
 
 __all__ = ["draw", "table"]
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
-COLUMNS = [*ROW_COLUMNS, "over", "x", *VALUE_COLUMNS]
+MEGAPASCAL = 1e6
+PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
+COLUMNS = [*tables.ROW_COLUMNS, "over", "x", *tables.VALUE_COLUMNS]
 
 
 def table(
@@ -31,28 +28,19 @@ def table(
 ) -> pd.DataFrame:
     """Return the curves and fitted values of Fig. 4, one row a point.
 
-    Parameters
-    ----------
-    contact, inference, sets, published_constants, published_pull_off : xarray.Dataset, \
-pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e), `value` with
-        `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the median and
-        SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error) stay in
-        contact.nc and inference.nc.
+    `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e), `value` with
+    `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the median and
+    SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error) stay in
+    contact.nc and inference.nc.
     """
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     curves = fig4_curves.force_curves(fit, of_sets, _published_work(published_constants))
     frames = [
-        fig4_contact.separation_rows(contact),
+        _separation_rows(contact),
         *fig4_curves.curve_rows(fit, curves, published_pull_off),
         fig4_error.error_rows(inference, sets, CONTACT_MODEL, published_constants),
     ]
-    return label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
+    return tables.label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
 
 
 @style.print_style()
@@ -63,26 +51,7 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> Figure:
-    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) error of range and work.
-
-    Parameters
-    ----------
-    contact : xarray.Dataset
-        With the adhesive pressure (y, x) in Pa and the force (separation) in N.
-    inference : xarray.Dataset
-        With all that is computed of the study's own scans in panels b to e.
-    sets : xarray.Dataset
-        With `ratio` and `mean_force` (set, contact_model, surface, rho) and the fit of each set.
-    published_constants : pandas.DataFrame
-        With range (nm) and work of adhesion (J/m2) and their uncertainties.
-    published_pull_off : pandas.DataFrame
-        With mean and median force (N) by surface.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit."""
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     work = _published_work(published_constants)
     curves = fig4_curves.force_curves(fit, of_sets, work)
@@ -92,15 +61,15 @@ def draw(
     pressure, separation, key = upper.subplots(squeeze=False)[0]
     ratios, forces = rows[1].subgridspec(1, 2).subplots(squeeze=False)[0]
     least, error = rows[2].subgridspec(1, 2).subplots(squeeze=False)[0]
-    fig4_contact.draw_pressure(pressure, contact)
-    fig4_contact.draw_separation(separation, contact)
+    _draw_pressure(pressure, contact)
+    _draw_separation(separation, contact)
     separation.set_title(_print_pair(published_constants), loc="left")
     fig4_curves.draw_ratios(ratios, fit, curves, published_pull_off)
     fig4_curves.draw_forces(forces, fit, curves, work, published_pull_off)
     fig4_error.draw_least_error(least, inference, sets, CONTACT_MODEL)
     fig4_error.draw_error_map(error, fit, published_constants)
     for axes in (ratios, forces, least, error):
-        draw_published_range(axes, published_constants)
+        marks.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, at=(1, 3))
@@ -118,23 +87,23 @@ def _published_work(published_constants: pd.DataFrame) -> float:
 def _print_pair(published_constants: pd.DataFrame) -> str:
     """Return the published range and work of adhesion, as panel a has them."""
     published = published_constants["value"]["range_of_adhesion"]
-    work = _published_work(published_constants) / MILLIJOULE
+    work = _published_work(published_constants) / marks.MILLIJOULE
     return f"ρ = {published:g} nm, $W$ = {work:.3g} mJ/m²"
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Line2D | Patch]:
     """Return one entry a surface and one for each kind of line and symbol of panels b and c."""
-    confidence, share = map(print_share, (fit.attrs["confidence"], SHARE_OF_SETS))
+    confidence = print_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
     best_range = fit["range_of_adhesion"].item()
-    best_work = fit["work_of_adhesion"].item() / MILLIJOULE
+    best_work = fit["work_of_adhesion"].item() / marks.MILLIJOULE
     return [
         *style.surface_handles(fit),
         Line2D([], [], color="0.3", lw=0.7, label=f"{confidence} interval over scans (bars)"),
-        Patch(color="0.3", alpha=BAND_OF_SETS, lw=0, label=f"{share} of all sets of substitutes"),
+        marks.sets_handle(),
         Line2D([], [], color="0.3", lw=0.9, label="published mean"),
         Line2D([], [], color="0.3", lw=0.9, ls=":", label="published median"),
-        Line2D([], [], label=f"published range, ρ = {published:g} nm", **PUBLISHED_RANGE),
+        Line2D([], [], label=f"published range, ρ = {published:g} nm", **marks.PUBLISHED_RANGE),
         Line2D([], [], label="ρ that fits the ratios best", **fig4_curves.RATIO_FIT),
         Line2D(
             [],
@@ -146,3 +115,47 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
             **fig4_curves.AT_FIT,
         ),
     ]
+
+
+def _separation_rows(contact: xr.Dataset) -> pd.DataFrame:
+    """Return the force (N) against the separation `x` (nm) of the contact."""
+    curve = pd.DataFrame({"x": contact["separation"].values, "value": contact["force"].values})
+    surface = str(contact.attrs["surface"])
+    return curve.assign(panel="a", surface=surface, origin="computed", quantity="force", unit="N")
+
+
+def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
+    """Map the adhesive pressure (MPa) around the apex, over its largest PRESSURE_DECADES."""
+    pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
+    top = pressure.max().item()
+    bottom = top / 10**PRESSURE_DECADES
+    x, y = contact["x"].values / 1000, contact["y"].values / 1000
+    image = axes.pcolormesh(
+        x,
+        y,
+        pressure.clip(min=bottom).values,
+        norm=LogNorm(bottom, top),
+        cmap="magma",
+        shading="nearest",
+        rasterized=True,
+    )
+    reach = _reach(pressure, bottom) / 1000
+    axes.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="x (µm)", ylabel="y (µm)")
+    axes.set_aspect("equal")
+    axes.locator_params(nbins=4)
+    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="adhesive pressure (MPa)")
+    style.label_panel(axes, "a", str(contact.attrs["label"]))
+
+
+def _draw_separation(axes: Axes, contact: xr.Dataset) -> None:
+    """Draw the force (µN) against the separation (nm)."""
+    axes.axhline(0, color="0.7", lw=0.6)
+    axes.plot(contact["separation"], contact["force"] / marks.MICRONEWTON, color=style.PUBLISHED)
+    axes.set(xlabel="separation (nm)", ylabel="force (µN)")
+    axes.locator_params(nbins=5)
+
+
+def _reach(pressure: xr.DataArray, bottom: float) -> float:
+    """Return the half width (nm) of the square about the apex that holds all pressure > bottom."""
+    farthest = (abs(pressure[along]).where(pressure > bottom).max().item() for along in "xy")
+    return 1.05 * float(max(farthest))

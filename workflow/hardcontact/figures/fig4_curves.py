@@ -6,9 +6,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import BAND_OF_SETS, MILLIJOULE, reach
-from hardcontact.figures.tables import bounded, over_sets, value_and_bounds
+from hardcontact.figures import marks, style, tables
 
 __all__ = [
     "AT_FIT",
@@ -20,7 +18,6 @@ __all__ = [
     "force_curves",
 ]
 
-MICRONEWTON = 1e-6
 AT_FIT: dict[str, Any] = {"mfc": "white", "ms": 5, "mew": 1.2}
 RATIO_FIT: dict[str, Any] = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
 
@@ -38,37 +35,24 @@ def force_curves(fit: xr.Dataset, of_sets: xr.Dataset, work: float) -> Curves:
     By quantity, and by whether they are over the "scans" of the study or over the "sets".
     """
     return {
-        ("ratio", "scans"): bounded(fit, "ratio"),
-        ("ratio", "sets"): over_sets(of_sets["ratio"]),
-        ("mean_force", "scans"): bounded(fit, "mean_force") * work,
-        ("mean_force", "sets"): over_sets(of_sets["mean_force"]) * work,
+        ("ratio", "scans"): tables.bounded(fit, "ratio"),
+        ("ratio", "sets"): tables.over_sets(of_sets["ratio"]),
+        ("mean_force", "scans"): tables.bounded(fit, "mean_force") * work,
+        ("mean_force", "sets"): tables.over_sets(of_sets["mean_force"]) * work,
     }
 
 
 def curve_rows(
     fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
 ) -> list[pd.DataFrame]:
-    """Return what panels b and c show: curves, values at the fit, published values.
-
-    Parameters
-    ----------
-    fit : xarray.Dataset
-        The part of inference.nc with one contact model.
-    curves : Curves
-        As from `force_curves`.
-    published_pull_off : pandas.DataFrame
-        With mean and median force (N) by surface.
-
-    Returns
-    -------
-    list of pandas.DataFrame
-        Ratios 1, forces in N, ranges of adhesion, also those of `x`, in nm.
-    """
+    """Return what panels b and c show: curves, values at the fit (nm, N), published values."""
     return [
         *_computed_rows(curves),
         _fitted_rows(fit),
         *_published_rows(fit, published_pull_off),
-        pd.DataFrame([_range_from_ratios(fit)]),
+        pd.DataFrame([tables.value_and_bounds(fit, "range_from_ratios")]).assign(
+            panel="b", origin="computed", quantity="range_from_ratios", over="scans", unit="nm"
+        ),
     ]
 
 
@@ -86,19 +70,10 @@ def _computed_rows(curves: Curves) -> list[pd.DataFrame]:
 
 def _fitted_rows(fit: xr.Dataset) -> pd.DataFrame:
     """Return the mean forces (N) at the fitted range and work of adhesion."""
-    forces = bounded(fit.sel(pair="fitted"), "force_mean")
-    return (
-        forces.to_dataframe()[["value", "low", "high"]]
-        .reset_index()
-        .assign(
-            panel="c",
-            origin="computed",
-            quantity="mean_force_at_fit",
-            over="scans",
-            unit="N",
-            x=fit["range_of_adhesion"].item(),
-        )
-    )
+    forces = tables.bounded(fit.sel(pair="fitted"), "force_mean")
+    rows = forces.to_dataframe()[["value", "low", "high"]].reset_index()
+    rows = rows.assign(panel="c", origin="computed", quantity="mean_force_at_fit", over="scans")
+    return rows.assign(unit="N", x=fit["range_of_adhesion"].item())
 
 
 def _published(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> pd.DataFrame:
@@ -109,18 +84,11 @@ def _published(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> pd.DataFram
 
 
 def _published_rows(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> list[pd.DataFrame]:
-    published = _published(fit, published_pull_off)
+    published = _published(fit, published_pull_off).rename_axis("surface").reset_index()
     return [
-        pd.DataFrame(
-            {
-                "panel": panel,
-                "surface": published.index.astype(str),
-                "origin": "published",
-                "quantity": quantity,
-                "value": published[quantity].values,
-                "unit": unit,
-            }
-        )
+        published[["surface", quantity]]
+        .rename(columns={quantity: "value"})
+        .assign(panel=panel, origin="published", quantity=quantity, unit=unit)
         for panel, quantity, unit in (
             ("b", "ratio", "1"),
             ("c", "mean_force", "N"),
@@ -129,29 +97,15 @@ def _published_rows(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> list[p
     ]
 
 
-def _range_from_ratios(fit: xr.Dataset) -> dict[str, str | float]:
-    return {
-        "panel": "b",
-        "origin": "computed",
-        "quantity": "range_from_ratios",
-        "over": "scans",
-        "unit": "nm",
-        **value_and_bounds(fit, "range_from_ratios"),
-    }
-
-
 def draw_ratios(
-    axes: Axes,
-    fit: xr.Dataset,
-    curves: Curves,
-    published_pull_off: pd.DataFrame,
+    axes: Axes, fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
 ) -> None:
     """Draw the ratio of mean forces to the reference surface against rho (nm)."""
     reference = _reference(fit)
     _draw_curves(axes, fit, curves["ratio", "scans"], curves["ratio", "sets"], skipped=reference)
     ratios = _published(fit, published_pull_off)["ratio"]
     _draw_levels(axes, ratios.drop(reference), fit, "-")
-    best = value_and_bounds(fit, "range_from_ratios")
+    best = tables.value_and_bounds(fit, "range_from_ratios")
     along = [best[name] for name in ("low", "value", "high")]
     style.end_near_values([axes])
     axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
@@ -160,32 +114,30 @@ def draw_ratios(
 
 
 def draw_forces(
-    axes: Axes,
-    fit: xr.Dataset,
-    curves: Curves,
-    work: float,
-    published_pull_off: pd.DataFrame,
+    axes: Axes, fit: xr.Dataset, curves: Curves, work: float, published_pull_off: pd.DataFrame
 ) -> None:
     """Draw the mean force (µN) at the published work of adhesion (J/m2) against rho (nm)."""
-    scans, of_sets = (curves["mean_force", over] / MICRONEWTON for over in ("scans", "sets"))
+    scans, of_sets = (curves["mean_force", over] / marks.MICRONEWTON for over in ("scans", "sets"))
     _draw_curves(axes, fit, scans, of_sets)
-    published = _published(fit, published_pull_off) / MICRONEWTON
+    published = _published(fit, published_pull_off) / marks.MICRONEWTON
     _draw_levels(axes, published["mean_force"], fit, "-")
     _draw_levels(axes, published["median_force"], fit, ":")
-    fitted = bounded(fit.sel(pair="fitted"), "force_mean") / MICRONEWTON
+    fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean") / marks.MICRONEWTON
     for surface, look in style.looks(fit["surface"].values).items():
         of_surface = fitted.sel(surface=surface)
         axes.errorbar(
             fit["range_of_adhesion"],
             of_surface["value"],
-            reach(of_surface)[:, None],
+            marks.reach(of_surface)[:, None],
             elinewidth=1.2,
             zorder=4,
             **look | AT_FIT,
         )
     style.end_near_values([axes])
     axes.set_ylabel("mean pull-off force (µN)")
-    style.label_panel(axes, "c", rf"curves: at the published $W$ = {work / MILLIJOULE:.3g} mJ/m²")
+    style.label_panel(
+        axes, "c", rf"curves: at the published $W$ = {work / marks.MILLIJOULE:.3g} mJ/m²"
+    )
 
 
 def _draw_curves(
@@ -196,10 +148,10 @@ def _draw_curves(
         if surface == skipped:
             continue
         band, curve = of_sets.sel(surface=surface), scans.sel(surface=surface)
-        axes.fill_between(
-            band["rho"], band["low"], band["high"], color=look["color"], alpha=BAND_OF_SETS, lw=0
+        marks.fill_sets(axes, band["rho"], band, look["color"])
+        axes.errorbar(
+            curve["rho"], curve["value"], marks.reach(curve), elinewidth=0.7, ms=2.5, **look
         )
-        axes.errorbar(curve["rho"], curve["value"], reach(curve), elinewidth=0.7, ms=2.5, **look)
     axes.set(xscale="log", yscale="log")
 
 

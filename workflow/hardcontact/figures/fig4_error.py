@@ -8,13 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import (
-    MILLIJOULE,
-    draw_fit,
-    draw_published_fit,
-)
-from hardcontact.figures.tables import published_value, value_and_bounds
+from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_formatted
 
 __all__ = ["draw_error_map", "draw_least_error", "error_rows"]
@@ -32,68 +26,29 @@ MODELS: dict[str, dict[str, Any]] = {
 def error_rows(
     inference: xr.Dataset, sets: xr.Dataset, model: str, published_constants: pd.DataFrame
 ) -> pd.DataFrame:
-    """Return what panels d and e show but for the map itself.
+    """Return what panels d and e show but for the map itself, ranges in nm and works in J/m2.
 
-    Parameters
-    ----------
-    inference, sets, published_constants : xarray.Dataset, pandas.DataFrame
-        As Fig. 4 takes them.
-    model : str
-        Contact model of the fit.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Ranges in nm, works in J/m2. `x` is the range of adhesion (nm) that `value` belongs to.
+    `x` is the range of adhesion (nm) that `value` belongs to.
     """
     fit = inference.sel(contact_model=model)
     fine = inference["error_of_range"]
     curves = [
-        pd.DataFrame(
-            {
-                "panel": "d",
-                "quantity": f"least_error_{name}",
-                "x": fine["rho_fine"].values,
-                "value": fine.sel(contact_model=name).values,
-                "unit": "1",
-            }
-        )
+        _rows("d", f"least_error_{name}", fine["rho_fine"], fine.sel(contact_model=name), "1")
         for name in _models(inference)
     ]
     of_sets = sets.sel(contact_model=model)
     clouds = [
-        _cloud("d", "best_error_of_set", of_sets["range_of_adhesion"], of_sets["best_error"], "1"),
-        _cloud("e", "sampled_work", fit["sampled_range"], fit["sampled_work"], "J/m2"),
+        _rows("d", "best_error_of_set", of_sets["range_of_adhesion"], of_sets["best_error"], "1"),
+        _rows("e", "sampled_work", fit["sampled_range"], fit["sampled_work"], "J/m2"),
     ]
-    marks = [*_minimum_rows(fit), *_fit_rows(fit), *_region_rows(fit)]
-    computed = pd.concat([*curves, *clouds, pd.DataFrame(marks)]).assign(origin="computed")
-    published = pd.DataFrame(
-        {"panel": "e", "origin": "published", "quantity": name, "unit": unit}
-        | published_value(published_constants, name)
-        for name, unit in UNITS.items()
-    )
+    numbers = [*_minimum_rows(fit), *_fit_rows(fit), *_region_rows(fit)]
+    computed = pd.concat([*curves, *clouds, pd.DataFrame(numbers)]).assign(origin="computed")
+    published = tables.published_rows(published_constants, UNITS, "e")
     return pd.concat([computed, published], ignore_index=True)
 
 
-def draw_least_error(
-    axes: Axes,
-    inference: xr.Dataset,
-    sets: xr.Dataset,
-    model: str,
-) -> None:
-    """Draw the error, least over W, against rho (nm), and the best fit of each set.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw.
-    inference : xarray.Dataset
-        With `error_of_range(contact_model, rho_fine)`, its minima, `best_error` and its interval.
-    sets : xarray.Dataset
-        With `range_of_adhesion(set, contact_model)` in nm and `best_error` there.
-    model : str
-        Contact model of the fits that are marked.
-    """
+def draw_least_error(axes: Axes, inference: xr.Dataset, sets: xr.Dataset, model: str) -> None:
+    """Draw the error, least over W, against rho (nm), and the best fit of each set."""
     fit, of_sets = inference.sel(contact_model=model), sets.sel(contact_model=model)
     threshold = inference.attrs["error_threshold"]
     axes.plot(
@@ -109,9 +64,9 @@ def draw_least_error(
     for name in _models(inference):
         curve = inference["error_of_range"].sel(contact_model=name)
         axes.plot(curve["rho_fine"], curve, lw=1.2, label=f"{name} contact", **MODELS[name])
-    best = value_and_bounds(fit, "best_error")
+    best = tables.value_and_bounds(fit, "best_error")
     axes.plot([fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0)
-    draw_fit(axes, fit, "error")
+    marks.draw_fit(axes, fit, "error")
     axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
     axes.text(
         0.02,
@@ -132,19 +87,9 @@ def draw_least_error(
 
 
 def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> None:
-    """Map the mean relative error over rho (nm) and W (mJ/m2), and mark fit and published values.
-
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        Where to draw.
-    fit : xarray.Dataset
-        The part of inference.nc with one contact model.
-    published_constants : pandas.DataFrame
-        With range (nm) and work of adhesion (J/m2) and their uncertainties.
-    """
+    """Map the mean relative error over rho (nm) and W (mJ/m2), with fit and published values."""
     error = fit["mean_relative_error"].transpose("work", "rho_fine")
-    rho, work = fit["rho_fine"].values, fit["work"].values / MILLIJOULE
+    rho, work = fit["rho_fine"].values, fit["work"].values / marks.MILLIJOULE
     image = axes.pcolormesh(
         rho,
         work,
@@ -161,7 +106,7 @@ def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFram
     axes.plot([], [], "o", color="white", ms=2.5, label="samples of the scans")
     axes.plot(
         fit["sampled_range"],
-        fit["sampled_work"] / MILLIJOULE,
+        fit["sampled_work"] / marks.MILLIJOULE,
         ".",
         color="white",
         ms=2,
@@ -169,12 +114,12 @@ def draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFram
         mew=0,
         rasterized=True,
     )
-    draw_published_fit(axes, published_constants)
+    marks.draw_published_fit(axes, published_constants)
     axes.legend(loc="lower left", **ON_MAP)  # panel d names the marks of the fit
-    draw_fit(axes, fit, "work", MILLIJOULE)
+    marks.draw_fit(axes, fit, "work", marks.MILLIJOULE)
     axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
     fair = work[error.min("rho_fine").values < FAIR]
-    shown = [*fair, published_constants["value"]["work_of_adhesion"] / MILLIJOULE]
+    shown = [*fair, published_constants["value"]["work_of_adhesion"] / marks.MILLIJOULE]
     axes.set_ylim(max(work[0], min(shown) / 1.5), min(work[-1], max(shown) * 1.5))
     style.label_logarithmic(axes.yaxis, at=(1,))
     bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
@@ -187,19 +132,12 @@ def _models(inference: xr.Dataset) -> list[str]:
     return [name for name in MODELS if name in inference["contact_model"]]
 
 
-def _cloud(
+def _rows(
     panel: str, quantity: str, ranges: xr.DataArray, values: xr.DataArray, unit: str
 ) -> pd.DataFrame:
-    """Return one row a sample or a set."""
-    return pd.DataFrame(
-        {
-            "panel": panel,
-            "quantity": quantity,
-            "x": ranges.values,
-            "value": values.values,
-            "unit": unit,
-        }
-    )
+    """Return one row a sample, a set or a point of a curve."""
+    rows = pd.DataFrame({"x": ranges.values, "value": values.values})
+    return rows.assign(panel=panel, quantity=quantity, unit=unit)
 
 
 def _minimum_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
@@ -220,11 +158,11 @@ def _minimum_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
 
 def _fit_rows(fit: xr.Dataset) -> list[dict[str, Any]]:
     rows = [
-        {"panel": "e", "quantity": name, "unit": unit, **value_and_bounds(fit, name)}
+        {"panel": "e", "quantity": name, "unit": unit, **tables.value_and_bounds(fit, name)}
         for name, unit in UNITS.items()
     ]
     error = {"panel": "d", "quantity": "best_error", "unit": "1"}
-    return [*rows, {**error, **value_and_bounds(fit, "best_error")}]
+    return [*rows, {**error, **tables.value_and_bounds(fit, "best_error")}]
 
 
 def _region_rows(fit: xr.Dataset) -> list[dict[str, Any]]:

@@ -7,12 +7,10 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
-MICRONEWTON = 1e-6
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
 DEPTHS = mpl.colormaps["Purples"]  # preloads have its colours too, as black is for published values
@@ -23,23 +21,15 @@ SIZES = {  # title, axis, published constant
 }
 PRELOAD = "preload_indentation"  # the published constant
 SHARES = np.linspace(0, 1, 101)  # steps of the distributions
-COLUMNS = [*ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
+COLUMNS = [*tables.ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 
 
 def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the line scans and the distributions of Fig. 5, one row a point, values in nm.
 
-    Parameters
-    ----------
-    indent, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Line scans (panels b, c): height of the sphere before and after against `position` in nm.
-        Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
-        `preload` in N. The map stays in indent.nc.
+    Line scans (panels b, c): height of the sphere before and after against `position` in nm.
+    Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
+    `preload` in N. The map stays in indent.nc.
     """
     published = published_constants["value"]
     shown = _at_preload(indent, published[PRELOAD])
@@ -56,21 +46,7 @@ def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame
 
 @style.print_style()
 def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw Fig. 5: (a) one contact, (b, c) lines through its deepest point, (d-f) all contacts.
-
-    Parameters
-    ----------
-    indent : xarray.Dataset
-        With `indentation(preload, y, x)` and `sphere_height(y, x)`, up from its apex, and of each
-        contact `depth`, `edge_length` and `lateral_size`, all in nm; preloads in N.
-    published_constants : pandas.DataFrame
-        With depth and edge length (nm) of an indent and the preload (N) they belong to.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
     shown = _at_preload(indent, published[PRELOAD])
     figure = style.create(5.3)
@@ -116,19 +92,13 @@ def _line(shown: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
 
 
 def _line_rows(shown: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
-    return pd.concat(
-        pd.DataFrame(
-            {
-                "panel": panel,
-                "origin": "computed",
-                "quantity": quantity,
-                "preload": shown["preload"].item(),
-                "position": heights[along].values,
-                "value": heights.values,
-            }
+    rows = pd.concat(
+        pd.DataFrame({"position": heights[along].values, "value": heights.values}).assign(
+            quantity=quantity
         )
         for quantity, heights in _line(shown, along).items()
     )
+    return rows.assign(panel=panel, origin="computed", preload=shown["preload"].item())
 
 
 def _distribution(indent: xr.Dataset, name: str) -> xr.DataArray:
@@ -222,4 +192,4 @@ def _draw_sizes(row: np.ndarray, indent: xr.Dataset, published: pd.Series) -> No
 
 
 def _print_preload(preload: float | xr.DataArray) -> str:
-    return f"{float(preload) / MICRONEWTON:g} µN"
+    return f"{float(preload) / marks.MICRONEWTON:g} µN"

@@ -10,14 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    label_surfaces,
-    published_edge,
-    value_and_bounds,
-)
+from hardcontact.figures import style, tables
 from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import POOLED
 
@@ -49,54 +42,33 @@ SMOOTH = {
     "smooth_extent": ("smooth sphere on a plane (d)", "-"),
     "interaction_radius": ("interaction radius √(2Rρ) (d)", "-."),
 }
-COLUMNS = [*ROW_COLUMNS, "rho", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "rho", *tables.VALUE_COLUMNS]
 
 
 def table(
     asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
 ) -> pd.DataFrame:
-    """Return the curves against the range of adhesion rho (nm) and the lengths beside them.
+    """Return the curves against the range of adhesion `rho` (nm) and the lengths beside them.
 
-    Parameters
-    ----------
-    asperities, band, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
-        diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and
-        the diameter that holds the same share of the force, and the long critical wavelength,
-        computed with its interval and published.
+    Of each surface the median over contacts with its quartiles `low` and `high`; `extent` is a
+    diameter. Panel d adds, in nm, of a smooth sphere on a plane the radius of interaction and the
+    diameter that holds the same share of the force, and the long critical wavelength, computed with
+    its interval and published.
     """
-    frames = [
-        *(_curve_rows(asperities, name) for name in QUANTITIES),
-        *(_smooth_rows(asperities, name) for name in SMOOTH),
-        _critical_rows(band, published_constants),
-    ]
-    return label_surfaces(pd.concat(frames, ignore_index=True), asperities)[COLUMNS]
+    curves = tables.drawn_rows(
+        *(
+            (quantity.panel, name, quantity.unit, _quartiles(asperities, name))
+            for name, quantity in QUANTITIES.items()
+        ),
+        *(("d", name, "nm", lengths) for name, lengths in _smooth(asperities).items()),
+    )
+    rows = pd.concat([curves, _critical_rows(band, published_constants)], ignore_index=True)
+    return tables.label_surfaces(rows, asperities)[COLUMNS]
 
 
 @style.print_style()
 def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
-
-    Parameters
-    ----------
-    asperities : xarray.Dataset
-        With the shares (1), patches (1) and extent (nm) of each contact against `rho` (nm), and the
-        attributes `share` and `sphere_radius` (nm).
-    band : xarray.Dataset
-        With `critical_wavelength(side, group)` in nm and its interval.
-    published_constants : pandas.DataFrame
-        With the long critical wavelength (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide."""
     figure = style.create(5.2)
     grid = figure.subplots(2, 2, sharex=True)
     for axes, (name, quantity) in zip(grid.ravel(), QUANTITIES.items(), strict=True):
@@ -111,8 +83,7 @@ def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataF
     _draw_critical(grid[1, 1], band, published_constants)
     for axes in grid[1]:
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
-        style.label_logarithmic(axes.xaxis)
-        style.label_logarithmic(axes.yaxis)
+        style.label_logarithmic(axes.xaxis, axes.yaxis)
     figure.legend(*_legend_entries(grid), loc="outside upper center", ncols=4)
     style.mark_basis(figure, asperities)
     return figure
@@ -136,24 +107,13 @@ def _smooth(asperities: xr.Dataset) -> dict[str, xr.DataArray]:
 
 def _critical(band: xr.Dataset) -> dict[str, float]:
     """Return the long critical wavelength (nm) of all substrates and its interval."""
-    return value_and_bounds(band.sel(side="large", group=POOLED), "critical_wavelength")
-
-
-def _curve_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
-    rows = _quartiles(asperities, name).to_dataframe()[list(QUARTILES)].reset_index()
-    panel, unit = QUANTITIES[name].panel, QUANTITIES[name].unit
-    return rows.assign(panel=panel, origin="computed", quantity=name, unit=unit)
-
-
-def _smooth_rows(asperities: xr.Dataset, name: str) -> pd.DataFrame:
-    rows = _smooth(asperities)[name].to_series().rename("value").reset_index()
-    return rows.assign(panel="d", origin="computed", quantity=name, unit="nm")
+    return tables.value_and_bounds(band.sel(side="large", group=POOLED), "critical_wavelength")
 
 
 def _critical_rows(band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     both = [
         {"origin": "computed", **_critical(band)},
-        {"origin": "published", "value": published_edge(published_constants, "large")},
+        {"origin": "published", "value": tables.published_edge(published_constants, "large")},
     ]
     return pd.DataFrame(both).assign(panel="d", quantity="critical_wavelength", unit="nm")
 
@@ -178,7 +138,7 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> None:
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> None:
     """Draw the long critical wavelength (µm), computed with its interval, and published."""
     value, low, high = (length / MICROMETRE for length in _critical(band).values())
-    published = published_edge(published_constants, "large") / MICROMETRE
+    published = tables.published_edge(published_constants, "large") / MICROMETRE
     confidence = print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
     if np.isfinite([low, high]).all():

@@ -8,9 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import VALUE_COLUMNS, bounded
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
@@ -25,51 +23,30 @@ QUANTITIES = {  # panel, unit
     "force_over_finest": ("b", "1"),
 }
 COLUMNS = [
-    "panel", "origin", "quantity", "pixels", "pixel_size", "cutoff_wavelength", *VALUE_COLUMNS,
+    "panel", "origin", "quantity", "pixels", "pixel_size", "cutoff_wavelength",
+    *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
 
 def table(atomic: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    atomic : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        `ratio` against `cutoff_wavelength` and its short `edge` (panel a), the forces over those
-        of the finest pixels at each cutoff and without one (panel b). An open edge has no row.
+    `ratio` against `cutoff_wavelength` and its short `edge` (panel a), the forces over those of the
+    finest pixels at each cutoff and without one (panel b), lengths in nm. An open edge has no row.
     """
-    rows = [
-        bounded(atomic, name)
-        .to_dataframe()
-        .reset_index()
-        .assign(quantity=name, panel=panel, unit=unit, origin="computed")
-        for name, (panel, unit) in QUANTITIES.items()
-    ]
+    rows = tables.drawn_rows(
+        *(
+            (panel, name, unit, tables.bounded(atomic, name))
+            for name, (panel, unit) in QUANTITIES.items()
+        )
+    )
     sizes = atomic["pixel_size"].to_series().rename("pixel_size")
-    known = pd.concat(rows).dropna(subset=["value"])
-    return known.join(sizes, on="pixels").reindex(columns=COLUMNS).reset_index(drop=True)
+    return rows.join(sizes, on="pixels").reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 @style.print_style()
 def draw(atomic: xr.Dataset) -> Figure:
-    """Draw (a) ratio curves on each number of pixels, (b) their forces over the finest.
-
-    Parameters
-    ----------
-    atomic : xarray.Dataset
-        As from `finer_master.on_several_pixels`, with the attributes `label`, `basis` and
-        `transition` (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) ratio curves on each number of pixels, (b) their forces over the finest."""
     figure = style.create(3.3)
     curves, changes = figure.subplots(1, 2, sharex=True)
     _draw_ratios(curves, atomic)
@@ -107,13 +84,13 @@ def _draw_ratios(axes: Axes, atomic: xr.Dataset) -> None:
     """Draw force over unfiltered force against cutoff (nm), and where it leaves its tolerance."""
     tolerance = atomic.attrs["scale_tolerance"]
     axes.axhspan(1 - tolerance, 1 + tolerance, color="0.9", zorder=0, lw=0)
-    curves, edges = bounded(atomic, "ratio"), atomic["edge"]
+    curves, edges = tables.bounded(atomic, "ratio"), atomic["edge"]
     for pixels, look in _looks(atomic).items():
         of_pixels = curves.sel(pixels=pixels)
         axes.errorbar(
             curves["cutoff_wavelength"],
             of_pixels["value"],
-            reach(of_pixels),
+            marks.reach(of_pixels),
             elinewidth=0.7,
             ms=4,
             lw=1,
@@ -130,15 +107,17 @@ def _draw_over_finest(axes: Axes, atomic: xr.Dataset) -> None:
     Without a cutoff they stand at two pixels, where the roughness of the surface ends, as open
     marks.
     """
-    changes = (bounded(atomic, "filtered_over_finest") - 1) / PERCENT
-    unfiltered = (bounded(atomic, "force_over_finest") - 1) / PERCENT
+    changes = (tables.bounded(atomic, "filtered_over_finest") - 1) / PERCENT
+    unfiltered = (tables.bounded(atomic, "force_over_finest") - 1) / PERCENT
     axes.axhline(0, color="0.6", lw=0.8, zorder=0)
     for pixels, look in list(_looks(atomic).items())[:-1]:
         of_pixels, whole = changes.sel(pixels=pixels), unfiltered.sel(pixels=pixels)
         common = {**look, "elinewidth": 0.7, "ms": 4}
         axes.errorbar(
-            changes["cutoff_wavelength"], of_pixels["value"], reach(of_pixels), lw=1, **common
+            changes["cutoff_wavelength"], of_pixels["value"], marks.reach(of_pixels), lw=1, **common
         )
         end = [2 * atomic["pixel_size"].sel(pixels=pixels).item()]
-        axes.errorbar(end, [whole["value"].item()], reach(whole)[:, None], mfc="white", **common)
+        axes.errorbar(
+            end, [whole["value"].item()], marks.reach(whole)[:, None], mfc="white", **common
+        )
     axes.set(ylabel="force over that on the finest − 1 (%)")

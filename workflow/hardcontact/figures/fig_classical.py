@@ -10,14 +10,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
-MICRONEWTON = 1e-6
-MILLIJOULE = 1e-3
-VANISHED = 1e-12  # N; a model that predicts less predicts no force at all
+VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all
 LONGEST_BAR = 3  # panel c shows bars up to this many times the highest value
 METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
 AGAINST = {"published": style.PUBLISHED, "computed": "0.55"}
@@ -29,8 +26,8 @@ EFFECTIVE_WORKS = {  # forces, Tabor parameter, marker
 }
 TRANSITIONS = {"fit": ("fit", "--"), "maugis_dugdale": ("Maugis–Dugdale", "-")}
 COLUMNS = [
-    *ROW_COLUMNS, "model", "metrics", "against", "tabor", "transition", "rms_parameter", "x",
-    *VALUE_COLUMNS, "model_roughness", "model_verified",
+    *tables.ROW_COLUMNS, "model", "metrics", "against", "tabor", "transition", "rms_parameter", "x",
+    *tables.VALUE_COLUMNS, "model_roughness", "model_verified",
 ]  # fmt: skip
 QUANTITIES = {  # panel, origin; empty: not drawn
     "published_mean_force": ("a", "published"),
@@ -58,39 +55,22 @@ QUANTITIES = {  # panel, origin; empty: not drawn
 def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the numbers of all panels, and further tests of the models.
 
-    Parameters
-    ----------
-    classical, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it
-        has any; each model with its definition of roughness and what its formula was checked
-        against. `x` is the Tabor parameter of `transition_coefficient`; `panel` is empty for what
-        is not drawn.
+    Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it has
+    any; each model with its definition of roughness and what its formula was checked against. `x`
+    is the Tabor parameter of `transition_coefficient`; `panel` is empty for what is not drawn.
     """
     rows = pd.concat([_rows(classical, name) for name in QUANTITIES], ignore_index=True)
     described = classical[["model_roughness", "model_verified"]].to_dataframe()
-    return label_surfaces(rows, classical).join(described, on="model").reindex(columns=COLUMNS)
+    return (
+        tables.label_surfaces(rows, classical).join(described, on="model").reindex(columns=COLUMNS)
+    )
 
 
 @style.print_style()
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) forces, (b) errors of the models, (c) effective works, (d) the transition.
 
-    Parameters
-    ----------
-    classical : xarray.Dataset
-        With the variables of `QUANTITIES`: forces in N, works of adhesion in J/m2, all else 1.
-    published_constants : pandas.DataFrame
-        With the work of adhesion (J/m2) that the models are computed at.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    The models are computed at the published work of adhesion.
     """
     work = published_constants["value"]["work_of_adhesion"]
     figure = style.create(6.0)
@@ -100,7 +80,9 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     columns = below.subgridspec(1, 3, width_ratios=(0.8, 1.35, 0.9))
     errors, works, transition = columns.subplots(squeeze=False)[0]
     _draw_forces(forces, classical)
-    style.label_panel(forces, "a", f"models at the published $W$ = {work / MILLIJOULE:g} mJ/m²")
+    style.label_panel(
+        forces, "a", f"models at the published $W$ = {work / marks.MILLIJOULE:g} mJ/m²"
+    )
     _draw_errors(errors, classical)
     _draw_works(works, classical)
     _draw_transition(transition, classical)
@@ -113,7 +95,7 @@ def _rows(classical: xr.Dataset, name: str) -> pd.DataFrame:
     """Return one row a number of a variable, with its interval where it has one."""
     panel, origin = QUANTITIES[name]
     if f"{name}_interval" in classical:
-        data = bounded(classical, name)
+        data = tables.bounded(classical, name)
     else:
         data = classical[[name]].rename({name: "value"})
     data = data.reset_coords(drop=True)
@@ -143,13 +125,15 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     for (name, look), offset in zip(looks.items(), _places(len(looks), 0.6), strict=True):
         of_surface, colour = classical.sel(surface=name), look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
-            _draw_point(axes, x + offset, bounded(of_surface, variable) / MICRONEWTON, **look)
-        published = of_surface["published_mean_force"].item() / MICRONEWTON
+            force = tables.bounded(of_surface, variable) / marks.MICRONEWTON
+            _draw_point(axes, x + offset, force, **look)
+        published = of_surface["published_mean_force"].item() / marks.MICRONEWTON
         axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
+        forces = tables.bounded(of_surface, "pull_off_force") / marks.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, aside in zip(METRICS, (-0.04, 0.04), strict=True):
-                force = bounded(of_surface, "pull_off_force").sel(model=model, metrics=metrics)
-                shown = force.where(~(force < VANISHED), bottom * 1.7 * MICRONEWTON) / MICRONEWTON
+                force = forces.sel(model=model, metrics=metrics)
+                shown = force.where(~(force < VANISHED), 1.7 * bottom)
                 face = colour if metrics == "afm" else "white"
                 _draw_point(axes, x + offset + aside, shown, mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
@@ -173,14 +157,14 @@ def _label_above(axes: Axes, low: float, high: float) -> None:
 def _limits(classical: xr.Dataset) -> tuple[float, float]:
     """Return limits (µN) about all forces that do not vanish, with a strip below for the rest."""
     names = ("published_mean_force", "computed_mean_force", "pull_off_force")
-    values = np.concatenate([classical[name].values.ravel() for name in names]) / MICRONEWTON
-    shown = values[values > VANISHED / MICRONEWTON]
+    values = np.concatenate([classical[name].values.ravel() for name in names]) / marks.MICRONEWTON
+    shown = values[values > VANISHED]
     return shown.min() / 12, shown.max() * 6
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the least mean relative error of each model to the published and computed forces."""
-    errors = bounded(classical, "mean_relative_error")
+    errors = tables.bounded(classical, "mean_relative_error")
     threshold = classical.attrs["error_threshold"]
     axes.axhspan(0, threshold, color="0.88", zorder=0)
     for against, side in (("published", -1), ("computed", 1)):
@@ -203,8 +187,8 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
 def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
     """Draw effective works of adhesion divided by the printed ones, which the axis names."""
     colours = style.colours(classical["surface"].values)
-    works = bounded(classical, "effective_work_of_adhesion")
-    printed = bounded(classical, "published_effective_work_of_adhesion")
+    works = tables.bounded(classical, "effective_work_of_adhesion")
+    printed = tables.bounded(classical, "published_effective_work_of_adhesion")
     for x, (name, colour) in enumerate(colours.items()):
         value = printed["value"].sel(surface=name).item()
         rounding = printed.sel(surface=name) / value
@@ -220,7 +204,7 @@ def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
         axes.plot([], [], marker, color="0.3", label=label)
     axes.axhline(1, color="0.4", lw=0.6)
     labels = [
-        f"{label}\n{value / MILLIJOULE:.2f}" if np.isfinite(value) else f"{label}\n–"
+        f"{label}\n{value / marks.MILLIJOULE:.2f}" if np.isfinite(value) else f"{label}\n–"
         for label, value in zip(classical["label"].values, printed["value"].values, strict=True)
     ]
     axes.set_xticks(range(len(colours)), labels)
@@ -239,7 +223,7 @@ def _draw_transition(axes: Axes, classical: xr.Dataset) -> None:
         curve = classical["transition_coefficient"].sel(transition=name)
         axes.plot(curve["tabor_axis"], curve, dashes, color="black", lw=1.0, label=label)
     looks = style.looks(classical["surface"].values)
-    implied = bounded(classical, "implied_pull_off_coefficient")
+    implied = tables.bounded(classical, "implied_pull_off_coefficient")
     printed = classical["printed_tabor_parameter"].item()
     for (name, look), aside in zip(looks.items(), 1.11 ** _places(len(looks), 3), strict=True):
         _draw_point(axes, printed * aside, implied.sel(surface=name), **look)

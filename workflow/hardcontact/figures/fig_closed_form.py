@@ -9,69 +9,38 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    bounded,
-    computed_rows,
-    label_surfaces,
-)
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
-MICRONEWTON = 1e-6
 FORCE = "pull-off force (µN)"
 #: Where closest approach comes from, as it is printed.
 SOURCES = {"spectrum": "of the spectrum alone", "contacts": "with computed approaches"}
-COLUMNS = [*ROW_COLUMNS, "map_size", "source", "rho", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "map_size", "source", "rho", *tables.VALUE_COLUMNS]
 
 
 def table(closed_form: xr.Dataset) -> pd.DataFrame:
     """Return forces, their errors and the freezing, one row a point.
 
-    Parameters
-    ----------
-    closed_form : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Panel a: `computed_force` with its interval, `predicted_force` and its first term alone in
-        N; b: `error`, predicted over computed; c: `whole_freezing` of all scales. Against `rho` and
-        by `map_size`, both in nm. Without a panel: both edges of the band in nm.
+    Panel a: `computed_force` with its interval, `predicted_force` and its first term alone in N; b:
+    `error`, predicted over computed; c: `whole_freezing` of all scales. Against `rho` and by
+    `map_size`, both in nm. Without a panel: both edges of the band in nm.
     """
-    computed = bounded(closed_form, "computed_force")
-    rows = [computed_rows(computed, panel="a", quantity="computed_force", unit="N")]
-    for panel, name, unit in (
-        ("a", "predicted_force", "N"),
-        ("a", "first_term_force", "N"),
-        ("b", "error", "1"),
-        ("c", "whole_freezing", "1"),
-    ):
-        values = closed_form[[name]].rename({name: "value"})
-        rows.append(computed_rows(values, panel=panel, quantity=name, unit=unit))
-    edges = computed_rows(closed_form[["edge"]].rename(edge="value"), panel="", unit="nm")
+    rows = tables.drawn_rows(
+        ("a", "computed_force", "N", tables.bounded(closed_form, "computed_force")),
+        ("a", "predicted_force", "N", closed_form["predicted_force"]),
+        ("a", "first_term_force", "N", closed_form["first_term_force"]),
+        ("b", "error", "1", closed_form["error"]),
+        ("c", "whole_freezing", "1", closed_form["whole_freezing"]),
+    )
+    edges = tables.computed_rows(closed_form["edge"], panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
-    rows.append(edges)
-    return label_surfaces(pd.concat(rows, ignore_index=True), closed_form)[COLUMNS]
+    return tables.label_surfaces(pd.concat([rows, edges], ignore_index=True), closed_form)[COLUMNS]
 
 
 @style.print_style()
 def draw(closed_form: xr.Dataset) -> Figure:
-    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing.
-
-    Parameters
-    ----------
-    closed_form : xarray.Dataset
-        Of `adhesion.closed_form_errors`, with `label(surface)` and `basis(surface)`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing."""
     figure = style.create(3.3)
     forces, errors, freezing = figure.subplots(1, 3)
     largest = closed_form.isel(map_size=-1)
@@ -103,14 +72,14 @@ def draw(closed_form: xr.Dataset) -> Figure:
 
 def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: dict[str, Any]) -> None:
     """Draw computed forces (µN) with their intervals, and the closed form."""
-    curve = bounded(of_surface, "computed_force") / MICRONEWTON
+    curve = tables.bounded(of_surface, "computed_force") / marks.MICRONEWTON
     reach = np.stack([curve["value"] - curve["low"], curve["high"] - curve["value"]])
     axes.errorbar(
         curve["rho"], curve["value"], yerr=np.maximum(reach, 0), ls="none", elinewidth=0.8, **look
     )
     predicted = of_surface.sel(source="spectrum")
     for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
-        forces = predicted[name] / MICRONEWTON
+        forces = predicted[name] / marks.MICRONEWTON
         axes.plot(of_surface["rho"], forces, color=look["color"], lw=0.9, ls=dashes)
 
 
@@ -127,6 +96,5 @@ def _finish(axes: Axes, letter: str, title: str, quantity: str) -> None:
         axes.set_ylim(1e-3)
     if letter == "b":
         axes.set_ylim(0.3, 3)
-    style.label_logarithmic(axes.xaxis)
-    style.label_logarithmic(axes.yaxis)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.label_panel(axes, letter, title)

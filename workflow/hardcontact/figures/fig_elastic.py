@@ -7,8 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, label_surfaces
+from hardcontact.figures import style, tables
 
 __all__ = ["draw", "table"]
 
@@ -28,47 +27,26 @@ QUANTITIES = {  # panel, unit
     "peak_pressure": ("c", "Pa"),
     "elastic_over_rigid": ("d", "1"),
 }
-COLUMNS = [*ROW_COLUMNS, "scan", "contact", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "scan", "contact", *tables.VALUE_COLUMNS]
 
 
 def table(elastic: xr.Dataset) -> pd.DataFrame:
-    """Return what panels b to d are drawn from, one row a number.
+    """Return what panels b to d are drawn from, one row a number; the maps stay in elastic.nc.
 
-    Parameters
-    ----------
-    elastic : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
-        elastic over its rigid pull-off force (1); of each surface their medians; and the levels
-        they are compared with, the published one as `low` to `high`. The maps stay in elastic.nc.
+    Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
+    elastic over its rigid pull-off force (1); of each surface their medians; and the levels they
+    are compared with, the published one as `low` to `high`.
     """
     contacts = _contacts(elastic)
     rows = pd.concat(
         [*(_rows(values, str(name)) for name, values in contacts.items()), _level_rows(elastic)]
     )
-    return label_surfaces(rows, elastic)[COLUMNS].reset_index(drop=True)
+    return tables.label_surfaces(rows, elastic)[COLUMNS].reset_index(drop=True)
 
 
 @style.print_style()
 def draw(elastic: xr.Dataset) -> Figure:
-    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
-
-    Parameters
-    ----------
-    elastic : xarray.Dataset
-        With `pressure(surface, y, x)` and the attribute `hardness` in Pa, and of each contact
-        `hard_share` (1), `peak_pressure` (Pa), `rigid_pull_off_force` and `elastic_pull_off_force`
-        (N).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
     contacts = _contacts(elastic)
     figure = style.create(4.6)
     rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))
@@ -100,11 +78,9 @@ def _contacts(elastic: xr.Dataset) -> xr.Dataset:
 
 def _rows(values: xr.DataArray, name: str) -> pd.DataFrame:
     """Return a row for each contact and one for the median of each surface."""
-    of_contacts = values.to_series().rename("value").dropna().reset_index()
-    medians = values.median(["scan", "contact"]).to_series().rename("value").reset_index()
-    rows = [of_contacts.assign(quantity=name), medians.assign(quantity=f"{name}_median")]
     panel, unit = QUANTITIES[name]
-    return pd.concat(rows).assign(panel=panel, origin="computed", unit=unit)
+    medians = values.median(["scan", "contact"])
+    return tables.drawn_rows((panel, name, unit, values), (panel, f"{name}_median", unit, medians))
 
 
 def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
@@ -114,8 +90,8 @@ def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
             "panel": "c",
             "origin": origin,
             "quantity": name,
-            "value": elastic.attrs[name],
             "unit": "Pa",
+            "value": elastic.attrs[name],
         }
         for name, (origin, _, _) in LEVELS.items()
     ]

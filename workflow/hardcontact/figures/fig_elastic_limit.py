@@ -8,15 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    bounded,
-    computed_rows,
-    label_surfaces,
-)
+from hardcontact.figures import marks, style, tables
 from hardcontact.insight.elastic_limit import VARIANTS
 
 __all__ = ["draw", "table"]
@@ -31,44 +23,25 @@ NAMES = {
     "rigid": "rigid",
 }
 STEPS = np.linspace(0, 1, 101)  # of the distributions
-COLUMNS = [*ROW_COLUMNS, "variant", "scan", "contact", "share", *VALUE_COLUMNS]
+COLUMNS = [*tables.ROW_COLUMNS, "variant", "scan", "contact", "share", *tables.VALUE_COLUMNS]
 
 
 def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    elastic_limit : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        The plasticity index that a `share` of contacts does not exceed (panel a), shares of plastic
-        contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
-        variant (d), and the bearing area.
+    The plasticity index that a `share` of contacts does not exceed (panel a), shares of plastic
+    contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
+    variant (d), and the bearing area.
     """
-    index = computed_rows(
-        _distribution(elastic_limit).to_dataset(name="value"),
-        panel="a", quantity="plasticity_index", unit="1",
-    )  # fmt: skip
-    shares = [
-        computed_rows(bounded(elastic_limit, name), panel="b", quantity=name, unit="1")
-        for name in SHARES
-    ]
-    areas = [
-        computed_rows(
-            elastic_limit[[name]].rename({name: "value"}), panel="c", quantity=name, unit="nm2"
-        )
-        for name in AREAS
-    ]
-    forces = computed_rows(
-        bounded(elastic_limit, "force_ratio"), panel="d", quantity="force_ratio", unit="1"
+    computed = tables.drawn_rows(
+        ("a", "plasticity_index", "1", _distribution(elastic_limit)),
+        *(("b", name, "1", tables.bounded(elastic_limit, name)) for name in SHARES),
+        *(("c", name, "nm2", elastic_limit[name]) for name in AREAS),
+        ("d", "force_ratio", "1", tables.bounded(elastic_limit, "force_ratio")),
     )
     bearing = pd.DataFrame([{"panel": "c", "origin": "given", "quantity": "bearing_area"}])
     bearing = bearing.assign(value=elastic_limit.attrs["bearing_area"], unit="nm2")
-    rows = label_surfaces(pd.concat([index, *shares, *areas, forces]), elastic_limit)
+    rows = tables.label_surfaces(computed, elastic_limit)
     return pd.concat([rows, bearing]).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
@@ -81,18 +54,7 @@ def _distribution(limit: xr.Dataset) -> xr.DataArray:
 
 @style.print_style()
 def draw(elastic_limit: xr.Dataset) -> Figure:
-    """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces.
-
-    Parameters
-    ----------
-    elastic_limit : xarray.Dataset
-        As from `elastic_limit`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces."""
     figure = style.create(4.8)
     indices, shares, areas, forces = figure.subplots(2, 2).ravel()
     _draw_indices(indices, elastic_limit)
@@ -126,8 +88,8 @@ def _draw_shares(axes: Axes, limit: xr.Dataset) -> None:
     looks = style.looks(limit["surface"].values)
     for (name, label), shift in zip(SHARES.items(), (-0.12, 0.12), strict=True):
         for place, (surface, look) in enumerate(looks.items()):
-            one = bounded(limit, name).sel(surface=surface)
-            known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
+            one = tables.bounded(limit, name).sel(surface=surface)
+            known = np.nan_to_num(marks.reach(one))[:, None]
             axes.errorbar(place + shift, one["value"], known, ls="none", **look, **OPEN[name])
         axes.plot([], [], "o", color="0.3", ls="none", label=label, **OPEN[name])
     axes.set(ylim=(-0.06, 1.06), yticks=np.linspace(0, 1, 6), ylabel="share of contacts")
@@ -147,8 +109,7 @@ def _draw_areas(axes: Axes, limit: xr.Dataset) -> None:
     axes.set(xscale="log", yscale="log")
     axes.set(xlabel="solved area (nm²)", ylabel="estimated area (nm²)")
     axes.legend(loc="lower right")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.label_panel(axes, "c", "elastic contact")
 
 
@@ -157,10 +118,10 @@ def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
     beside = np.linspace(-0.25, 0.25, len(VARIANTS) - 1)
     colours = list(style.colours(limit["surface"].values).values())
     for variant, marker, shift in zip(VARIANTS[1:], "^sv", beside, strict=True):
-        ratio = bounded(limit, "force_ratio").sel(variant=variant)
+        ratio = tables.bounded(limit, "force_ratio").sel(variant=variant)
         for place, colour in enumerate(colours):
             one = ratio.isel(surface=place)
-            known = np.nan_to_num(np.maximum(reach(one), 0))[:, None]
+            known = np.nan_to_num(marks.reach(one))[:, None]
             axes.errorbar(place + shift, one["value"], known, fmt=marker, color=colour)
         axes.plot([], [], marker, color="0.3", label=NAMES[variant])
     axes.axhline(1, color="0.7", lw=0.6, zorder=0)

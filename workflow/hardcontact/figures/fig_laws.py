@@ -9,15 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    bounded,
-    computed_rows,
-    label_surfaces,
-)
+from hardcontact.figures import marks, style, tables
 from hardcontact.insight.interaction_laws import LAWS, pressure
 
 __all__ = ["draw", "table"]
@@ -32,64 +24,41 @@ PANELS = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
 TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
 COLUMNS = [
-    *("group" if name == "surface" else name for name in ROW_COLUMNS),
-    "law", "case", "side", "length", *VALUE_COLUMNS,
+    *("group" if name == "surface" else name for name in tables.ROW_COLUMNS),
+    "law", "case", "side", "length", *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
 
 def table(laws: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    laws : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        By law and case its range, work and error (panel a), the error of every length at its best
-        work (panel b, `case` its target), the ratios of forces, computed and published (panel c),
-        and the edges of the band, also over those of Eq. 1 (panels d and e), of each substrate and
-        of all pooled: a `group`.
+    By law and case its range (nm), work (J/m2) and error (panel a), the error of every length at
+    its best work (b, `case` its target), the ratios of forces, computed and published (c), and the
+    edges of the band, also over those of Eq. 1 (d and e), of each substrate and of all pooled: a
+    `group`.
     """
-    strengths = laws[["implied_over_known"]].rename(implied_over_known="value")
-    drawn = [("a", name, unit, bounded(laws, name)) for name, unit in FITS.items()]
-    drawn += [
-        ("a", "implied_over_known", "1", strengths),
-        ("b", "error", "1", laws[["error"]].rename(error="value", target="case")),
-        ("c", "ratio", "1", bounded(laws, "ratio")),
-        ("c", "published_ratio", "1", laws[["published_ratio"]].rename(published_ratio="value")),
-    ]
-    drawn += [
-        (panel, name, unit, bounded(laws, name).rename(group="surface").sel(side=[side]))
-        for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
-        for side, (panel, _) in PANELS.items()
-    ]
-    rows = pd.concat(
-        computed_rows(values, panel=panel, quantity=name, unit=unit)
-        for panel, name, unit, values in drawn
+    rows = tables.drawn_rows(
+        *(("a", name, unit, tables.bounded(laws, name)) for name, unit in FITS.items()),
+        ("a", "implied_over_known", "1", laws["implied_over_known"]),
+        ("b", "error", "1", laws["error"].rename(target="case")),
+        ("c", "ratio", "1", tables.bounded(laws, "ratio")),
+        ("c", "published_ratio", "1", laws["published_ratio"]),
+        *(
+            (panel, name, unit, tables.bounded(laws, name).rename(group="surface").sel(side=[side]))
+            for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
+            for side, (panel, _) in PANELS.items()
+        ),
     ).rename(columns={"surface": "group"})
     published = rows["quantity"] == "published_ratio"
     rows["origin"] = rows["origin"].mask(published, "published")
     rows["quantity"] = rows["quantity"].mask(published, "ratio")
-    return label_surfaces(rows, laws, "group").reindex(columns=COLUMNS).reset_index(drop=True)
+    labelled = tables.label_surfaces(rows, laws, "group")
+    return labelled.reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 @style.print_style()
 def draw(laws: xr.Dataset) -> Figure:
-    """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band.
-
-    Parameters
-    ----------
-    laws : xarray.Dataset
-        As from `law_comparison.compare_laws`, with `label(surface)` and `basis(surface)`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band."""
     figure, (pressures, errors, ratios), (small, large) = style.three_above_two(5.2, 1)
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)
@@ -147,7 +116,7 @@ def _draw_ratios(axes: Axes, laws: xr.Dataset) -> None:
     places = np.arange(laws.sizes["surface"])
     axes.hlines(laws["published_ratio"], places - 0.42, places + 0.42, color="0.6", lw=4, alpha=0.6)
     case = laws.sel(case="fitted")
-    _draw_beside(axes, bounded(case, "ratio"), _looks(laws))
+    _draw_beside(axes, tables.bounded(case, "ratio"), _looks(laws))
     axes.set(yscale="log", ylabel=f"force / that on {laws.attrs['reference_label']}")
     axes.set_xticks(places, laws["label"].values, rotation=25, ha="right", rotation_mode="anchor")
     style.label_panel(axes, "c", "grey: published")
@@ -158,7 +127,7 @@ def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
 
     Full marks stand at lengths equivalent to Eq. 1, open ones at an atomic spacing.
     """
-    edges = bounded(laws, "critical_wavelength").sel(side=side)
+    edges = tables.bounded(laws, "critical_wavelength").sel(side=side)
     looks = _looks(laws)
     _draw_beside(axes, edges.sel(case="equivalent"), looks)
     hollow = {law: {**look, "mfc": "white"} for law, look in looks.items()}
@@ -178,5 +147,5 @@ def _draw_beside(
     for (law, look), offset in zip(looks.items(), beside, strict=True):
         of_law = values.sel(law=law)
         places = np.arange(of_law["value"].size) + offset + shift
-        known = np.nan_to_num(np.maximum(reach(of_law), 0))
+        known = np.nan_to_num(marks.reach(of_law))
         axes.errorbar(places, of_law["value"], known, ls="none", ms=3.5, lw=0.8, **look)

@@ -9,9 +9,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style
-from hardcontact.figures.style import draw_map
-from hardcontact.figures.tables import ROW_COLUMNS, VALUE_COLUMNS, bounded, label_surfaces
+from hardcontact.figures import style, tables
 from hardcontact.numbers.printing import print_share
 
 __all__ = ["draw", "table"]
@@ -21,24 +19,22 @@ FORCES = "RdBu_r"  # white at the mean of the map
 REACH = 0.999  # share of the positions of each surface inside the colours
 LINES = {"array": "-", "random": "--"}
 NEEDS = {"contacts_needed": "e", "scans_needed": "f"}
-COLUMNS = [*ROW_COLUMNS, "sample", "rho", "contacts", "relative_force", *VALUE_COLUMNS]
+COLUMNS = [
+    *tables.ROW_COLUMNS,
+    "sample",
+    "rho",
+    "contacts",
+    "relative_force",
+    *tables.VALUE_COLUMNS,
+]
 
 
 def table(maps: xr.Dataset) -> pd.DataFrame:
-    """Return what panels b to f are drawn from, one row a number.
+    """Return what panels b to f are drawn from, one row a number; the maps stay in maps.nc.
 
-    Parameters
-    ----------
-    maps : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Of each surface the mean of the map that is drawn and the distribution of all maps, over
-        the force of a smooth sphere; relative errors of means at the confidence of the study by the
-        number of contacts, and of the mean of one whole scan; contacts and scans needed, with
-        their intervals. The maps stay in maps.nc.
+    Of each surface the mean of the map that is drawn and the distribution of all maps, over the
+    force of a smooth sphere; relative errors of means at the confidence of the study by the number
+    of contacts, and of the mean of one whole scan; contacts and scans needed, with their intervals.
     """
     rows = [
         _rows(_drawn_mean(maps), "b", "mean_over_smooth_sphere"),
@@ -49,23 +45,12 @@ def table(maps: xr.Dataset) -> pd.DataFrame:
     ]
     rows = [one.rename(columns={"sampling": "sample"}) for one in rows]
     joined = pd.concat(rows, ignore_index=True).assign(origin="computed", unit="1")
-    return label_surfaces(joined, maps).reindex(columns=COLUMNS)
+    return tables.label_surfaces(joined, maps).reindex(columns=COLUMNS)
 
 
 @style.print_style()
 def draw(maps: xr.Dataset) -> Figure:
-    """Draw (a) heights, (b) forces on them, (c) distributions, (d) errors, (e, f) what is needed.
-
-    Parameters
-    ----------
-    maps : xarray.Dataset
-        `surface_maps.maps_of_surfaces`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) heights, (b) forces, (c) distributions, (d) errors, (e, f) what a mean needs."""
     figure = style.create(8.2)
     rows = figure.add_gridspec(4, 1, height_ratios=(1, 1, 1.25, 1.25))
     across = maps.sizes["surface"]
@@ -121,7 +106,7 @@ def _range_of(values: xr.DataArray) -> float:
 
 
 def _need_rows(maps: xr.Dataset, name: str, panel: str) -> pd.DataFrame:
-    rows = bounded(maps, name).to_dataframe().reset_index()
+    rows = tables.bounded(maps, name).to_dataframe().reset_index()
     return rows.assign(panel=panel, quantity=name)
 
 
@@ -136,7 +121,7 @@ def _draw_maps(above: np.ndarray, below: np.ndarray, maps: xr.Dataset) -> None:
             for name in ("heights", "pull_off_force")
         )
         size = float(of_surface["scan_size"])
-        draw_map(above[place], heights, size)
+        style.draw_map(above[place], heights, size)
         image = below[place].imshow(
             forces / forces.mean(dtype=float),
             norm=LogNorm(1 / limit, limit),
@@ -206,8 +191,7 @@ def _draw_errors(axes: Axes, maps: xr.Dataset) -> None:
     axes.axhline(100 * maps.attrs["tolerance"], color="0.4", lw=0.8, ls=":")
     axes.axvline(maps.attrs["array_contacts"], color="0.4", lw=0.8, ls=":")
     axes.set(xscale="log", yscale="log", xlabel="contacts on the scan", ylabel="error of mean (%)")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
     axes.legend(handles=[*_sampling_handles(), _line("-", "one whole scan", 2.5)])
     confidence = print_share(maps.attrs["confidence"])
     style.label_panel(axes, "d", f"error that {confidence} keep within")
@@ -223,7 +207,7 @@ def _sampling_handles() -> list[Line2D]:
 
 def _draw_contacts_needed(axes: Axes, maps: xr.Dataset) -> None:
     """Draw the contacts that the mean of their scan needs, in arrays with intervals, at random."""
-    needed = bounded(maps, "contacts_needed")
+    needed = tables.bounded(maps, "contacts_needed")
     for surface, look in style.looks(maps["surface"].values).items():
         of_surface = needed.sel(surface=surface)
         style.draw_over_range(axes, of_surface.sel(sampling="array"), band=0.15, **look)
@@ -237,7 +221,7 @@ def _draw_contacts_needed(axes: Axes, maps: xr.Dataset) -> None:
 
 def _draw_scans_needed(axes: Axes, maps: xr.Dataset) -> None:
     """Draw the scans that the mean of the surface needs, with their intervals."""
-    needed = bounded(maps, "scans_needed")
+    needed = tables.bounded(maps, "scans_needed")
     style.label_panel(axes, "f", f"scans for {_tolerance(maps)} of the surface's mean")
     if needed["value"].isnull().all():
         axes.text(0.5, 0.5, "unknown from one scan a surface", ha="center", va="center")
@@ -255,5 +239,4 @@ def _tolerance(maps: xr.Dataset) -> str:
 def _finish_needed(axes: Axes, maps: xr.Dataset, what: str) -> None:
     axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
     axes.set_ylabel(f"{what} needed")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)

@@ -6,19 +6,11 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
+from hardcontact.figures import marks, style, tables
 from hardcontact.figures.fig5 import DEPTHS
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    bounded,
-    computed_rows,
-    label_surfaces,
-)
 
 __all__ = ["draw", "table"]
 
-MICRONEWTON = 1e-6
 CURVES = {  # panel, unit, label
     "force_ratio": ("a", "1", "force / single contacts"),
     "depth": ("b", "nm", "deepest indent (nm)"),
@@ -29,62 +21,46 @@ IMAGE = {  # published constants of an image after 400 contacts
     "lateral_size": "measured_indent_size",
 }
 SIZES = {"indent_size": "lateral size (nm)", "indent_depth": "depth (nm)"}
-COLUMNS = [*ROW_COLUMNS, "preload", "scan", "order", "indent", "stage", *VALUE_COLUMNS]
+COLUMNS = [
+    *tables.ROW_COLUMNS,
+    "preload",
+    "scan",
+    "order",
+    "indent",
+    "stage",
+    *tables.VALUE_COLUMNS,
+]
 
 
 def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    repeated_contact, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Force ratio, depth (nm) and size (nm) by surface, preload (N) and number of contacts
-        (`stage`), and depth and size of every indent after the last. Published: the ranges of
-        depths and sizes in an image. Of the map its deepest pixel; the rest stays in the dataset.
+    Force ratio, depth (nm) and size (nm) by surface, preload (N) and number of contacts (`stage`),
+    and depth and size of every indent after the last. Published: the ranges of depths and sizes in
+    an image. Of the map its deepest pixel; the rest stays in the dataset.
     """
-    curves = [
-        computed_rows(bounded(repeated_contact, name), panel=panel, quantity=name, unit=unit)
-        for name, (panel, unit, _) in CURVES.items()
-    ]
     image = _of_image(repeated_contact)
-    indents = [
-        computed_rows(values.rename({name: "value"}), panel=panel, quantity=name, unit="nm")
-        for name, panel, values in (
-            ("indentation", "d", image[["indentation"]].max(["y", "x"])),
-            *((name, "e", image[[name]]) for name in SIZES),
-        )
-    ]
+    computed = tables.drawn_rows(
+        *(
+            (panel, name, unit, tables.bounded(repeated_contact, name))
+            for name, (panel, unit, _) in CURVES.items()
+        ),
+        ("d", "indentation", "nm", image["indentation"].max(["y", "x"])),
+        *(("e", name, "nm", image[name]) for name in SIZES),
+    )
     published = [
         {"panel": CURVES[name][0], "quantity": name, "low": low, "high": high}
         for name in IMAGE
         for low, high in [_published(published_constants, name)]
     ]
     given = pd.DataFrame(published).assign(origin="published", unit="nm")
-    rows = label_surfaces(pd.concat([*curves, *indents]), repeated_contact)
+    rows = tables.label_surfaces(computed, repeated_contact)
     return pd.concat([rows, given]).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 @style.print_style()
 def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind.
-
-    Parameters
-    ----------
-    repeated_contact : xarray.Dataset
-        As from `repeated_contact`.
-    published_constants : pandas.DataFrame
-        With the ranges of depths and sizes (nm) in an image after 400 contacts.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind."""
     figure, curves, (view, sizes) = style.three_above_two(5.2, 1.15)
     for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
         _draw_curves(axes, repeated_contact, name)
@@ -120,7 +96,7 @@ def _of_image(repeated: xr.Dataset) -> xr.Dataset:
 
 def _draw_curves(axes: Axes, repeated: xr.Dataset, name: str) -> None:
     """Draw a quantity with its interval against contacts; dashed at the largest preload."""
-    values = bounded(repeated, name)
+    values = tables.bounded(repeated, name)
     dashes = dict(zip(np.sort(repeated["preload"]), ("-", "--"), strict=False))
     for surface, look in style.looks(repeated["surface"].values).items():
         for preload, line in dashes.items():
@@ -140,7 +116,7 @@ def _draw_map(axes: Axes, image: xr.Dataset) -> None:
     )
     axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
     axes.figure.colorbar(drawn, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
-    preload = float(image["preload"]) / MICRONEWTON
+    preload = float(image["preload"]) / marks.MICRONEWTON
     contacts = int(image["stage"].max())
     label = str(image["label"].values[0])
     style.label_panel(axes, "d", f"after {contacts} contacts on {label}, {preload:g} µN")
@@ -160,6 +136,5 @@ def _draw_sizes(
     axes.set(xscale="log", yscale="log", xlabel=SIZES["indent_size"], ylabel=SIZES["indent_depth"])
     axes.set_ylim(bottom=0.01)
     axes.legend(loc="lower right")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis, at=(1,))
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
     style.label_panel(axes, "e", "all indents")

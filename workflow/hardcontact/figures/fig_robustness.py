@@ -14,8 +14,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import VALUE_COLUMNS, published_value, value_and_bounds
+from hardcontact.figures import style, tables
 
 __all__ = ["draw", "table"]
 
@@ -27,7 +26,7 @@ GAP = 0.4  # rows between groups of variants
 VARIANT: dict[str, Any] = {"color": "0.15", "marker": "o"}
 STUDY: dict[str, Any] = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
 MINIMUM: dict[str, Any] = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
-COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *VALUE_COLUMNS]
+COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
 
 
 class _Quantity(NamedTuple):
@@ -67,19 +66,10 @@ def table(
 ) -> pd.DataFrame:
     """Return the four quantities, one row each of a variant, of the study and of the paper.
 
-    Of range and work a row each of the other minima of the error of a variant follows.
-
-    Parameters
-    ----------
-    robustness, inference, band, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its
-        interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity
-        or the force never leaves the band. `variant` is empty but for variants.
+    Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its
+    interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity or
+    the force never leaves the band. Of range and work a row each of the other minima of the error
+    of a variant follows. `variant` is empty but for variants.
     """
     of_study = inference.sel(contact_model=CONTACT_MODEL).merge(
         band.sel(group=GROUP), compat="override"
@@ -89,10 +79,9 @@ def table(
         {"panel": quantity.panel, "quantity": name, "unit": quantity.unit, **row}
         for name, quantity in QUANTITIES.items()
         for row in (
-            *_variant_rows(robustness, name),
-            *_minimum_rows(robustness, quantity.minimum),
+            *_variant_rows(robustness, name, quantity.minimum),
             {**study, **_result(of_study, name)},
-            {"origin": "published", **published_value(published_constants, name)},
+            {"origin": "published", **tables.published_value(published_constants, name)},
         )
     ]
     return pd.DataFrame(rows)[COLUMNS]
@@ -107,19 +96,7 @@ def draw(
 ) -> Figure:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
-    Parameters
-    ----------
-    robustness : xarray.Dataset
-        With the quantities (variant) in nm and J/m2.
-    inference, band : xarray.Dataset
-        With those of the study itself, which has more contacts, pixels and realizations.
-    published_constants : pandas.DataFrame
-        With the published ones and their uncertainties.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    The study itself, above them, has more contacts, pixels and realizations.
     """
     rows = table(robustness, inference, band, published_constants)
     heights = _heights(robustness)
@@ -138,39 +115,32 @@ def _result(data: xr.Dataset, name: str) -> dict[str, float]:
     """Return value, low and high of a quantity of one variant, or of the study."""
     variable, _, side = name.partition("_wavelength_")
     if side:
-        return value_and_bounds(data.sel(side=side), f"{variable}_wavelength")
-    return value_and_bounds(data, name)
+        return tables.value_and_bounds(data.sel(side=side), f"{variable}_wavelength")
+    return tables.value_and_bounds(data, name)
 
 
-def _variant_rows(robustness: xr.Dataset, name: str) -> list[dict[str, Any]]:
-    return [
+def _variant_rows(robustness: xr.Dataset, name: str, minimum: str) -> list[dict[str, Any]]:
+    """Return one row a variant, then one for each local minimum of its error but the least."""
+    variants = [
         {
             "variant": str(variant),
             "label": str(robustness["variant_label"].sel(variant=variant).item()),
             "group": str(robustness["group"].sel(variant=variant).item()),
             "origin": "computed",
-            **_result(robustness.sel(variant=variant), name),
         }
         for variant in robustness["variant"].values
     ]
-
-
-def _minimum_rows(robustness: xr.Dataset, minimum: str) -> list[dict[str, Any]]:
-    """Return one row for each local minimum of the error beside the least one."""
-    return [
-        {
-            "variant": str(variant),
-            "label": str(robustness["variant_label"].sel(variant=variant).item()),
-            "group": str(robustness["group"].sel(variant=variant).item()),
-            "origin": "computed",
-            "quantity": minimum,
-            "value": value,
-        }
-        for variant in robustness["variant"].values
-        if minimum
-        for value in robustness[minimum].sel(variant=variant).isel(minimum=slice(1, None)).values
-        if np.isfinite(value)
-    ]
+    rows: list[dict[str, Any]]
+    rows = [{**one, **_result(robustness.sel(variant=one["variant"]), name)} for one in variants]
+    if minimum:
+        others = robustness[minimum].isel(minimum=slice(1, None))
+        rows += [
+            {**one, "quantity": minimum, "value": value}
+            for one in variants
+            for value in others.sel(variant=one["variant"]).values
+            if np.isfinite(value)
+        ]
+    return rows
 
 
 def _heights(robustness: xr.Dataset) -> np.ndarray:

@@ -6,16 +6,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    bounded,
-    computed_rows,
-    label_surfaces,
-    published_edge,
-)
+from hardcontact.figures import marks, style, tables
 from hardcontact.insight.edge_scaling import LENGTHS, PARTS
 
 __all__ = ["draw", "table"]
@@ -35,29 +26,19 @@ EXPONENTS = [
 REACH_LENGTH = "reach"
 PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 COLUMNS = [
-    *ROW_COLUMNS, "side", "radius", "area", "rho", "reach", "part", "length", "dependence",
-    *VALUE_COLUMNS,
+    *tables.ROW_COLUMNS, "side", "radius", "area", "rho", "reach", "part", "length", "dependence",
+    *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
 
 def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        As `draw` takes it.
-    published_constants : pandas.DataFrame
-        With the critical wavelengths of both sides (nm).
-
-    Returns
-    -------
-    pandas.DataFrame
-        Edges of all combinations (panel a: short edges at the paper's contact area, b: long edges,
-        c: short edges at other areas), exponents with what they say (d), rms height and roll-off
-        of each surface, and the published edges.
+    Edges (nm) of all combinations (panel a: short edges at the paper's contact area, b: long edges,
+    c: short edges at other areas), exponents with what they say (d), rms height and roll-off (nm)
+    of each surface, and the published edges.
     """
-    edges = bounded(scaling, "edge").assign(reach=scaling["reach"])
+    edges = tables.bounded(scaling, "edge").assign(reach=scaling["reach"])
     exponents = _exponents(scaling).assign(dependence=scaling["dependence"])
     spectra = scaling[["rms_height", "roll_off"]].to_array("quantity", "value")
     area = scaling["area"].sel(area=scaling.attrs["area"], method="nearest").item()
@@ -65,41 +46,30 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
     def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
         return np.select([rows["side"] == "large", rows["area"] == area], ["b", "a"], "c")
 
-    of_paper = [published_edge(published_constants, side) for side in TITLES]
+    of_paper = [tables.published_edge(published_constants, side) for side in TITLES]
     published = pd.DataFrame({"side": list(TITLES), "value": of_paper})
     rows = pd.concat(
         [
-            computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
-            computed_rows(exponents, panel="d", quantity="exponent", unit="1"),
-            computed_rows(spectra.to_dataset(), panel="b", unit="nm"),
+            tables.computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
+            tables.computed_rows(exponents, panel="d", quantity="exponent", unit="1"),
+            tables.computed_rows(spectra.to_dataset(), panel="b", unit="nm"),
             published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
         ]
     )
-    return label_surfaces(rows, scaling).reindex(columns=COLUMNS).reset_index(drop=True)
+    return tables.label_surfaces(rows, scaling).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 def _exponents(scaling: xr.Dataset) -> xr.Dataset:
     """Return all exponents with their bounds; the length of that of the reach is REACH_LENGTH."""
-    of_reach = bounded(scaling, "reach_exponent").assign_coords(length=REACH_LENGTH)
-    return xr.concat([bounded(scaling, "exponent"), of_reach], "length")
+    of_reach = tables.bounded(scaling, "reach_exponent").assign_coords(length=REACH_LENGTH)
+    return xr.concat([tables.bounded(scaling, "exponent"), of_reach], "length")
 
 
 @style.print_style()
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw edges against (a) the range and (b) reach of the attraction, (c) contact, (d) exponents.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        As from `edge_scaling.edge_scaling`, with the attributes ``sphere_radius``, ``rho`` (nm)
-        and ``area`` (nm²) of the paper: sections go through the combination nearest to them.
-    published_constants : pandas.DataFrame
-        With the critical wavelengths of both sides (nm).
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
+    Sections go through the combination nearest to the paper's radius, range (nm) and area (nm²).
     """
     figure = style.create(5.6)
     (short, long), (contact, exponents) = figure.subplots(2, 2)
@@ -120,7 +90,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     radius = at_paper["radius"].item() / 1e3
     style.label_panel(contact, "c", f"R = {radius:g} µm, ρ = {at_paper['rho']:g} nm")
     for axes, side in ((short, "small"), (long, "large"), (contact, "small")):
-        axes.axhline(published_edge(published_constants, side), **PUBLISHED)
+        axes.axhline(tables.published_edge(published_constants, side), **PUBLISHED)
     _draw_exponents(exponents, scaling)
     style.legend_above(figure, style.surface_handles(scaling, ls="none"))
     style.mark_basis(figure, scaling)
@@ -134,11 +104,11 @@ def _draw_edges(
 
     Edges that differ in the last dimension alone are connected.
     """
-    edges = bounded(cases, "edge").assign(along=cases[along]).sel(side=side)
+    edges = tables.bounded(cases, "edge").assign(along=cases[along]).sel(side=side)
     for surface, look in style.looks(cases["surface"].values).items():
         of_surface = edges.sel(surface=surface).transpose(..., *dimensions)
         stacked = of_surface.stack(case=dimensions).dropna("case", subset=["value"])
-        known = np.nan_to_num(reach(stacked))
+        known = np.nan_to_num(marks.reach(stacked))
         axes.errorbar(
             stacked["along"], stacked["value"], known, ls="none", ms=3, elinewidth=0.4, **look
         )
@@ -148,8 +118,7 @@ def _draw_edges(
         for line in zip(*(one.reshape(-1, last) for one in lines), strict=True):
             axes.plot(*line, color=look["color"], lw=0.5, alpha=0.6)
     axes.set(xscale="log", yscale="log", ylabel=TITLES[side])
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis, at=(1, 3))
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
 
 
 def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
@@ -173,7 +142,7 @@ def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
         for place, (side, which, _) in zip(places, EXPONENTS, strict=True):
             part, length = (which, REACH_LENGTH) if which in PARTS else (PARTS[0], which)
             one = exponents.sel(side=side, part=part, length=length, surface=surface)
-            known = np.nan_to_num(reach(one))[:, None]
+            known = np.nan_to_num(marks.reach(one))[:, None]
             axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
             drawn.append(one["value"].item())
             ends = (one[end].item() for end in ("low", "high"))

@@ -9,20 +9,13 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.marks import reach
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    VALUE_COLUMNS,
-    bounded,
-    computed_rows,
-    label_surfaces,
-)
+from hardcontact.figures import marks, style, tables
 
 __all__ = ["draw", "table"]
 
 COLUMNS = [
-    *ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", "mirrored", "status", *VALUE_COLUMNS
+    *tables.ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", "mirrored", "status",
+    *tables.VALUE_COLUMNS
 ]  # fmt: skip
 ARROW = 1.6  # length of an arrow, as a factor of the bound
 OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
@@ -31,39 +24,32 @@ OF_SCAN: dict[str, Any] = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zor
 def table(scan_size: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As `draw` takes it.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b),
-        and the sizes needed (c); long edges on windows and whole surfaces, and the forces there
-        over that on the largest (d). The value of an edge that is open is its bound.
+    Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b), and
+    the sizes needed (c, nm); long edges (nm) on windows and whole surfaces, and the forces there
+    over that on the largest (d). The value of an edge that is open is its bound.
     """
-    surfaces = bounded(scan_size, "excess").assign(predicted=scan_size["predicted_excess"])
+    surfaces = tables.bounded(scan_size, "excess").assign(predicted=scan_size["predicted_excess"])
     known = scan_size[["known_excess", "predicted_known_excess"]].rename(
         known_excess="value", predicted_known_excess="predicted"
     )
-    needed = scan_size[["size_needed"]].rename(size_needed="value")
-    on_largest = bounded(scan_size, "force_over_largest").assign(mirrored=scan_size["mirrored"])
-    rows = pd.concat(
-        [
-            computed_rows(surfaces, panel="a", quantity="excess", unit="1"),
-            computed_rows(known, panel="b", quantity="excess", unit="1"),
-            computed_rows(needed, panel="c", quantity="size_needed", unit="nm"),
-            _of_sizes(_edges(scan_size), "long_edge", "nm").assign(rho=scan_size.attrs["rho"]),
-            _of_sizes(on_largest, "force_over_largest", "1").assign(rho=scan_size.attrs["rho"]),
-        ]
+    on_largest = tables.bounded(scan_size, "force_over_largest")
+    on_largest = on_largest.assign(mirrored=scan_size["mirrored"])
+    of_sizes = tables.drawn_rows(
+        ("d", "long_edge", "nm", _edges(scan_size)),
+        ("d", "force_over_largest", "1", on_largest),
+    ).rename(columns={"edge_size": "scan_size"})
+    rows = tables.drawn_rows(
+        ("a", "excess", "1", surfaces),
+        ("b", "excess", "1", known),
+        ("c", "size_needed", "nm", scan_size["size_needed"]),
     )
-    return label_surfaces(rows, scan_size).reindex(columns=COLUMNS).reset_index(drop=True)
+    rows = pd.concat([rows, of_sizes.assign(rho=scan_size.attrs["rho"])])
+    return tables.label_surfaces(rows, scan_size).reindex(columns=COLUMNS).reset_index(drop=True)
 
 
 def _edges(scan_size: xr.Dataset) -> xr.Dataset:
     """Return long edges as `value`, `low` and `high`, those that are open by their bound."""
-    edges = bounded(scan_size, "long_edge")
+    edges = tables.bounded(scan_size, "long_edge")
     return edges.assign(
         value=edges["value"].fillna(scan_size["long_edge_bound"]),
         mirrored=scan_size["mirrored"],
@@ -72,27 +58,9 @@ def _edges(scan_size: xr.Dataset) -> xr.Dataset:
     )
 
 
-def _of_sizes(values: xr.Dataset, quantity: str, unit: str) -> pd.DataFrame:
-    """Return a row for each known `value` on windows and whole surfaces."""
-    rows = computed_rows(values, panel="d", quantity=quantity, unit=unit)
-    return rows.rename(columns={"edge_size": "scan_size"})
-
-
 @style.print_style()
 def draw(scan_size: xr.Dataset) -> Figure:
-    """Draw (a) the excess against the scan, (b) against the rule, (c) sizes needed, (d) long edges.
-
-    Parameters
-    ----------
-    scan_size : xarray.Dataset
-        As from `scan_size_trials.scan_size_trials` and `window_edges.window_edges`, with label and
-        basis of surfaces and the attributes ``rho`` and ``scan_size`` (nm) of the study.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a) the excess against the scan, (b) the rule, (c) sizes needed, (d) long edges."""
     figure = style.create(5.4)
     (sizes, rule), (needed, edges) = figure.subplots(2, 2)
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
@@ -111,8 +79,7 @@ def draw(scan_size: xr.Dataset) -> Figure:
     _draw_edges(edges, scan_size)
     style.label_panel(edges, "d", f"ρ = {scan_size.attrs['rho']:g} nm")
     for axes in (sizes, rule, needed, edges):
-        for axis in (axes.xaxis, axes.yaxis):
-            style.label_logarithmic(axis)
+        style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.legend_above(figure, style.surface_handles(scan_size, ls="none"))
     style.mark_basis(figure, scan_size)
     return figure
@@ -120,12 +87,12 @@ def draw(scan_size: xr.Dataset) -> Figure:
 
 def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> None:
     """Draw the excess of all surfaces, with intervals, and that of the rule as lines."""
-    excess = bounded(at_range, "excess")
+    excess = tables.bounded(at_range, "excess")
     sizes = at_range["scan_size"] / 1e3
     for surface, look, factor in _beside(at_range):
         one = excess.sel(surface=surface)
         axes.errorbar(
-            factor * sizes, one["value"], np.nan_to_num(reach(one)),
+            factor * sizes, one["value"], np.nan_to_num(marks.reach(one)),
             ls="none", ms=3, elinewidth=0.6, **look,
         )  # fmt: skip
         axes.plot(
@@ -177,7 +144,7 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:
             of_kind = edges["mirrored"] == mirrored
             one = edges.assign(place=factor * sizes).sel(surface=surface, edge_size=of_kind)
             axes.errorbar(
-                one["place"], one["value"], reach(one),
+                one["place"], one["value"], marks.reach(one),
                 ls="none", ms=3.5, elinewidth=0.7, mfc=fill, **look,
             )  # fmt: skip
             _draw_open(axes, one.sel(edge_size=one["status"] != "found"), look["color"])

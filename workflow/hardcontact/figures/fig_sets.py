@@ -8,24 +8,9 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from scipy import stats
 
-from hardcontact.figures import fig_sets_facts, style
-from hardcontact.figures.marks import (
-    FIT_STAR,
-    MILLIJOULE,
-    PUBLISHED_RANGE,
-    draw_fit,
-    draw_published_fit,
-    draw_published_range,
-)
-from hardcontact.figures.tables import (
-    ROW_COLUMNS,
-    SHARE_OF_SETS,
-    VALUE_COLUMNS,
-    label_surfaces,
-    over_sets,
-    published_value,
-)
+from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_share
 
 __all__ = ["draw", "table"]
@@ -36,10 +21,23 @@ MODELS: dict[str, dict[str, Any]] = {
     "rigid": {"color": "black", "ls": "--", "lw": 1.0},
 }
 BINS_PER_DECADE = 8
-MINIMUM_UNITS = {"range": "nm", "work": "J/m2", "error": "1"}
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
-COLUMNS = [*ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
-COLUMNS += VALUE_COLUMNS
+UNITS = {"minimum_range": "nm", "minimum_work": "J/m2", "minimum_error": "1", **FITTED_UNITS}
+#: Printed names of the facts, and their units. Every set of several substitute scans has the
+#: heights of Table 1.
+FACTS = {
+    "rms_height": ("height", "nm"),
+    "rms_height_std": ("height, sd", "nm"),
+    "rms_gradient": ("slope", ""),
+    "rms_gradient_std": ("slope, sd", ""),
+    "rms_half_laplacian": ("curvature", "nm⁻¹"),
+    "rms_half_laplacian_std": ("curvature, sd", "nm⁻¹"),
+}
+CONFIDENCE = 0.95
+FEWEST_SETS = 5  # fewer have no correlation worth showing
+LEAST_SPREAD = 1e-6  # over the sets, of a fact that can move anything, as a share of its mean
+COLUMNS = [*tables.ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
+COLUMNS += tables.VALUE_COLUMNS
 
 
 def table(
@@ -47,53 +45,31 @@ def table(
 ) -> pd.DataFrame:
     """Return the fits of each set and the rank correlations of its facts, one row a number.
 
-    Parameters
-    ----------
-    sets, inference, published_constants : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Panel a: share of the sets (1) whose best range lies between `range_low` and `range_high`
-        (nm). b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published.
-        c: rank correlation (1) with its interval. d: least error (1) of each set.
+    Panel a: share of the sets (1) whose best range lies between `range_low` and `range_high` (nm).
+    b: range (nm) and work of adhesion (J/m2) at each minimum of each set, and published. c: rank
+    correlation (1) with its interval. d: least error (1) of each set.
     """
-    facts = fig_sets_facts.correlations(sets.sel(contact_model=PLASTIC))
+    of_sets = sets.sel(contact_model=PLASTIC)
+    facts, errors = _correlations(of_sets), sets["best_error"].to_dataframe("value").reset_index()
     rows = pd.concat(
         [
             *(_histogram_rows(sets, inference, model) for model in MODELS),
-            _minimum_rows(sets),
+            tables.drawn_rows(*(("b", name, unit, of_sets[name]) for name, unit in UNITS.items())),
             facts.assign(panel="c", unit="1", origin="computed", contact_model=PLASTIC),
-            _error_rows(sets),
-            _published_rows(published_constants),
+            errors.assign(panel="d", origin="computed", quantity="best_error", unit="1"),
+            tables.published_rows(published_constants, FITTED_UNITS, "b"),
         ],
         ignore_index=True,
     )
-    return label_surfaces(rows, inference)[COLUMNS]
+    return tables.label_surfaces(rows, inference)[COLUMNS]
 
 
 @style.print_style()
 def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors.
-
-    Parameters
-    ----------
-    sets : xarray.Dataset
-        With the fit of each set, by contact model, and the facts of its scans, by surface.
-    inference : xarray.Dataset
-        With the fit of the study's own scans.
-    published_constants : pandas.DataFrame
-        With range (nm) and work of adhesion (J/m2) and their uncertainties.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors."""
     fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     labels = {str(name): str(label) for name, label in inference["label"].to_series().items()}
-    facts = fig_sets_facts.correlations(of_sets)
+    facts = _correlations(of_sets)
     figure = style.create(5.8)
     columns = figure.add_gridspec(1, 2, width_ratios=(1.45, 1))
     left = columns[0].subgridspec(2, 1, height_ratios=(1, 2.6))
@@ -101,12 +77,12 @@ def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFr
     right = columns[1].subgridspec(2, 1, height_ratios=(1.3, 1))
     bars, errors = right.subplots(squeeze=False)[:, 0]
     _draw_histogram(counts, sets, inference)
-    _draw_places(places, of_sets, fig_sets_facts.strongest(facts), labels)
-    draw_fit(places, fit, "work", MILLIJOULE)
-    draw_published_fit(places, published_constants)
+    _draw_places(places, of_sets, _strongest(facts), labels)
+    marks.draw_fit(places, fit, "work", marks.MILLIJOULE)
+    marks.draw_published_fit(places, published_constants)
     for axes in (counts, places):
-        draw_published_range(axes, published_constants)
-    fig_sets_facts.draw_correlations(bars, facts, list(labels))
+        marks.draw_published_range(axes, published_constants)
+    _draw_correlations(bars, facts, list(labels))
     style.label_panel(bars, "c", "what moves ρ: facts of the scans")
     figure.align_ylabels([counts, places])
     _draw_errors(errors, sets, inference)
@@ -135,50 +111,10 @@ def _shares(sets: xr.Dataset, model: str, edges: np.ndarray) -> np.ndarray:
 
 def _histogram_rows(sets: xr.Dataset, inference: xr.Dataset, model: str) -> pd.DataFrame:
     edges = _edges(inference)
-    return pd.DataFrame(
-        {
-            "panel": "a",
-            "origin": "computed",
-            "quantity": "share_of_sets",
-            "contact_model": model,
-            "range_low": edges[:-1],
-            "range_high": edges[1:],
-            "value": _shares(sets, model, edges),
-            "unit": "1",
-        }
-    )
-
-
-def _minimum_rows(sets: xr.Dataset) -> pd.DataFrame:
-    of_sets = sets.sel(contact_model=PLASTIC)
-    frames = [
-        of_sets[f"minimum_{name}"]
-        .to_dataframe("value")
-        .reset_index()
-        .assign(panel="b", quantity=f"minimum_{name}", unit=unit)
-        for name, unit in MINIMUM_UNITS.items()
-    ]
-    frames += [
-        of_sets[name]
-        .to_dataframe("value")
-        .reset_index()
-        .assign(panel="b", quantity=name, unit=unit)
-        for name, unit in FITTED_UNITS.items()
-    ]
-    return pd.concat(frames).dropna(subset="value").assign(origin="computed")
-
-
-def _error_rows(sets: xr.Dataset) -> pd.DataFrame:
-    frame = sets["best_error"].to_dataframe("value").reset_index()
-    return frame.assign(panel="d", origin="computed", quantity="best_error", unit="1")
-
-
-def _published_rows(published_constants: pd.DataFrame) -> pd.DataFrame:
-    return pd.DataFrame(
-        {"panel": "b", "origin": "published", "quantity": name, "unit": unit}
-        | published_value(published_constants, name)
-        for name, unit in FITTED_UNITS.items()
-    )
+    shares = _shares(sets, model, edges)
+    rows = pd.DataFrame({"range_low": edges[:-1], "range_high": edges[1:], "value": shares})
+    named = {"origin": "computed", "quantity": "share_of_sets", "contact_model": model}
+    return rows.assign(panel="a", unit="1", **named)
 
 
 def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
@@ -186,11 +122,11 @@ def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None
     edges = _edges(inference)
     for model, look in MODELS.items():
         axes.stairs(100 * _shares(sets, model, edges), edges, label=f"{model} contact", **look)
-    spread = over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
+    spread = tables.over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
     low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
     axes.set(xscale="log", ylabel="share of sets (%)")
     axes.legend(loc="upper left")
-    share = print_share(SHARE_OF_SETS)
+    share = print_share(tables.SHARE_OF_SETS)
     title = f"median {middle:.3g} nm, {share} in {low:.2g} to {high:.3g} nm"
     style.label_panel(axes, "a", f"best ρ of {sets.sizes['set']} sets: {title}")
 
@@ -203,7 +139,7 @@ def _draw_places(
     others = of_sets["minimum_range"].where(of_sets["minimum_range"] != best)
     axes.plot(
         others.values.ravel(),
-        of_sets["minimum_work"].values.ravel() / MILLIJOULE,
+        of_sets["minimum_work"].values.ravel() / marks.MILLIJOULE,
         "o",
         mfc="none",
         mec="0.6",
@@ -218,7 +154,7 @@ def _draw_places(
         shown = {"c": fact.values, "cmap": "cividis"}
     points = axes.scatter(
         best,
-        of_sets["work_of_adhesion"] / MILLIJOULE,
+        of_sets["work_of_adhesion"] / marks.MILLIJOULE,
         s=20,
         zorder=3,
         edgecolors="white",
@@ -228,7 +164,7 @@ def _draw_places(
     if moved_by is not None:
         bar = axes.figure.colorbar(points, ax=axes, location="bottom", pad=0.02, aspect=40)
         bar.ax.locator_params(nbins=6)
-        bar.set_label(fig_sets_facts.name_fact(moved_by, labels[moved_by["surface"]]))
+        bar.set_label(_name_fact(moved_by, labels[moved_by["surface"]]))
     axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
     axes.set(ylabel="work of adhesion $W$ (mJ/m²)")
     style.label_logarithmic(axes.xaxis, at=(1, 3))
@@ -242,7 +178,7 @@ def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     plastic, rigid = (sets["best_error"].sel(contact_model=name) for name in MODELS)
     axes.plot(plastic, rigid, ".", color="0.55", ms=4, mew=0)
     of_study = [inference["best_error"].sel(contact_model=name).item() for name in MODELS]
-    axes.plot(*([value] for value in of_study), **FIT_STAR)
+    axes.plot(*([value] for value in of_study), **marks.FIT_STAR)
     errors = [*plastic.values, *rigid.values, *of_study, threshold]
     ends = 0.8 * np.nanmin(errors), 1.25 * np.nanmax(errors)
     axes.plot(ends, ends, color="0.3", lw=0.8)
@@ -259,8 +195,7 @@ def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     )
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
     axes.set(xlabel="least error, plastic", ylabel="least error, rigid")
-    for axis in (axes.xaxis, axes.yaxis):
-        style.label_logarithmic(axis, at=(1, 2, 5))
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 2, 5))
     share = print_share(float((plastic < rigid).mean()))
     style.label_panel(axes, "d", f"plastic better in {share} of sets")
 
@@ -277,5 +212,65 @@ def _legend_handles(
         ),
         Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
         *style.legend_entries([places]).values(),
-        Line2D([], [], label=f"published ρ = {published:g} nm", **PUBLISHED_RANGE),
+        Line2D([], [], label=f"published ρ = {published:g} nm", **marks.PUBLISHED_RANGE),
     ]
+
+
+def _correlations(of_sets: xr.Dataset) -> pd.DataFrame:
+    """Return the rank correlation over the sets of each fact with the range of adhesion.
+
+    Columns: `quantity` (the fact), `surface`, `value`, Spearman's coefficient, and its interval
+    `low`, `high` by Fisher's transformation. Facts that are the same in all sets are left out.
+    """
+    count, rows = of_sets.sizes["set"], []
+    for name in FACTS if count >= FEWEST_SETS else ():
+        for surface in map(str, of_sets["surface"].values):
+            fact = of_sets[name].sel(surface=surface).values
+            if fact.std() > LEAST_SPREAD * abs(fact.mean()):
+                value = stats.spearmanr(fact, of_sets["range_of_adhesion"].values).statistic
+                rows.append({"quantity": name, "surface": surface, **_with_bounds(value, count)})
+    return pd.DataFrame(rows, columns=["quantity", "surface", "value", "low", "high"])
+
+
+def _with_bounds(value: float, count: int) -> dict[str, float]:
+    """Return a rank correlation of `count` pairs with its interval.
+
+    The variance of its Fisher transform is 1.06/(count - 3) (Fieller, Hartley and Pearson 1957).
+    """
+    half = stats.norm.ppf((1 + CONFIDENCE) / 2) * np.sqrt(1.06 / (count - 3))
+    low, high = np.tanh(np.arctanh(np.clip(value, -0.999999, 0.999999)) + [-half, half])
+    return {"value": float(value), "low": float(low), "high": float(high)}
+
+
+def _strongest(rows: pd.DataFrame) -> pd.Series | None:
+    """Return the row of `_correlations` of the largest absolute value; None if there is none."""
+    known = rows.dropna(subset="value")
+    return None if known.empty else known.iloc[int(known["value"].abs().argmax())]
+
+
+def _name_fact(row: pd.Series, label: str) -> str:
+    """Return the printed name and unit of the fact of a row, given the label of its surface."""
+    name, unit = FACTS[row["quantity"]]
+    return f"rms {name}, of {label}" + (f" ({unit})" if unit else "")
+
+
+def _draw_correlations(axes: Axes, rows: pd.DataFrame, surfaces: list[str]) -> None:
+    """Draw a bar for each rank correlation, by fact and, within it, by surface, of its colour."""
+    colours, most = style.colours(surfaces), _strongest(rows)
+    facts = [name for name in FACTS if name in set(rows["quantity"])]
+    step = 0.8 / len(surfaces)
+    for index, row in rows.iterrows():
+        place = facts.index(row["quantity"]) + step * (surfaces.index(row["surface"]) + 0.5) - 0.4
+        edge: dict[str, Any] = {"edgecolor": "black", "linewidth": 1.2}
+        axes.barh(
+            place,
+            row["value"],
+            step,
+            color=colours[row["surface"]],
+            **(edge if most is not None and index == most.name else {}),
+        )
+        axes.plot([row["low"], row["high"]], [place] * 2, color="0.2", lw=0.8)
+    axes.axvline(0, color="0.3", lw=0.6)
+    axes.set_yticks(range(len(facts)), [FACTS[name][0] for name in facts])
+    axes.set(xlim=(-1, 1), xlabel="rank correlation with ρ")
+    axes.set_ylim(max(len(facts), 1) - 0.4, -0.6)

@@ -6,17 +6,24 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.patches import Patch
+
+from hardcontact.figures.tables import SHARE_OF_SETS
+from hardcontact.numbers.printing import print_share
 
 __all__ = [
     "BAND_OF_SETS",
     "FIT_STAR",
+    "MICRONEWTON",
     "MILLIJOULE",
     "PUBLISHED_RANGE",
     "REMOVED",
     "draw_fit",
     "draw_published_fit",
     "draw_published_range",
+    "fill_sets",
     "reach",
+    "sets_handle",
 ]
 
 #: What a cutoff of each side of the band does, above its panel.
@@ -25,6 +32,7 @@ REMOVED = {
     "large": "roughness above the cutoff removed",
 }
 BAND_OF_SETS = 0.2  # opacity
+MICRONEWTON = 1e-6
 MILLIJOULE = 1e-3
 FIT = "#6A3D9A"  # of no surface
 FIT_STAR: dict[str, Any] = {"marker": "*", "color": FIT, "mec": "white", "mew": 0.6, "ms": 11}
@@ -56,19 +64,21 @@ def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
     )
 
 
+def fill_sets(axes: Axes, along: xr.DataArray | np.ndarray, spread: xr.Dataset, color: str) -> None:
+    """Fill a band between `low` and `high` over the sets of substitutes."""
+    axes.fill_between(along, spread["low"], spread["high"], color=color, alpha=BAND_OF_SETS, lw=0)
+
+
+def sets_handle() -> Patch:
+    """Return the entry of such bands in a legend."""
+    share = print_share(SHARE_OF_SETS)
+    return Patch(color="0.3", alpha=BAND_OF_SETS, lw=0, label=f"{share} of all sets of substitutes")
+
+
 def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
     """Mark the best fit of the study with a star, and the other minima of its error with rings.
 
-    Parameters
-    ----------
-    axes : matplotlib.axes.Axes
-        With the range of adhesion (nm) along x.
-    fit : xarray.Dataset
-        The part of inference.nc with one contact model.
-    height : str
-        What y is: "work" or "error".
-    unit : float
-        That of y, in that of the dataset.
+    Along x the range of adhesion (nm), along y the `height`, "work" or "error", in `unit`.
     """
     best = {"work": "work_of_adhesion", "error": "best_error"}[height]
     others = fit["minimum_range"].values != fit["range_of_adhesion"].item()

@@ -1,7 +1,4 @@
-"""Style of all figures: fonts, colours and markers of surfaces, axes, note on substitutes.
-
-Pictures of height maps, with colour bar and scale bar.
-"""
+"""Style of all figures: fonts, looks of surfaces, axes, legends, maps, note on substitutes."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
@@ -115,21 +112,9 @@ def create(height: float) -> Figure:
 
 
 def three_above_two(height: float, below: float) -> tuple[Figure, np.ndarray, np.ndarray]:
-    """Return a figure of this height in inches with three panels above two.
+    """Return a figure of this height (inch) and its panels, three above two.
 
-    Parameters
-    ----------
-    height : float
-        Of the figure, in inches.
-    below : float
-        Height of the lower panels over that of the upper ones.
-
-    Returns
-    -------
-    figure : matplotlib.figure.Figure
-        The figure.
-    upper, lower : ndarray of matplotlib.axes.Axes
-        (3,) and (2,).
+    `below` is the height of the lower panels over that of the upper ones.
     """
     figure = create(height)
     rows = figure.add_gridspec(2, 1, height_ratios=(1, below))
@@ -155,30 +140,26 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
     axes.set_title(rf"$\mathbf{{{letter}}}$  {title}", loc="left")
 
 
-def label_logarithmic(axis: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
-    """Label a logarithmic axis by plain numbers: at these digits of each decade, or at decades.
+def label_logarithmic(*axes: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
+    """Label logarithmic axes by plain numbers: at these digits of each decade, or at decades.
 
     Over more than three decades there is room for one label a decade at most.
     """
-    low, high = axis.get_view_interval()
-    if high > 1e3 * low:
-        at = (1,)
-    axis.set_major_locator(LogLocator(subs=at))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    axis.set_minor_locator(LogLocator(subs=[digit for digit in range(2, 10) if digit not in at]))
-    axis.set_minor_formatter(NullFormatter())
+    for axis in axes:
+        low, high = axis.get_view_interval()
+        digits = (1,) if high > 1e3 * low else at
+        others = [digit for digit in range(2, 10) if digit not in digits]
+        axis.set_major_locator(LogLocator(subs=digits))
+        axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.set_minor_locator(LogLocator(subs=others))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def end_near_values(panels: Sequence[Axes]) -> None:
     """End the logarithmic y axes of panels a decade beyond the values drawn as lines, at most.
 
-    Error bars and bands do not count: an interval of two scans may span twenty decades, and all
-    values would lie in one line. What is longer leaves the frame.
-
-    Parameters
-    ----------
-    panels : sequence of matplotlib.axes.Axes
-        That share their y axis, or one.
+    The panels share their y axis. Error bars and bands do not count: an interval of two scans may
+    span twenty decades, and all values would lie in one line. What is longer leaves the frame.
     """
     heights = [
         np.asarray(line.get_ydata(), float)
@@ -238,12 +219,7 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
 def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
     """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        With room for one line at its foot.
-    dataset : xarray.Dataset
-        With `label(surface)` and `basis(surface)`, the latter "substitute" or "measured".
+    The dataset has `label(surface)` and `basis(surface)`, "substitute" or "measured".
     """
     substitutes = dataset["label"].values[dataset["basis"].values == "substitute"]
     note = "all surfaces measured"

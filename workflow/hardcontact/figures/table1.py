@@ -10,8 +10,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style
-from hardcontact.figures.tables import BY_CONSTRUCTION, label_surfaces, rows_by_construction
+from hardcontact.figures import style, tables
+from hardcontact.records.published import rows_met
 
 __all__ = ["draw", "table"]
 
@@ -22,8 +22,8 @@ SCOPES = {
     "all scales": "all scales (published: stylus, AFM and TEM; computed: the joined spectrum)",
 }
 NOTE = (
-    f"{BY_CONSTRUCTION} by construction: substitutes are made to meet this mean (of AFM scans' "
-    "heights also the ±), which tests nothing"
+    f"{tables.BY_CONSTRUCTION} by construction: substitutes are made to meet this mean "
+    "(of AFM scans' heights also the ±), which tests nothing"
 )
 COLUMNS = [
     "scope", "quantity", "definition", "surface", "label", "basis", "origin",
@@ -68,49 +68,25 @@ QUANTITIES = (
 def table(topography: xr.Dataset, published_table1: pd.DataFrame) -> pd.DataFrame:
     """Return the published and the computed values of Table 1, one row a value.
 
-    Parameters
-    ----------
-    topography, published_table1 : xarray.Dataset, pandas.DataFrame
-        As `draw` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the
-        standard deviation over the scans (none for the moments of the joined spectrum).
-        `by_construction` says that a substitute was made to meet the published value under this
-        definition.
+    Heights in nm, slopes 1, curvatures in nm-1; `uncertainty` is the published +- or the standard
+    deviation over the scans (none for the moments of the joined spectrum). `by_construction` says
+    that a substitute was made to meet the published value under this definition.
     """
     rows = [
-        row
+        {"scope": quantity.scope, "quantity": quantity.name, "unit": quantity.unit, **row}
         for quantity in QUANTITIES
         for surface in map(str, topography["surface"].values)
         for row in (
-            *_published_rows(quantity, surface, published_table1),
+            *_published_rows(quantity.name, surface, published_table1),
             *_computed_rows(quantity, topography.sel(surface=surface)),
         )
     ]
-    return label_surfaces(pd.DataFrame(rows), topography)[COLUMNS]
+    return tables.label_surfaces(pd.DataFrame(rows), topography)[COLUMNS]
 
 
 @style.print_style()
 def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
-    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones.
-
-    Parameters
-    ----------
-    topography : xarray.Dataset
-        With the moments of each surface, over scans `<name>_mean` and `<name>_std`, of the joined
-        spectrum `all_scales_<name>`; `calibrated_to_table1(surface)`, the rows of Table 1 that a
-        substitute was fitted to, and the attributes `table1_variables` and `sphere_surface`.
-    published_table1 : pandas.DataFrame
-        One row a value, with columns surface, quantity, value and uncertainty.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw Table 1 as a figure: one column a surface, published rows above the computed ones."""
     rows = table(topography, published_table1)
     lines = rows[["scope", "quantity", "origin", "definition"]].drop_duplicates()
     lines = lines.sort_values("origin", ascending=False, kind="stable")  # published ones first
@@ -126,58 +102,42 @@ def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
         for _, row in rows.iterrows()
     }
     top = 1
-    for scope in SCOPES:
-        top = _draw_scope(axes, top, scope, lines, cells, columns)
+    for scope, title in SCOPES.items():
+        _rule(axes, top, 1.0)
+        axes.text(LEFT, top + 0.5, title, style="italic", fontsize=7, va="center")
+        top += 1
+        for quantity in QUANTITIES:
+            if quantity.scope == scope:
+                of_quantity = lines[lines["quantity"] == quantity.name]
+                _draw_quantity(axes, top, quantity, of_quantity, cells, columns)
+                top += len(of_quantity)
     _rule(axes, last, 1.0)
     axes.text(LEFT, last + 0.6, NOTE, fontsize=7, va="center")
     style.mark_basis(figure, topography)
     return figure
 
 
-def _published_rows(
-    quantity: _Quantity, surface: str, published: pd.DataFrame
-) -> list[dict[str, Any]]:
-    chosen = published[(published["surface"] == surface) & (published["quantity"] == quantity.name)]
-    return [
-        {
-            **_named(quantity, surface),
-            "origin": "published",
-            "definition": "",
-            "value": row.value,
-            "uncertainty": row.uncertainty,
-            "by_construction": False,
-        }
-        for row in chosen.itertuples()
-    ]
+def _published_rows(quantity: str, surface: str, published: pd.DataFrame) -> list[dict[Any, Any]]:
+    of_surface = published[(published["surface"] == surface) & (published["quantity"] == quantity)]
+    rows = of_surface[["surface", "value", "uncertainty"]]
+    rows = rows.assign(origin="published", definition="", by_construction=False)
+    return rows.to_dict("records")
 
 
 def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str, Any]]:
     """Return a row for each definition of the quantity."""
-    by_construction = quantity.name in rows_by_construction(of_surface)
+    by_construction = quantity.name in rows_met(of_surface["calibrated_to_table1"].item())
     taken = json.loads(of_surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
-    rows = []
-    for variable, definition in quantity.definitions.items():
-        value, uncertainty = _moments(of_surface, variable)
-        rows.append(
-            {
-                **_named(quantity, of_surface["surface"].item()),
-                "origin": "computed",
-                "definition": definition,
-                "value": value,
-                "uncertainty": uncertainty,
-                "by_construction": by_construction and variable == taken,
-            }
-        )
-    return rows
-
-
-def _named(quantity: _Quantity, surface: str) -> dict[str, Any]:
-    return {
-        "scope": quantity.scope,
-        "quantity": quantity.name,
-        "surface": surface,
-        "unit": quantity.unit,
-    }
+    return [
+        {
+            "surface": of_surface["surface"].item(),
+            "origin": "computed",
+            "definition": definition,
+            **dict(zip(("value", "uncertainty"), _moments(of_surface, variable), strict=True)),
+            "by_construction": by_construction and variable == taken,
+        }
+        for variable, definition in quantity.definitions.items()
+    ]
 
 
 def _moments(of_surface: xr.Dataset, variable: str) -> tuple[float, float]:
@@ -203,26 +163,6 @@ def _draw_header(axes: Axes, topography: xr.Dataset, columns: list[str]) -> None
             ha="center",
             va="center",
         )
-
-
-def _draw_scope(
-    axes: Axes,
-    top: int,
-    scope: str,
-    lines: pd.DataFrame,
-    cells: dict[Any, pd.Series],
-    columns: list[str],
-) -> int:
-    """Write the quantities of one scope downwards from `top` and return where they end."""
-    _rule(axes, top, 1.0)
-    axes.text(LEFT, top + 0.5, SCOPES[scope], style="italic", fontsize=7, va="center")
-    top += 1
-    for quantity in QUANTITIES:
-        if quantity.scope == scope:
-            of_quantity = lines[lines["quantity"] == quantity.name]
-            _draw_quantity(axes, top, quantity, of_quantity, cells, columns)
-            top += len(of_quantity)
-    return top
 
 
 def _draw_quantity(
@@ -251,7 +191,7 @@ def _print_cell(cell: pd.Series, quantity: _Quantity) -> str:
     value, uncertainty = (cell[name] / quantity.printed_unit for name in ("value", "uncertainty"))
     if not np.isfinite(value):
         return "–"
-    mark = f" {BY_CONSTRUCTION}" if cell["by_construction"] else ""
+    mark = f" {tables.BY_CONSTRUCTION}" if cell["by_construction"] else ""
     if not np.isfinite(uncertainty):
         return f"{value:.3g}{mark}"
     published = cell["origin"] == "published"

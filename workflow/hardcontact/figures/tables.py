@@ -6,7 +6,6 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.numbers.statistics import bounds
-from hardcontact.records.published import rows_met
 
 __all__ = [
     "BY_CONSTRUCTION",
@@ -15,11 +14,12 @@ __all__ = [
     "VALUE_COLUMNS",
     "bounded",
     "computed_rows",
+    "drawn_rows",
     "label_surfaces",
     "over_sets",
     "published_edge",
+    "published_rows",
     "published_value",
-    "rows_by_construction",
     "value_and_bounds",
 ]
 
@@ -40,23 +40,23 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
     return data[[name]].rename({name: "value"}).assign(low=low, high=high)
 
 
-def computed_rows(values: xr.Dataset, **columns: Any) -> pd.DataFrame:
-    """Return a row for each known value of computed quantities.
+def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataFrame:
+    """Return a row for each known `value` of computed quantities: its dimensions and variables.
 
-    Parameters
-    ----------
-    values : xarray.Dataset
-        With `value`, perhaps its bounds `low` and `high`, and more that belongs to each value.
-    **columns : str or callable
-        Columns that say what the rows are, as `pandas.DataFrame.assign` takes them.
-
-    Returns
-    -------
-    pandas.DataFrame
-        A column for each dimension, coordinate and variable, and these.
+    The columns, as `pandas.DataFrame.assign` takes them, say what the rows are.
     """
-    known = values.to_dataframe().reset_index().dropna(subset=["value"])
+    of_array = isinstance(values, xr.DataArray)
+    frame = values.to_dataframe("value") if of_array else values.to_dataframe()
+    known = frame.reset_index().dropna(subset=["value"])
     return known.assign(origin="computed", **columns)
+
+
+def drawn_rows(*drawn: tuple[Any, str, str, xr.Dataset | xr.DataArray]) -> pd.DataFrame:
+    """Return the rows of computed quantities, each given by panel, name, unit and values."""
+    return pd.concat(
+        computed_rows(values, panel=panel, quantity=name, unit=unit)
+        for panel, name, unit, values in drawn
+    )
 
 
 def over_sets(values: xr.DataArray) -> xr.Dataset:
@@ -81,38 +81,21 @@ def published_value(constants: pd.DataFrame, name: str) -> dict[str, float]:
     return {"value": value, "low": value - spread, "high": value + spread}
 
 
+def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -> pd.DataFrame:
+    """Return a row for each of these published constants, with the ends of its uncertainty."""
+    return pd.DataFrame(
+        {"panel": panel, "origin": "published", "quantity": name, "unit": unit}
+        | published_value(constants, name)
+        for name, unit in units.items()
+    )
+
+
 def published_edge(constants: pd.DataFrame, side: str) -> float:
     """Return the published critical wavelength (nm) of one side of the band."""
     return float(constants["value"][f"critical_wavelength_{side}"])
 
 
 def label_surfaces(rows: pd.DataFrame, data: xr.Dataset, column: str = "surface") -> pd.DataFrame:
-    """Add to each row the label and the basis of its surface.
-
-    Parameters
-    ----------
-    rows : pandas.DataFrame
-        With a column that names surfaces; label and basis of any other name are missing.
-    data : xarray.Dataset
-        With `label(surface)` and `basis(surface)`.
-    column : str
-        Name of that column.
-
-    Returns
-    -------
-    pandas.DataFrame
-        With the columns `label` and `basis`.
-    """
+    """Add to each row label and basis of the surface in a column; other names there have none."""
     named = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
     return rows.join(named, on=column)
-
-
-def rows_by_construction(of_surface: xr.Dataset) -> list[str]:
-    """Return the rows of Table 1 that a substitute is made to meet, none of a measured surface.
-
-    Parameters
-    ----------
-    of_surface : xarray.Dataset
-        The part of topography.nc with one surface.
-    """
-    return rows_met(of_surface["calibrated_to_table1"].item())
