@@ -17,9 +17,9 @@ PARAMETERS = CONSTANTS["value"]
 NUMBERS = xr.Dataset(PARAMETERS.to_dict())
 
 
-def make_sets(datasets, multiples=(0.999, 1.0, 1.001)):
+def make_sets(datasets, multiples=(0.999, 1.0, 1.001), statements=STATEMENTS):
     """Sets like sets.nc: the numbers of the replicated claims, times each multiple."""
-    replicated = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+    replicated = statements[statements["replicated"] == "yes"]
     numbers = values(replicated, datasets, CONSTANTS)
     return xr.Dataset(
         {"value": (("set", "claim"), np.outer(multiples, numbers))}, {"claim": list(numbers.index)}
@@ -28,7 +28,7 @@ def make_sets(datasets, multiples=(0.999, 1.0, 1.001)):
 
 def judge(statements, datasets, confidence=CONFIDENCE, sets=None):
     """Return the claims with their verdicts; the sets are alike unless others are given."""
-    sets = make_sets(datasets) if sets is None else sets
+    sets = make_sets(datasets, statements=statements) if sets is None else sets
     return evaluate(statements, datasets, CONSTANTS, confidence, sets, seed=1)
 
 

@@ -202,7 +202,7 @@ def check_map(config, stitched):
     assert np.isfinite(forces).all() and (forces > 0).all()
 
 
-@pytest.mark.parametrize("examples", [10, pytest.param(40, marks=pytest.mark.study)])
+@pytest.mark.parametrize("examples", [5, pytest.param(40, marks=pytest.mark.study)])
 def test_what_is_accepted_can_be_computed(at_root, examples):
     seen = []
 

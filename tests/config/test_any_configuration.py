@@ -20,7 +20,7 @@ BRANCHES = sorted({path.rpartition(".")[0] for path in LEAVES})
 MESSAGE = re.compile(r"config key [^:]+: expected .+ found .+|\S+: .*expected .+ found.+")
 
 #: Plain runs of pytest are short; the marker asks for more.
-bulk = pytest.mark.parametrize("examples", [100, pytest.param(300, marks=pytest.mark.study)])
+bulk = pytest.mark.parametrize("examples", [30, pytest.param(300, marks=pytest.mark.study)])
 
 
 def many(examples):
@@ -140,12 +140,14 @@ def test_an_added_key(examples):
     check()
 
 
-@pytest.mark.parametrize("path", LEAVES + list(filter(None, BRANCHES)))
-def test_a_missing_key(path):
-    *branch, last = path.split(".")
-    parent = reduce(dict.get, branch, PAPER)
+@pytest.mark.parametrize("branch", BRANCHES)
+def test_a_missing_key(branch):
+    """One of each branch; test_key_tables.py shows that the schema requires every key."""
+    path = list(filter(None, branch.split(".")))
+    parent = reduce(dict.get, path, PAPER)
+    last = next(iter(parent))
     kept = {key: value for key, value in parent.items() if key != last}
-    message = outcome(changed(PAPER, branch, kept) if branch else kept)
+    message = outcome(changed(PAPER, path, kept) if path else kept)
     assert f"found no {last}" in message
 
 
