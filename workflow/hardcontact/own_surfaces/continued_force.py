@@ -1,7 +1,4 @@
-"""The force of own surfaces with the roughness continued beyond the wavelengths of their scans.
-
-Work of adhesion that measured forces mean, with the roughness continued beyond the scans.
-"""
+"""Forces on own surfaces, and works of adhesion, with roughness continued beyond the scans."""
 
 import numpy as np
 import xarray as xr

@@ -1,10 +1,6 @@
-"""Mean forces on the scans of one surface, with what is left without each part of the scans.
-
-The pull-off force that a work and a range of adhesion predict: no fit is needed.
-"""
+"""The pull-off force that a work and a range of adhesion predict: no fit is needed."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -20,45 +16,28 @@ from hardcontact.own_surfaces.scan_parts import (
 )
 from hardcontact.records.dataset import stack
 
-__all__ = ["Prediction", "ScanForces", "forces_of_scans", "predicted_force"]
+__all__ = ["ScanForces", "forces_of_scans", "predicted_force"]
 
 CONTACTS = ["contact_y", "contact_x"]
 
+#: Of the forces of single contacts.
+QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+
 
 class ScanForces(NamedTuple):
-    """Mean forces of one surface, over scans, scans of the sphere and contacts.
+    """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
-    Attributes
-    ----------
-    mean : numpy.ndarray
-        (rho,) in N, at the work of adhesion of the forces given.
-    left_out : numpy.ndarray
-        (part, rho) logarithms of the mean of all parts but one.
-    parts : list of Parts
-        (rho,) they correlate the more the longer the range.
-    """
-
-    mean: np.ndarray
-    left_out: np.ndarray
-    parts: list[Parts]
+    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the forces given.
+    left_out: np.ndarray  #: (part, rho) logarithms of the mean of all parts but one.
+    parts: list[Parts]  #: (rho,) they correlate the more the longer the range.
 
 
 def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanForces:
-    """Return the mean forces of one surface and contact model.
+    """Return the mean forces of one surface and contact model, and those without each part.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray (scan, sphere_scan, rho, contact_y, contact_x)
-        In N at any work of adhesion, NaN where a scan is missing.
-    size : float
-        Edge of a scan in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    ScanForces
-        Of scans where there are three, otherwise of their quarters.
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) in N are at any work of adhesion, NaN
+    where a scan is missing; `size` is the edge of a scan, `radius` that of the sphere, in nm. Parts
+    are scans where there are three, otherwise their quarters.
     """
     of_scans = forces.dropna("scan", how="all").mean("sphere_scan")
     of_scans = of_scans.transpose("scan", "rho", *CONTACTS)
@@ -76,44 +55,21 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanFor
     return ScanForces(mean, np.array(left_out), parts)
 
 
-#: Of the forces of single contacts.
-QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
-
-#: Dimensions of single contacts.
-CONTACTS_OF_PREDICTED_FORCE = ["scan", "sphere_scan", "contact_y", "contact_x"]
-
-
-@dataclass(frozen=True)
-class Prediction:
-    """What a force is predicted with.
-
-    Attributes
-    ----------
-    work : float
-        Of adhesion, in J/m².
-    rho : float
-        Range of adhesion in nm, one of those computed.
-    sizes : mapping of str to float
-        Edge of the scans of each surface in nm.
-    confidence : float
-        Of the intervals.
-    """
-
-    work: float
-    rho: float
-    sizes: Mapping[str, float]
-    confidence: float
-
-
-def predicted_force(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
+def predicted_force(
+    adhesion: xr.Dataset, *, work: float, rho: float, sizes: Mapping[str, float], confidence: float
+) -> xr.Dataset:
     """Return the pull-off force of every surface at one work of adhesion and all ranges.
 
     Parameters
     ----------
     adhesion : xarray.Dataset
         All pull-off forces at 1 J/m², as in adhesion.nc.
-    prediction : Prediction
-        Work, range, sizes of scans, confidence.
+    work, rho : float
+        Of adhesion in J/m², and the range of adhesion in nm, one of those computed.
+    sizes : mapping of str to float
+        Edge of the scans of each surface in nm.
+    confidence : float
+        Of the intervals.
 
     Returns
     -------
@@ -131,52 +87,56 @@ def predicted_force(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
         If the range was not computed.
     """
     ranges = adhesion.rho.values
-    if not np.isclose(ranges, prediction.rho, rtol=1e-9).any():
+    if not np.isclose(ranges, rho, rtol=1e-9).any():
         raise ValueError(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
-            f" nm), found {prediction.rho:g} nm"
+            f" nm), found {rho:g} nm"
         )
     surfaces = stack(
         {
-            (str(surface),): _of_surface(adhesion.sel(surface=surface), prediction)
+            (str(surface),): _of_surface(
+                adhesion.sel(surface=surface), sizes[str(surface)], work, rho, confidence
+            )
             for surface in adhesion.surface.values
         },
         ["surface"],
     )
     return surfaces.assign(label=adhesion.label, basis=adhesion.basis).assign_attrs(
-        work_of_adhesion=prediction.work,
-        range_of_adhesion=prediction.rho,
-        confidence=prediction.confidence,
+        work_of_adhesion=work,
+        range_of_adhesion=rho,
+        confidence=confidence,
         sphere_radius=adhesion.attrs["sphere_radius"],
     )
 
 
-def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
+def _of_surface(
+    adhesion: xr.Dataset, size: float, work: float, rho: float, confidence: float
+) -> xr.Dataset:
     """Return the variables of one surface."""
-    surface, radius = str(adhesion.surface.values), float(adhesion.attrs["sphere_radius"])
-    forces = adhesion.pull_off_force * prediction.work
+    radius = float(adhesion.attrs["sphere_radius"])
+    forces = adhesion.pull_off_force * work
     models = [
-        forces_of_scans(forces.sel(contact_model=model), prediction.sizes[surface], radius)
+        forces_of_scans(forces.sel(contact_model=model), size, radius)
         for model in forces.contact_model.values
     ]
     mean = np.array([scans.mean for scans in models])
     half = np.array(
         [
             [
-                half_width_of_logarithm(left_out, parts, prediction.confidence)
+                half_width_of_logarithm(left_out, parts, confidence)
                 for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
             ]
             for scans in models
         ]
     )
     interval = logarithmic_interval(mean, half)
-    quantiles = forces.quantile(QUANTILES, CONTACTS_OF_PREDICTED_FORCE).transpose(
+    quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACTS]).transpose(
         "contact_model", "rho", "quantile"
     )
-    parts = models[0].parts[int(np.abs(adhesion.rho.values - prediction.rho).argmin())]
+    parts = models[0].parts[int(np.abs(adhesion.rho.values - rho).argmin())]
     newton, dimensions = {"units": "N"}, ("contact_model", "rho")
     return xr.Dataset(
-        with_interval("force", dimensions, mean, interval, newton, prediction.confidence)
+        with_interval("force", dimensions, mean, interval, newton, confidence)
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, newton),
             "conditional": int(parts.conditional),
