@@ -26,6 +26,14 @@ from hardcontact.records.dataset import stack
 
 __all__ = ["PerSurface", "apply_classical_models", "effective_works", "pull_off_coefficients"]
 
+NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
+
+#: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.
+METRICS = {"afm": "afm", "all_scales": "all"}
+
+#: Tabor parameters from DMT to JKR for which the transition is tabulated.
+TABOR_AXIS = np.geomspace(0.01, 10, 121)
+
 
 class PerSurface(NamedTuple):
     """A number of each surface, with its interval."""
@@ -95,15 +103,6 @@ def pull_off_coefficients(tabor: xr.DataArray) -> xr.DataArray:
         ("transition", *tabor.dims),
         attrs={"units": "1"},
     )
-
-
-NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
-
-#: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.
-METRICS = {"afm": "afm", "all_scales": "all"}
-
-#: Tabor parameters from DMT to JKR for which the transition is tabulated.
-TABOR_AXIS = np.geomspace(0.01, 10, 121)
 
 
 class _Published(NamedTuple):

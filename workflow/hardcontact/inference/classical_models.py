@@ -43,6 +43,12 @@ TAIL = 9.0  # standard deviations of asperity heights at which the integral ends
 #: Tension of asperities over that of a single one at pull-off, for their compressions.
 Tension = Callable[[np.ndarray], Values]
 
+ASPERITIES = (
+    "Gaussian asperity heights of standard deviation rms height, asperity radius 1/rms curvature "
+    "(both assumed)"
+)
+UNVERIFIED = "unverified against the primary source"
+
 
 class Contact(NamedTuple):
     """Sphere and materials, the same for all models."""
@@ -251,12 +257,6 @@ def _maugis(work: Values, roughness: Roughness, contact: Contact) -> Values:
     radius = 1 / roughness.curvature
     return maugis_rough_dmt(work, contact.radius, roughness.height, radius, contact.modulus)
 
-
-ASPERITIES = (
-    "Gaussian asperity heights of standard deviation rms height, asperity radius 1/rms curvature "
-    "(both assumed)"
-)
-UNVERIFIED = "unverified against the primary source"
 
 MODELS = {
     "rumpf_height": Model(

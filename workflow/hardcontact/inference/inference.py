@@ -31,6 +31,28 @@ from hardcontact.records import log
 
 __all__ = ["PAIRS", "Pair", "Published", "infer", "infer_model", "undecided"]
 
+#: Of range and work of adhesion.
+PAIRS = ["published", "fitted"]
+
+#: Ranges of adhesion of the error map, from the least to the greatest one computed.
+FINE_RANGES = 801
+
+#: Local minima of the error that are kept.
+MINIMA = 3
+
+NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
+
+#: What is fitted to mean forces, with its units.
+UNITS = {
+    "range_of_adhesion": NM,
+    "work_of_adhesion": ENERGY,
+    "best_error": ONE,
+    "range_from_ratios": NM,
+}
+
+#: Of these the samples are kept, by a short name.
+SAMPLED = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
+
 
 def undecided(inferred: xr.Dataset, threshold: float) -> str:
     """Return what the scans leave open about the range of adhesion, in one sentence.
@@ -75,29 +97,6 @@ def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
         "by these scans"
     )
     return limits
-
-
-#: Of range and work of adhesion.
-PAIRS = ["published", "fitted"]
-
-#: Ranges of adhesion of the error map, from the least to the greatest one computed.
-FINE_RANGES = 801
-
-#: Local minima of the error that are kept.
-MINIMA = 3
-
-NM, ENERGY, ONE = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}
-
-#: What is fitted to mean forces, with its units.
-UNITS = {
-    "range_of_adhesion": NM,
-    "work_of_adhesion": ENERGY,
-    "best_error": ONE,
-    "range_from_ratios": NM,
-}
-
-#: Of these the samples are kept, by a short name.
-SAMPLED = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 
 class Pair(NamedTuple):

@@ -37,6 +37,9 @@ SHAPES = ("skewness", "kurtosis")
 #: How often a set is drawn in search of one with the heights asked for.
 TRIES = 1000
 
+#: Scans of one set, by substrate.
+Drawn = Mapping[str, xr.Dataset]
+
 
 def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
     """Draw a set of scans of one substrate from its pool, without replacement.
@@ -100,10 +103,6 @@ def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.Data
     sample = student_log_samples(rng, means.values, 1)[0]
     factor = xr.DataArray(sample, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
     return (forces * factor).transpose(*forces.dims)
-
-
-#: Scans of one set, by substrate.
-Drawn = Mapping[str, xr.Dataset]
 
 
 class Sources(NamedTuple):
