@@ -5,9 +5,12 @@ from hardcontact.adhesion.finite_scan import (
     with_finite_scan_notes,
     with_window_share,
 )
-from hardcontact.own_surfaces.continued_force import continued_force, with_continued_force
 from hardcontact.own_surfaces.master_forces import Masters
-from hardcontact.own_surfaces.predicted_force import predicted_force
+from hardcontact.own_surfaces.predicted_force import (
+    continued_force,
+    predicted_force,
+    with_continued_force,
+)
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 

@@ -33,6 +33,14 @@ __all__ = [
     "sampled_means",
 ]
 
+#: Logarithms of a sampled mean beyond this are as good as infinite.
+ENDLESS = 50.0
+
+#: Ranges of adhesion of the curves, from the least to the greatest one computed.
+FINE_RANGES = 401
+
+NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
+
 
 def fit_note(parts: Parts, tests: int) -> str:
     """Return what the interval of the work of adhesion of one surface comes from."""
@@ -87,10 +95,6 @@ def _gap_text(rho: np.ndarray, allowed: np.ndarray) -> str:
     return f", but none between {' nor between '.join(gaps)}" if gaps else ""
 
 
-#: Logarithms of a sampled mean beyond this are as good as infinite.
-ENDLESS = 50.0
-
-
 class MeasuredTests(NamedTuple):
     """Tests on one surface."""
 
@@ -129,12 +133,6 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     normal = rng.standard_normal(samples)
     deviation = (drawn - variance) / 2 - normal * np.sqrt(drawn / tests.number)
     return np.asarray(tests.mean * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
-
-
-#: Ranges of adhesion of the curves, from the least to the greatest one computed.
-FINE_RANGES = 401
-
-NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
 
 
 class _Curve(NamedTuple):
