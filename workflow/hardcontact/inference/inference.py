@@ -54,51 +54,6 @@ UNITS = {
 SAMPLED = {"range": "range_of_adhesion", "work": "work_of_adhesion", "error": "best_error"}
 
 
-def undecided(inferred: xr.Dataset, threshold: float) -> str:
-    """Return what the scans leave open about the range of adhesion, in one sentence.
-
-    `inferred` is that of one contact model; `threshold` is that of the mean relative error. Without
-    an interval nothing is said of it.
-    """
-    error = float(inferred.best_error)
-    limits = []
-    if error >= threshold:
-        limits.append(
-            f"no range and work of adhesion bring the mean relative error below "
-            f"{threshold:g} (least {error:.2f})"
-        )
-    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
-    if minima.sizes["minimum"] > 1:
-        both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
-        places = [f"{rho:.3g} nm ({least:.2f})" for rho, least in both]
-        limits.append(f"the error has several minima: {', '.join(places)}")
-    return "; ".join(limits + _limits_of_interval(inferred))
-
-
-def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
-    """Return what the interval of the range leaves open; nothing where there is no interval."""
-    low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
-    least, greatest = (float(inferred.rho[end]) for end in (0, -1))
-    if not np.isfinite(low):
-        return []
-    limits = []
-    if high >= 0.99 * greatest:
-        limits.append(
-            f"the interval reaches the largest range computed, {greatest:g} nm: "
-            "there is no upper bound"
-        )
-    if low <= 1.02 * least:
-        limits.append(
-            f"the interval reaches the smallest range computed, {least:g} nm: "
-            "there is no lower bound"
-        )
-    limits.append(
-        f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
-        "by these scans"
-    )
-    return limits
-
-
 class Pair(NamedTuple):
     """A range of adhesion in nm and a work of adhesion in J/m²."""
 
@@ -288,3 +243,48 @@ def _errors(
             ("error", least, ONE),
         )
     }
+
+
+def undecided(inferred: xr.Dataset, threshold: float) -> str:
+    """Return what the scans leave open about the range of adhesion, in one sentence.
+
+    `inferred` is that of one contact model; `threshold` is that of the mean relative error. Without
+    an interval nothing is said of it.
+    """
+    error = float(inferred.best_error)
+    limits = []
+    if error >= threshold:
+        limits.append(
+            f"no range and work of adhesion bring the mean relative error below "
+            f"{threshold:g} (least {error:.2f})"
+        )
+    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
+    if minima.sizes["minimum"] > 1:
+        both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
+        places = [f"{rho:.3g} nm ({least:.2f})" for rho, least in both]
+        limits.append(f"the error has several minima: {', '.join(places)}")
+    return "; ".join(limits + _limits_of_interval(inferred))
+
+
+def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
+    """Return what the interval of the range leaves open; nothing where there is no interval."""
+    low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
+    least, greatest = (float(inferred.rho[end]) for end in (0, -1))
+    if not np.isfinite(low):
+        return []
+    limits = []
+    if high >= 0.99 * greatest:
+        limits.append(
+            f"the interval reaches the largest range computed, {greatest:g} nm: "
+            "there is no upper bound"
+        )
+    if low <= 1.02 * least:
+        limits.append(
+            f"the interval reaches the smallest range computed, {least:g} nm: "
+            "there is no lower bound"
+        )
+    limits.append(
+        f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
+        "by these scans"
+    )
+    return limits
