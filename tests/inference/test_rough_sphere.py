@@ -8,14 +8,16 @@ from published_contact import MODULUS, RADIUS, SPACING, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from hardcontact.inference import rough_sphere, smooth_sphere
+from hardcontact.inference import classical_models, smooth_sphere
 
 
 def test_rumpf_limits():
     smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
-    force = rough_sphere.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
+    force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
-    asperity = rough_sphere.rumpf(WORK, RADIUS, 1e3, SPACING)  # large: the plane is out of reach
+    asperity = classical_models.rumpf(
+        WORK, RADIUS, 1e3, SPACING
+    )  # large: the plane is out of reach
     assert asperity == pytest.approx(
         smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3), rel=1e-3
     )
@@ -23,23 +25,25 @@ def test_rumpf_limits():
 
 def test_rabinovich_limits():
     smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
-    assert rough_sphere.rabinovich(WORK, RADIUS, 0.0, 500.0, SPACING) == pytest.approx(2 * smooth)
-    caps = 500.0**2 / (32 * rough_sphere.PEAK_OVER_RMS * 50.0)  # their radius
-    force = rough_sphere.rabinovich(WORK, RADIUS, 50.0, 500.0, SPACING)
-    assert force == pytest.approx(rough_sphere.rumpf(WORK, RADIUS, caps, 1e-6), rel=0.15)
-    far = rough_sphere.rabinovich(WORK, RADIUS, 50.0, 1e12, SPACING)
+    assert classical_models.rabinovich(WORK, RADIUS, 0.0, 500.0, SPACING) == pytest.approx(
+        2 * smooth
+    )
+    caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
+    force = classical_models.rabinovich(WORK, RADIUS, 50.0, 500.0, SPACING)
+    assert force == pytest.approx(classical_models.rumpf(WORK, RADIUS, caps, 1e-6), rel=0.15)
+    far = classical_models.rabinovich(WORK, RADIUS, 50.0, 1e12, SPACING)
     assert far == pytest.approx(smooth, rel=1e-4)
 
 
 def relative(model, index):
     """Relative pull-off force of Gaussian asperities with a given elastic adhesion index."""
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
-    assert rough_sphere.adhesion_index(WORK, height, 1.0, MODULUS) == pytest.approx(index)
+    assert classical_models.adhesion_index(WORK, height, 1.0, MODULUS) == pytest.approx(index)
     smooth = {
         "fuller_tabor": smooth_sphere.jkr_pull_off,
         "maugis_rough_dmt": smooth_sphere.dmt_pull_off,
     }
-    force = getattr(rough_sphere, model)(WORK, RADIUS, height, 1.0, MODULUS)
+    force = getattr(classical_models, model)(WORK, RADIUS, height, 1.0, MODULUS)
     return force / smooth[model](WORK, RADIUS)
 
 

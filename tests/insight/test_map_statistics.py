@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from periodic_maps import periodic_noise
 
-from hardcontact.insight.map_statistics import (
+from hardcontact.insight.scan_maps import (
     array_error,
     contacts_for_error,
     correlation,

@@ -5,15 +5,15 @@ import pytest
 import xarray as xr
 from known_masters import LARGE, SMALL, scales
 
-from hardcontact.own_surfaces.continued_force import (
-    continued_force,
-    with_continued_force,
-    with_continued_work,
-)
 from hardcontact.own_surfaces.master_forces import (
     Masters,
     forces_of_masters,
     half_width_over_masters,
+)
+from hardcontact.own_surfaces.predicted_force import (
+    continued_force,
+    with_continued_force,
+    with_continued_work,
 )
 
 MASTERS = Masters({"a": 1}, 2)

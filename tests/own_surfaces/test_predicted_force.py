@@ -6,10 +6,10 @@ from known_forces import FORCE_DIMS
 from refusals import assert_says, refusal
 
 from hardcontact.numbers.statistics import student_interval
-from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
+from hardcontact.own_surfaces.predicted_force import predicted_force
 
 RHOS = [1.0, 5.0, 20.0]
-PREDICTION = Prediction(0.05, 5.0, {"a": 2500.0, "b": 2500.0}, 0.9)
+PREDICTION = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
 
 
 def adhesion(scans, radius=5e3, spread=0.3):
@@ -33,7 +33,7 @@ def adhesion(scans, radius=5e3, spread=0.3):
 
 def test_force_is_the_mean_at_the_work_asked_for():
     given = adhesion([3, 1])
-    found = predicted_force(given, PREDICTION)
+    found = predicted_force(given, **PREDICTION)
     assert found.force.dims == ("surface", "contact_model", "rho")
     of_b = given.pull_off_force.sel(surface="b").isel(scan=0)
     expected = 0.05 * of_b.mean(["sphere_scan", "contact_y", "contact_x"])
@@ -48,7 +48,7 @@ def test_force_is_the_mean_at_the_work_asked_for():
 
 def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
     given = adhesion([3, 1], spread=0.02)
-    found = predicted_force(given, PREDICTION)
+    found = predicted_force(given, **PREDICTION)
     place = {"surface": "a", "contact_model": "rigid", "rho": 5.0}
     means = given.pull_off_force.sel(place).mean(["sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(
@@ -64,13 +64,12 @@ def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
 
 
 def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
-    found = predicted_force(adhesion([3, 1], radius=1e9), PREDICTION)
+    found = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
     assert found.force_interval.sel(surface="b").isnull().all()
     assert found.force_interval.sel(surface="a").notnull().all()
     assert str(found.interval_note.values[1]).startswith("no interval")
 
 
 def test_a_range_that_was_not_computed_is_refused():
-    prediction = Prediction(0.05, 5.6, PREDICTION.sizes, 0.9)
-    message = refusal(predicted_force, adhesion([1, 1]), prediction)
+    message = refusal(lambda: predicted_force(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")

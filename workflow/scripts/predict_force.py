@@ -5,9 +5,12 @@ from hardcontact.adhesion.finite_scan import (
     with_finite_scan_notes,
     with_window_share,
 )
-from hardcontact.own_surfaces.continued_force import continued_force, with_continued_force
 from hardcontact.own_surfaces.master_forces import Masters
-from hardcontact.own_surfaces.predicted_force import Prediction, predicted_force
+from hardcontact.own_surfaces.predicted_force import (
+    continued_force,
+    predicted_force,
+    with_continued_force,
+)
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 
@@ -16,7 +19,10 @@ with job(snakemake) as this:
     sizes = topography["scan_size"].to_series().to_dict()
     force = predicted_force(
         dataset.read(this.input.adhesion),
-        Prediction(given["work"], given["rho"], sizes, given["confidence"]),
+        work=given["work"],
+        rho=given["rho"],
+        sizes=sizes,
+        confidence=given["confidence"],
     )
     continued = continued_force(
         dataset.read(this.input.scales),

@@ -1,9 +1,6 @@
-"""Effective work of adhesion: that of the smooth sphere with the pull-off force of a rough one.
+"""Effective works of adhesion and classical models, for the published and the computed forces.
 
-Lengths in nm, forces in N, works of adhesion in J/m².
-
-Effective works of adhesion and classical models, for the published and the computed forces.
-
+The effective work of adhesion is that of the smooth sphere with the pull-off force of a rough one.
 Lengths in nm, forces in N, works of adhesion in J/m².
 """
 
@@ -29,20 +26,20 @@ from hardcontact.records.dataset import stack
 
 __all__ = ["PerSurface", "apply_classical_models", "effective_works", "pull_off_coefficients"]
 
+NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
+
+#: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.
+METRICS = {"afm": "afm", "all_scales": "all"}
+
+#: Tabor parameters from DMT to JKR for which the transition is tabulated.
+TABOR_AXIS = np.geomspace(0.01, 10, 121)
+
 
 class PerSurface(NamedTuple):
-    """A number of each surface, with its interval.
+    """A number of each surface, with its interval."""
 
-    Attributes
-    ----------
-    value : array (surface,)
-        The number.
-    interval : array (surface, 2)
-        Low and high end.
-    """
-
-    value: np.ndarray
-    interval: np.ndarray
+    value: np.ndarray  #: (surface,)
+    interval: np.ndarray  #: (surface, 2), low and high end.
 
 
 def effective_works(
@@ -51,25 +48,10 @@ def effective_works(
     """Return the effective work of adhesion with three Tabor parameters.
 
     These are the printed parameter, that of the published work of adhesion, and the self-consistent
-    one, that of the effective work itself. The work is computed with the fit of the transition
-    between JKR and DMT; `pull_off_coefficient`, F/πRW, is given by the fit and by the exact pair of
-    equations.
-
-    Parameters
-    ----------
-    force : PerSurface
-        Pull-off forces in N.
-    contact : Contact
-        Sphere and moduli.
-    value : mapping of str to float
-        Published `tabor_parameter` and `work_of_adhesion` in J/m².
-    confidence : float
-        Of the interval of the forces.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over transition, tabor and surface.
+    one, that of the effective work itself; `value` has the published `tabor_parameter` and
+    `work_of_adhesion`. The work is computed with the fit of the transition between JKR and DMT;
+    `pull_off_coefficient`, F/πRW, is given by the fit and by the exact pair of equations. Over
+    transition, tabor and surface.
     """
     tabor, coefficient = ("tabor", "surface"), smooth_sphere.transition_coefficient
     own, ends = (_tabor_parameters(forces, contact, value) for forces in force)
@@ -106,17 +88,9 @@ def _tabor_parameters(
 
 
 def pull_off_coefficients(tabor: xr.DataArray) -> xr.DataArray:
-    """Return the pull-off force over πRW by the fit and by the exact pair of equations.
+    """Return the pull-off force over πRW (transition, ...) of Tabor parameters (...).
 
-    Parameters
-    ----------
-    tabor : xarray.DataArray (...)
-        Tabor parameters.
-
-    Returns
-    -------
-    xarray.DataArray (transition, ...)
-        Dimensionless.
+    The transition between JKR and DMT is that of the fit and of the exact pair of equations.
     """
     maugis = smooth_sphere.maugis_parameter(tabor.values)
     both = {
@@ -129,15 +103,6 @@ def pull_off_coefficients(tabor: xr.DataArray) -> xr.DataArray:
         ("transition", *tabor.dims),
         attrs={"units": "1"},
     )
-
-
-NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
-
-#: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.
-METRICS = {"afm": "afm", "all_scales": "all"}
-
-#: Tabor parameters from DMT to JKR for which the transition is tabulated.
-TABOR_AXIS = np.geomspace(0.01, 10, 121)
 
 
 class _Published(NamedTuple):

@@ -11,8 +11,13 @@ import xarray as xr
 from scipy.stats import rankdata, truncnorm
 
 from hardcontact.inference import error_map
-from hardcontact.inference.classical_models import MODELS, Contact, Model, Roughness
-from hardcontact.inference.rough_sphere import adhesion_index
+from hardcontact.inference.classical_models import (
+    MODELS,
+    Contact,
+    Model,
+    Roughness,
+    adhesion_index,
+)
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import stack
 
@@ -37,66 +42,34 @@ PERCEPTIBLE = 1e-3
 
 
 class RoughnessSamples(NamedTuple):
-    """Roughness and random samples of it within its uncertainty.
+    """Roughness and random samples of it within its uncertainty."""
 
-    Attributes
-    ----------
-    mean : Roughness
-        Of arrays (surface,).
-    drawn : Roughness
-        Of arrays (draws, surface).
-    sampling : Sampling
-        How the samples were drawn, and of what confidence intervals over them are.
-    """
-
-    mean: Roughness
-    drawn: Roughness
-    sampling: Sampling
+    mean: Roughness  #: Of arrays (surface,).
+    drawn: Roughness  #: Of arrays (draws, surface).
+    sampling: Sampling  #: How they were drawn; its confidence is that of intervals over them.
 
 
 class PowerLaw(NamedTuple):
     """How well a power of one roughness parameter gives the effective work of adhesion.
 
-    Attributes
-    ----------
-    rank_correlation : array (...)
-        Spearman's; of four points it is 1 or -1 by chance in one case of twelve.
-    power_law_exponent : array (...)
-        Of the least-squares line through the logarithms.
-    power_law_error : array (...)
-        Mean relative error at the surfaces fitted to.
-    prediction_error : array (...)
-        Mean relative error at each surface when the fit leaves it out: two parameters nearly always
-        fit four points.
+    All are arrays (...); errors are means over surfaces of relative errors.
     """
 
+    #: Spearman's; of four points it is 1 or -1 by chance in one case of twelve.
     rank_correlation: np.ndarray
-    power_law_exponent: np.ndarray
-    power_law_error: np.ndarray
+    power_law_exponent: np.ndarray  #: Of the least-squares line through the logarithms.
+    power_law_error: np.ndarray  #: At the surfaces fitted to.
+    #: At each surface when the fit leaves it out: two parameters nearly always fit four points.
     prediction_error: np.ndarray
 
 
 def sample_roughness(
     rng: np.random.Generator, mean: Roughness, uncertainty: Roughness, draws: int
 ) -> Roughness:
-    """Draw roughness within its uncertainty.
+    """Draw roughness (draws, surface) within its uncertainty, about its mean (surface,).
 
     Every number is drawn by itself from a normal distribution of this mean and standard deviation,
     cut off at zero; the published ± is read as the standard deviation.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of the random numbers.
-    mean, uncertainty : Roughness
-        Of arrays (surface,).
-    draws : int
-        How many to draw.
-
-    Returns
-    -------
-    Roughness
-        Of arrays (draws, surface).
     """
     return Roughness(
         *(
@@ -118,26 +91,10 @@ def fit_work(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return the work of adhesion of the least mean relative error to all forces, and this error.
 
-    Forces that are not proportional to the work are searched up to 10 J/m²; where all of them
-    vanish up to there, the error is 1 and the work NaN, because no work fits better than another.
-
-    Parameters
-    ----------
-    model : Model
-        One of `MODELS`.
-    roughness : Roughness
-        Of arrays (..., surface).
-    contact : Contact
-        Sphere and moduli.
-    target : array (surface,)
-        Forces in N to be met.
-
-    Returns
-    -------
-    work : array (...)
-        J/m².
-    error : array (...)
-        Mean over surfaces of |F/target - 1|.
+    Both (...) are of roughness (..., surface) and forces (surface,) in N to be met; the error is
+    the mean over surfaces of |F/target - 1|. Forces that are not proportional to the work are
+    searched up to 10 J/m²; where all of them vanish up to there, the error is 1 and the work NaN,
+    because no work fits better than another.
     """
     if model.proportional:
         forces = model.force(1.0, roughness, contact)
@@ -165,20 +122,7 @@ def _best_work(
 
 
 def fit_power_law(parameter: np.ndarray, work: np.ndarray) -> PowerLaw:
-    """Fit a power of one roughness parameter to effective works of adhesion.
-
-    Parameters
-    ----------
-    parameter : array (..., surface)
-        Rms height, slope or curvature.
-    work : array (surface,)
-        Effective works of adhesion in J/m².
-
-    Returns
-    -------
-    PowerLaw
-        Of arrays (...).
-    """
+    """Fit a power of a roughness parameter (..., surface) to effective works (surface,)."""
     x, y = (rankdata(values, axis=-1) - (len(work) + 1) / 2 for values in (parameter, work))
     correlation = (x * y).sum(axis=-1) / np.sqrt((x**2).sum(axis=-1) * (y**2).sum())
     exponent, fitted = _line(np.log(parameter), np.log(work), np.log(parameter))
@@ -206,21 +150,8 @@ def compare_models(
 ) -> xr.Dataset:
     """Return the forces of every model, and the work of adhesion of its best fit to given forces.
 
-    Parameters
-    ----------
-    samples : RoughnessSamples
-        Roughness of the surfaces.
-    contact : Contact
-        Sphere and moduli.
-    work : float
-        Work of adhesion in J/m² of `pull_off_force`.
-    targets : mapping of str to array (surface,)
-        Forces in N, published or computed.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over model, against and surface.
+    `pull_off_force` is at the work given; the targets (surface,) in N are published or computed.
+    Over model, against and surface.
     """
     both, sampling = (samples.mean, samples.drawn), samples.sampling
     index, indices = (
@@ -257,17 +188,8 @@ def _fit(
 def power_laws(samples: RoughnessSamples, works: Mapping[str, np.ndarray]) -> xr.Dataset:
     """Return how well a power of one roughness parameter gives the effective work of adhesion.
 
-    Parameters
-    ----------
-    samples : RoughnessSamples
-        Roughness of the surfaces.
-    works : mapping of str to array (surface,)
-        Effective works of adhesion in J/m² by the forces that they follow from.
-
-    Returns
-    -------
-    xarray.Dataset
-        The fields of `PowerLaw` over rms_parameter and against.
+    `works` (surface,) are by the forces that they follow from; the fields of `PowerLaw` are over
+    rms_parameter and against.
     """
     parts = {}
     for parameter, *both in zip(Roughness._fields, samples.mean, samples.drawn, strict=True):

@@ -23,21 +23,9 @@ WORK = np.geomspace(1e-3, 10.0, 501)
 def mean_relative_error(
     mean_forces: np.ndarray, published: np.ndarray, work: np.ndarray
 ) -> np.ndarray:
-    """Return the mean over surfaces of |W f/F - 1|.
+    """Return the mean over surfaces of |W f/F - 1|: (..., rho, k).
 
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at 1 J/m².
-    published : ndarray (surface,)
-        In N.
-    work : ndarray (k,)
-        In J/m².
-
-    Returns
-    -------
-    ndarray (..., rho, k)
-        The error.
+    Forces f (..., surface, rho) in N are at 1 J/m², F (surface,) is measured, W (k,) is in J/m².
     """
     relative = mean_forces / published[:, None]
     error: np.ndarray = np.abs(relative[..., None] * work - 1).mean(axis=-3)
@@ -122,23 +110,8 @@ def fit_ratios(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Find the range of the least mean relative error of the ratios to a reference surface.
 
-    The work of adhesion cancels.
-
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at any work of adhesion.
-    published : ndarray (surface,)
-        In N.
-    reference : int
-        Index of the surface.
-
-    Returns
-    -------
-    rho : ndarray (...)
-        Index into rho.
-    errors : ndarray (..., rho)
-        At every range.
+    The work of adhesion cancels. Of forces (..., surface, rho) and measured ones (surface,) in N
+    follow the index (...) into rho, and the errors (..., rho).
     """
     ratios = mean_forces / mean_forces[..., [reference], :]
     expected = (published / published[reference])[:, None]

@@ -1,6 +1,4 @@
-"""What the scans leave open about the range of adhesion, in words.
-
-Range and work of adhesion, inferred from the published mean pull-off forces.
+"""Range and work of adhesion, inferred from the published mean pull-off forces.
 
 All forces are computed for a work of adhesion of 1 J/m², to which they are proportional. What
 depends on both stands at two pairs of them, the published one and the fitted one.
@@ -33,61 +31,6 @@ from hardcontact.records import log
 
 __all__ = ["PAIRS", "Pair", "Published", "infer", "infer_model", "undecided"]
 
-
-def undecided(inferred: xr.Dataset, threshold: float) -> str:
-    """Return the limits of what the scans say about the range of adhesion, in one sentence.
-
-    Parameters
-    ----------
-    inferred : xarray.Dataset
-        Of one contact model: best_error, the minima, range_of_adhesion with its interval, rho.
-    threshold : float
-        Of the mean relative error.
-
-    Returns
-    -------
-    str
-        Without what the interval says if there is none.
-    """
-    error = float(inferred.best_error)
-    limits = []
-    if error >= threshold:
-        limits.append(
-            f"no range and work of adhesion bring the mean relative error below "
-            f"{threshold:g} (least {error:.2f})"
-        )
-    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
-    if minima.sizes["minimum"] > 1:
-        both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
-        places = [f"{rho:.3g} nm ({least:.2f})" for rho, least in both]
-        limits.append(f"the error has several minima: {', '.join(places)}")
-    return "; ".join(limits + _limits_of_interval(inferred))
-
-
-def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
-    """Return what the interval of the range leaves open; nothing where there is no interval."""
-    low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
-    least, greatest = (float(inferred.rho[end]) for end in (0, -1))
-    if not np.isfinite(low):
-        return []
-    limits = []
-    if high >= 0.99 * greatest:
-        limits.append(
-            f"the interval reaches the largest range computed, {greatest:g} nm: "
-            "there is no upper bound"
-        )
-    if low <= 1.02 * least:
-        limits.append(
-            f"the interval reaches the smallest range computed, {least:g} nm: "
-            "there is no lower bound"
-        )
-    limits.append(
-        f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
-        "by these scans"
-    )
-    return limits
-
-
 #: Of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 
@@ -119,18 +62,10 @@ class Pair(NamedTuple):
 
 
 class Published(NamedTuple):
-    """What the paper measured, and what it inferred from that.
+    """What the paper measured, and what it inferred from that."""
 
-    Attributes
-    ----------
-    forces : pandas.DataFrame
-        As from `published.pull_off`.
-    pair : Pair
-        Its range and work of adhesion.
-    """
-
-    forces: pd.DataFrame
-    pair: Pair
+    forces: pd.DataFrame  #: As from `published.pull_off`.
+    pair: Pair  #: Its range and work of adhesion.
 
 
 def infer(
@@ -234,24 +169,12 @@ def infer_model(
 ) -> xr.Dataset:
     """Infer range and work of adhesion of one contact model, with error map and force curves.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x)
-        In N at 1 J/m², NaN where a scan is missing.
-    published : ndarray (surface,)
-        Mean forces in N, NaN where there is none: such surfaces do not enter the fit.
-    reference : int
-        Index of the surface that ratios are taken to.
-    threshold : float
-        Of the mean relative error.
-    sampling : Sampling
-        Of the mean forces.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, rho, rho_fine, work, minimum and sample. `minimum` counts the local minima
-        along the range of the error at its best work, the least first; NaN where there is none.
+    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN where a
+    scan is missing; surfaces without a published mean force (surface,) do not enter the fit;
+    `reference` is the index of the surface that ratios are taken to, `threshold` that of the mean
+    relative error. The dataset is over surface, rho, rho_fine, work, minimum and sample. `minimum`
+    counts the local minima along the range of the error at its best work, the least first; NaN
+    where there is none.
     """
     rhos = forces.rho.values
     fine = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
@@ -320,3 +243,48 @@ def _errors(
             ("error", least, ONE),
         )
     }
+
+
+def undecided(inferred: xr.Dataset, threshold: float) -> str:
+    """Return what the scans leave open about the range of adhesion, in one sentence.
+
+    `inferred` is that of one contact model; `threshold` is that of the mean relative error. Without
+    an interval nothing is said of it.
+    """
+    error = float(inferred.best_error)
+    limits = []
+    if error >= threshold:
+        limits.append(
+            f"no range and work of adhesion bring the mean relative error below "
+            f"{threshold:g} (least {error:.2f})"
+        )
+    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
+    if minima.sizes["minimum"] > 1:
+        both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
+        places = [f"{rho:.3g} nm ({least:.2f})" for rho, least in both]
+        limits.append(f"the error has several minima: {', '.join(places)}")
+    return "; ".join(limits + _limits_of_interval(inferred))
+
+
+def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
+    """Return what the interval of the range leaves open; nothing where there is no interval."""
+    low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
+    least, greatest = (float(inferred.rho[end]) for end in (0, -1))
+    if not np.isfinite(low):
+        return []
+    limits = []
+    if high >= 0.99 * greatest:
+        limits.append(
+            f"the interval reaches the largest range computed, {greatest:g} nm: "
+            "there is no upper bound"
+        )
+    if low <= 1.02 * least:
+        limits.append(
+            f"the interval reaches the smallest range computed, {least:g} nm: "
+            "there is no lower bound"
+        )
+    limits.append(
+        f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
+        "by these scans"
+    )
+    return limits

@@ -29,21 +29,9 @@ Values = Any
 
 
 def jkr_pull_off(work: Values, radius: Values) -> Values:
-    """Return the pull-off force of a compliant sphere, 1.5πWR.
+    """Return the pull-off force 1.5πWR of a compliant sphere.
 
     Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301.
-
-    Parameters
-    ----------
-    work : float or array
-        Work of adhesion W in J/m².
-    radius : float or array
-        Radius R of the sphere in nm.
-
-    Returns
-    -------
-    float or array
-        N.
     """
     return 1.5 * np.pi * work * radius * NANOMETRE
 
@@ -71,23 +59,8 @@ def dmt_pull_off(work: Values, radius: Values) -> Values:
 def tabor_parameter(work: Values, radius: float, modulus: float, spacing: float) -> Values:
     """Return the Tabor parameter (RW²/E*²z0³)^⅓: small for DMT, large for JKR.
 
-    Tabor, J. Colloid Interface Sci. 58 (1977) 2.
-
-    Parameters
-    ----------
-    work : float or array
-        Work of adhesion W in J/m².
-    radius : float
-        Radius R of the sphere in nm.
-    modulus : float
-        Effective modulus E* in Pa.
-    spacing : float
-        Equilibrium spacing z0 in nm.
-
-    Returns
-    -------
-    float or array
-        Dimensionless.
+    E* is the effective modulus, z0 the equilibrium spacing. Tabor, J. Colloid Interface Sci. 58
+    (1977) 2.
     """
     return np.cbrt(radius * NANOMETRE * work**2 / (modulus**2 * (spacing * NANOMETRE) ** 3))
 
@@ -117,22 +90,8 @@ def maugis_dugdale_coefficient(maugis: Values) -> Values:
     """Return the pull-off force over πWR for Maugis parameters, exact for a Dugdale law.
 
     The pair of equations of Maugis, J. Colloid Interface Sci. 150 (1992) 243, section 6, checked
-    against the implementation in the package Adhesion 0.93, solved numerically.
-
-    Parameters
-    ----------
-    maugis : float or array
-        Maugis parameter λ.
-
-    Returns
-    -------
-    array
-        Of the same shape, dimensionless.
-
-    Raises
-    ------
-    ValueError
-        For a Maugis parameter that is not positive.
+    against the implementation in the package Adhesion 0.93, solved numerically. ValueError for a
+    Maugis parameter that is not positive.
     """
     _require_positive("Maugis parameter", maugis)
     return np.vectorize(_maugis_dugdale, otypes=[float])(maugis)
@@ -168,21 +127,9 @@ def _maugis_dugdale_force(s: float, maugis: float) -> Values:
 
 
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:
-    """Return the work of adhesion F/(coefficient πR) of the smooth sphere with this pull-off force.
+    """Return the work F/(coefficient πR) of the smooth sphere with the pull-off force F.
 
-    Parameters
-    ----------
-    force : float or array
-        Pull-off force F in N.
-    radius : float or array
-        Radius R of the sphere in nm.
-    coefficient : float or array
-        Pull-off force over πWR, 3/2 to 2.
-
-    Returns
-    -------
-    float or array
-        J/m².
+    The coefficient is the pull-off force over πWR, 3/2 to 2.
     """
     return force / (coefficient * np.pi * radius * NANOMETRE)
 
@@ -196,28 +143,8 @@ def self_consistent_work_of_adhesion(
 ) -> Values:
     """Return the effective work of adhesion whose own Tabor parameter gives its coefficient.
 
-    Parameters
-    ----------
-    force : float or array
-        Pull-off force in N, NaN where there is none.
-    radius : float
-        Radius of the sphere in nm.
-    modulus : float
-        Effective modulus E* in Pa.
-    spacing : float
-        Equilibrium spacing in nm.
-    coefficient : callable
-        Pull-off force over πWR as a function of the Maugis parameter.
-
-    Returns
-    -------
-    array
-        J/m², of the shape of `force`; NaN where the force is NaN.
-
-    Raises
-    ------
-    ValueError
-        For a force that is not positive.
+    `coefficient` is F/πRW as a function of the Maugis parameter. NaN where the force is NaN;
+    ValueError for a force that is not positive.
     """
     _require_positive("pull-off force", force)
 

@@ -85,53 +85,26 @@ CUTOFFS = 60
 
 @dataclass(frozen=True)
 class Contact:
-    """A sphere, the attraction, the area in contact.
+    """A sphere, the attraction, the area in contact."""
 
-    Attributes
-    ----------
-    radius : float
-        R in nm.
-    rho : float
-        Range of adhesion in nm.
-    work : float
-        Of adhesion, W in J/m².
-    area : float
-        Load over hardness, in nm²; 0 of rigid bodies.
-    """
-
-    radius: float
-    rho: float
-    work: float
-    area: float
+    radius: float  #: R in nm.
+    rho: float  #: Range of adhesion in nm.
+    work: float  #: Of adhesion, W in J/m².
+    area: float  #: Load over hardness, in nm²; 0 of rigid bodies.
 
 
 @dataclass(frozen=True)
 class ClosedForm:
-    """The mean pull-off force and what decides it.
+    """The mean pull-off force and what decides it."""
 
-    Attributes
-    ----------
-    force : float
-        In N.
-    relative : float
-        Force over 2 pi R W.
-    first_term : float
-        Share of 2 pi R W of the first term alone, the mean over all points.
-    rms_height, closest_approach : float
-        sigma and the mean of m, in nm.
-    freezing : float
-        (sigma/rho)/(m/sigma): beyond one single peaks decide; infinite where m is not above zero.
-    regime : str
-        SMOOTH, MANY_POINTS or SINGLE_PEAKS.
-    """
-
-    force: float
-    relative: float
-    first_term: float
-    rms_height: float
-    closest_approach: float
+    force: float  #: In N.
+    relative: float  #: Force over 2 pi R W.
+    first_term: float  #: Share of 2 pi R W of the first term alone, the mean over all points.
+    rms_height: float  #: sigma in nm.
+    closest_approach: float  #: The mean of m in nm.
+    #: (sigma/rho)/(m/sigma): beyond one single peaks decide; infinite where m is not above zero.
     freezing: float
-    regime: str
+    regime: str  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
 
 
 def contact_area(load: Load) -> float:
@@ -157,15 +130,7 @@ def at_transition(over_range: ArrayLike, level: ArrayLike) -> NDArray[np.bool_]:
 def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -> Floats:
     """Return exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho): the first term of F/(2 pi R W).
 
-    Parameters
-    ----------
-    rms_height, approach, rho : array_like
-        sigma, m and rho in nm; they broadcast.
-
-    Returns
-    -------
-    numpy.ndarray
-        Of their common shape.
+    sigma, m and rho are in nm; they broadcast.
     """
     sigma, m, rho = np.asarray(rms_height), np.asarray(approach), np.asarray(rho)
     log_phi = special.log_ndtr(m / sigma - sigma / rho)

@@ -31,41 +31,22 @@ SOURCES = ["spectrum", "contacts"]
 
 @dataclass(frozen=True)
 class Trial:
-    """Surfaces that the closed form is tried on, and what touches them.
+    """Surfaces that the closed form is tried on, and what touches them."""
 
-    Attributes
-    ----------
-    pixels, realizations : int
-        Of each periodic surface along an edge, and surfaces of each size.
-    sizes, ranges : tuple of float
-        Edges of the surfaces, and ranges of adhesion, in nm.
-    cutoffs : mapping of str to sequence of float
-        Wavelengths (nm) below which ("small") and above which ("large") roughness is removed.
-    array : ContactArray
-        Window and contacts on each.
-    load : Load
-        Preload and hardness.
-    radius, work, rho : float
-        Sphere in nm, W in J/m², and the range (nm) of the edges.
-    tolerance, confidence : float
-        Change of the force that counts for an edge; of intervals.
-    seed : int
-        Of the surfaces.
-    """
-
-    pixels: int
-    realizations: int
-    sizes: tuple[float, ...]
-    ranges: tuple[float, ...]
+    pixels: int  #: Of each periodic surface along an edge.
+    realizations: int  #: Surfaces of each size.
+    sizes: tuple[float, ...]  #: Edges of the surfaces in nm.
+    ranges: tuple[float, ...]  #: Of adhesion in nm.
+    #: Wavelengths (nm) below which ("small") and above which ("large") roughness is removed.
     cutoffs: Mapping[str, Sequence[float]]
-    array: ContactArray
-    load: Load
-    radius: float
-    work: float
-    rho: float
-    tolerance: float
-    confidence: float
-    seed: int
+    array: ContactArray  #: Window and contacts on each.
+    load: Load  #: Preload and hardness.
+    radius: float  #: Of the sphere in nm.
+    work: float  #: W in J/m².
+    rho: float  #: The range (nm) of the edges.
+    tolerance: float  #: Change of the force that counts for an edge.
+    confidence: float  #: Of intervals.
+    seed: int  #: Of the surfaces.
 
 
 def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
@@ -151,7 +132,7 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
     formulas = [[closed_form(waves, one, given[source]) for one in contacts] for source in SOURCES]
     return xr.Dataset(
         {"force": (("realization", "rho"), np.array(forces), {"units": "N"})}
-        | _predicted(formulas, trial)
+        | _predicted(formulas)
         | {
             "computed_approach": ((), np.mean(approaches), {"units": "nm"}),
             "predicted_approach": ((), formulas[0][0].closest_approach, {"units": "nm"}),
@@ -159,7 +140,7 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
     )
 
 
-def _predicted(formulas: list[list[ClosedForm]], trial: Trial) -> dict[str, xr.Variable]:
+def _predicted(formulas: list[list[ClosedForm]]) -> dict[str, xr.Variable]:
     """Return the variables over source and rho of formulas [source][rho]."""
     smooth = formulas[0][0].force / formulas[0][0].relative
     values = {

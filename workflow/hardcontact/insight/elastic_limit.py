@@ -1,12 +1,10 @@
-"""Which contacts yield: elastic contact area and plasticity index from the slope of the gap.
+"""Which contacts yield, and the force of those that do not, from the slope of the gap.
 
 Where bodies touch over an area A on which their gap has the rms slope h', the mean pressure of
 elastic contact is E* h'/k. Of a smooth sphere k = 1.67, exactly: h' is a/(sqrt(2) R) on a disc of
 radius a (Hertz). Of a rough flat k is 1.6 (Persson, J. Chem. Phys. 115 (2001) 3840) to 2.5 (Bush,
 Gibson and Thomas, Wear 35 (1975) 87). The first is taken here. The elastic area is that of the
 lowest gaps, as the bearing area is, on which E* h' A/k reaches the preload; h' depends on A.
-
-Where the bearing area is wrong: contacts that do not yield, and the force they would have.
 
 The bearing area F/H takes every contact as plastic. Where the plasticity index of a contact is
 below one, elastic contact carries the preload on a larger area at less than the hardness. Its force
@@ -55,25 +53,20 @@ GROWTH = 4
 
 NEIGHBOURS = np.array([(0, 1), (0, -1), (1, 0), (-1, 0)])
 
+#: Contact of the forces: all yield; the larger of both areas is flattened; what does not yield
+#: recovers; all recover.
+VARIANTS = ["bearing_area", "larger_area", "recovered", "rigid"]
+
 
 class ElasticEstimate(NamedTuple):
-    """Elastic contact beside the bearing area of one contact.
+    """Elastic contact beside the bearing area of one contact."""
 
-    Attributes
-    ----------
-    plasticity_index : float
-        Mean pressure of elastic contact on the bearing area F/H, over the hardness H. From 1 on
-        the bodies yield and the bearing area holds; below, elastic contact carries the preload on
-        a larger area with a smaller pressure.
-    contact : LowestGaps
-        The pixels of the larger of both areas.
-    elastic_pixels : int
-        Of elastic contact, at most as many as the window has.
-    """
-
+    #: Mean pressure of elastic contact on the bearing area F/H, over the hardness H. From 1 on the
+    #: bodies yield and the bearing area holds; below, elastic contact carries the preload on a
+    #: larger area with a smaller pressure.
     plasticity_index: float
-    contact: LowestGaps
-    elastic_pixels: int
+    contact: LowestGaps  #: The pixels of the larger of both areas.
+    elastic_pixels: int  #: Of elastic contact, at most as many as the window has.
 
 
 def squared_slopes(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
@@ -90,21 +83,9 @@ def squared_slopes(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[
 def elastic_estimates(
     bodies: Bodies, load: Load, modulus: float
 ) -> dict[tuple[int, int], ElasticEstimate]:
-    """Return elastic contact beside the bearing area at every contact of an array.
+    """Return elastic contact beside the bearing area at every place (i, j) of an array of contacts.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        With a smooth or a rough sphere.
-    load : Load
-        Preload and hardness.
-    modulus : float
-        Effective modulus E* in Pa.
-
-    Returns
-    -------
-    dict
-        Place (i, j) in the array -> `ElasticEstimate`.
+    `modulus` is the effective modulus E* in Pa.
     """
     geometry = bodies.geometry
     bearing = contact_pixel_count(load, geometry.pixel_size)
@@ -130,11 +111,6 @@ def elastic_estimates(
             elastic,
         )
     return estimates
-
-
-#: Contact of the forces: all yield; the larger of both areas is flattened; what does not yield
-#: recovers; all recover.
-VARIANTS = ["bearing_area", "larger_area", "recovered", "rigid"]
 
 
 def elastic_limit_of_pair(

@@ -51,21 +51,13 @@ POTENTIAL = 1.0
 
 @dataclass(frozen=True)
 class Law:
-    """A form of the attraction.
+    """A form of the attraction."""
 
-    Attributes
-    ----------
-    name, label : str
-        In data, and in figures.
-    exponent : float
-        m, of the energy; infinite for the exponential law, the limit at equal range.
-    known : float
-        Largest W g0^m in J m^(m - 2) that the mechanism is known to give; NaN where there is none.
-    """
-
-    name: str
-    label: str
+    name: str  #: In data.
+    label: str  #: In figures.
+    #: m, of the energy; infinite for the exponential law, the limit at equal range.
     exponent: float
+    #: Largest W g0^m in J m^(m - 2) that the mechanism is known to give; NaN where there is none.
     known: float
 
     @property
@@ -102,21 +94,10 @@ def pressure(law: Law, gap: ArrayLike, rho: ArrayLike) -> Floats:
 
 
 def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
-    """Return the shares of W that exponential laws of given ranges have in a power law.
+    """Return the shares (..., k) of W that exponential laws of given ranges have in a power law.
 
-    Parameters
-    ----------
-    law : Law
-        Any but the exponential one.
-    rho : array_like (...)
-        Ranges of the law in nm.
-    ranges : array_like (k,)
-        Of the exponential laws in nm, evenly spaced in their logarithm, in either order.
-
-    Returns
-    -------
-    numpy.ndarray
-        (..., k)
+    `rho` (...) are ranges of the law, `ranges` (k,) those of the exponential laws, evenly spaced in
+    their logarithm, in either order, all in nm.
     """
     ranges = np.asarray(ranges, float)
     step = abs(np.log(ranges[1] / ranges[0]))
@@ -127,19 +108,7 @@ def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
 def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
     """Return W g0^m over the largest that the mechanism is known to give; NaN where none is.
 
-    Parameters
-    ----------
-    law : Law
-        Any of the laws.
-    rho : array_like
-        Range in nm.
-    work : array_like
-        Work of adhesion in J/m².
-
-    Returns
-    -------
-    numpy.ndarray
-        Dimensionless; above one the attraction is stronger than the mechanism allows.
+    `rho` is in nm, `work` in J/m²; above one the attraction is stronger than the mechanism allows.
     """
     if law.exponential:
         return np.full(np.broadcast(rho, work).shape, np.nan)

@@ -1,6 +1,4 @@
-"""The critical band of every law of attraction, from forces of filtered masters by range.
-
-What the law of attraction decides: work of adhesion, ratios of forces, the critical band.
+"""What the law of attraction decides: work of adhesion, ratios of forces, the critical band.
 
 Every law has one length, its range rho = W/|p(0)|, and is compared in three cases: with the length
 and work that come nearest to the forces of Eq. 1 at the published pair, with those that come
@@ -42,6 +40,20 @@ __all__ = [
     "edge_factors",
     "stacked_law_forces",
 ]
+
+#: Lengths and works of adhesion at which laws are compared.
+CASES = ["equivalent", "fitted", "atomic"]
+
+#: Ranges (nm) of a law that are tried: from and to, and the step of their logarithm.
+LENGTHS, LENGTH_STEP = (0.1, 40.0), 0.03
+
+#: Gaps (nm) at which the mixtures on the grid of ranges are checked.
+GAPS = np.append(0.0, np.geomspace(0.01, 300.0, 200))
+
+NM, ENERGY, ONE, NEWTON = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}, {"units": "N"}
+
+#: What is fitted to forces, with its units.
+UNITS = {"range_of_law": NM, "work_of_adhesion": ENERGY, "fit_error": ONE}
 
 
 def stacked_law_forces(
@@ -88,25 +100,10 @@ def _scales(law: Law, length: float, masters: xr.Dataset) -> xr.Dataset:
 def bands_of_law(
     law: Law, lengths: pd.Series, masters: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> xr.Dataset:
-    """Return ratio curves and critical wavelengths of one law at several lengths.
+    """Return ratio curves and critical wavelengths of one law, with intervals, by case.
 
-    Parameters
-    ----------
-    law : Law
-        Any of the laws.
-    lengths : pandas.Series
-        Its ranges in nm, by case.
-    masters : xarray.Dataset
-        As from `stacked_law_forces`.
-    tolerance : float
-        Relative change of the force that ends the band.
-    sampling : Sampling
-        Of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        `scale_ratio` and `critical_wavelength` of `critical_band` with intervals, over case.
+    `lengths` are its ranges in nm by case; `masters` are as from `stacked_law_forces`. The
+    variables are `scale_ratio` and `critical_wavelength` of `critical_band`.
     """
     bands = [
         critical_band(_scales(law, length, masters), tolerance, sampling) for length in lengths
@@ -119,24 +116,11 @@ def bands_of_law(
 def edge_factors(
     lengths: Mapping[str, float], masters: xr.Dataset, tolerance: float, sampling: Sampling
 ) -> dict[str, Any]:
-    """Return the edges of every law over those of Eq. 1.
+    """Return ``edge_factor`` (law, side, group), edges over those of Eq. 1, with its interval.
 
-    Parameters
-    ----------
-    lengths : mapping of str to float
-        Range in nm of each law, by its name.
-    masters : xarray.Dataset
-        As from `stacked_law_forces`.
-    tolerance : float
-        Relative change of the force that ends the band.
-    sampling : Sampling
-        Its confidence is that of the interval, by the jackknife over realizations.
-
-    Returns
-    -------
-    dict
-        ``edge_factor`` (law, side, group) and its interval. A curve that never leaves counts as
-        its last cutoff.
+    `lengths` is the range in nm of each law, by its name; `masters` are as from
+    `stacked_law_forces`. The interval is by the jackknife over realizations. A curve that never
+    leaves counts as its last cutoff.
     """
     left_out = [masters.drop_isel(realization=n) for n in range(masters.sizes["realization"])]
     factors, *without = (
@@ -177,44 +161,15 @@ def _last_cutoffs(scales: xr.Dataset) -> xr.DataArray:
     return xr.DataArray(last, {"side": sides})
 
 
-#: Lengths and works of adhesion at which laws are compared.
-CASES = ["equivalent", "fitted", "atomic"]
-
-#: Ranges (nm) of a law that are tried: from and to, and the step of their logarithm.
-LENGTHS, LENGTH_STEP = (0.1, 40.0), 0.03
-
-#: Gaps (nm) at which the mixtures on the grid of ranges are checked.
-GAPS = np.append(0.0, np.geomspace(0.01, 300.0, 200))
-
-NM, ENERGY, ONE, NEWTON = {"units": "nm"}, {"units": "J m-2"}, {"units": "1"}, {"units": "N"}
-
-#: What is fitted to forces, with its units.
-UNITS = {"range_of_law": NM, "work_of_adhesion": ENERGY, "fit_error": ONE}
-
-
 @dataclass(frozen=True)
 class LawChoices:
-    """What laws are compared with.
+    """What laws are compared with."""
 
-    Attributes
-    ----------
-    reference_surface : str
-        The one that forces are divided by.
-    published_pair : Pair
-        Range and work of adhesion of Eq. 1.
-    spacing : float
-        Between atoms where flats touch, in nm, of the case "atomic".
-    tolerance : float
-        Relative change of the force that ends the critical band.
-    sampling : Sampling
-        Of all intervals.
-    """
-
-    reference_surface: str
-    published_pair: Pair
-    spacing: float
-    tolerance: float
-    sampling: Sampling
+    reference_surface: str  #: The one that forces are divided by.
+    published_pair: Pair  #: Range and work of adhesion of Eq. 1.
+    spacing: float  #: Between atoms where flats touch, in nm, of the case "atomic".
+    tolerance: float  #: Relative change of the force that ends the critical band.
+    sampling: Sampling  #: Of all intervals.
 
 
 def compare_laws(

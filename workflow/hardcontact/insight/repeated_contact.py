@@ -1,6 +1,6 @@
-"""Sums of exp(-gap/rho) at contacts of a sphere that keeps the indents of those before.
+"""Pull-off force of a sphere that meets a substrate at the same place of its own many times.
 
-Pull-off force of a sphere that meets a substrate at the same place of its own many times.
+It keeps the indents of the contacts before.
 """
 
 from collections.abc import Iterator, Mapping
@@ -27,6 +27,25 @@ from hardcontact.records.dataset import stack
 __all__ = ["Adhesion", "repeated_contact", "repeated_contact_of_pair", "repeated_totals"]
 
 Floats = NDArray[np.float64]
+
+#: Edge of the map (nm) about the deepest indent.
+MAP = 2000.0
+FROM_APEX = {"units": "nm", "long_name": "position from the apex"}
+
+#: Numbers of contacts at which indents are measured, evenly on a logarithmic scale.
+STAGES = 12
+
+#: Attributes that all pairs share; their preloads differ.
+COMMON = ("hardness", "rho", "work_of_adhesion")
+
+#: What is measured of all indents at a stage; lengths and depth are the largest.
+SUMMARY = {
+    "depth": "nm",
+    "edge_length": "nm",
+    "lateral_size": "nm",
+    "indents": "1",
+    "indented_area": "nm2",
+}
 
 
 class _Attraction:
@@ -85,48 +104,14 @@ def repeated_totals(
 ) -> Iterator[tuple[float, Indentation]]:
     """Press one place of a sphere onto places of a substrate, and sum exp(-gap/rho) at each.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere before the first contact.
-    positions : numpy.ndarray
-        (contacts, 2) pixels of the substrate under the apex: row, column.
-    contact_pixels : int
-        At each contact.
-    rho : float
-        Range of adhesion in nm.
-
-    Yields
-    ------
-    total : float
-        At plastic closest approach, with the sphere as all contacts so far have left it.
-    indentation : Indentation
-        Of the contact.
+    `positions` (contacts, 2) are the pixels (row, column) of the substrate under the apex. Yields
+    the total at plastic closest approach, with the sphere as all contacts so far have left it, and
+    the indentation of the contact.
     """
     attraction = _Attraction(bodies, rho)
     contacts = repeated_contacts(bodies, positions, contact_pixels)
     for position, indentation in zip(positions, contacts, strict=True):
         yield attraction.total(position, indentation), indentation
-
-
-#: Edge of the map (nm) about the deepest indent.
-MAP = 2000.0
-FROM_APEX = {"units": "nm", "long_name": "position from the apex"}
-
-#: Numbers of contacts at which indents are measured, evenly on a logarithmic scale.
-STAGES = 12
-
-#: Attributes that all pairs share; their preloads differ.
-COMMON = ("hardness", "rho", "work_of_adhesion")
-
-#: What is measured of all indents at a stage; lengths and depth are the largest.
-SUMMARY = {
-    "depth": "nm",
-    "edge_length": "nm",
-    "lateral_size": "nm",
-    "indents": "1",
-    "indented_area": "nm2",
-}
 
 
 class Adhesion(NamedTuple):

@@ -1,18 +1,17 @@
-"""Rigid pull-off of a smooth sphere at any number of contacts, up to every pixel of a scan.
+"""The map of the rigid pull-off force on one scan, and how many contacts its mean needs.
 
-The force of `pull_off.pull_off_of_pair` without a search for each contact: closest approach is a
-dilation, and the sum over all pixels a product over both axes.
-
-The map of the rigid pull-off force on one scan, and how many contacts its mean needs.
+Of a smooth sphere the force of `pull_off.pull_off_of_pair` needs no search for each contact:
+closest approach is a dilation, and the sum over all pixels a product over both axes. Errors of
+means, of contacts at random places and in arrays, are standard deviations over the mean of the map.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, TypedDict
+from typing import Any, NamedTuple, TypedDict
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 from threadpoolctl import threadpool_limits
 
@@ -21,21 +20,21 @@ from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION
 from hardcontact.contact.closest_approach import closest_gaps, touching_pixels
 from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, bodies
 from hardcontact.inference.smooth_sphere import dmt_pull_off
-from hardcontact.insight.map_statistics import (
-    array_error,
-    contacts_for_error,
-    correlation,
-    variation,
-)
 from hardcontact.surfaces.height_map import HeightMap
 
 __all__ = [
-    "MapSettings",
     "SAMPLINGS",
+    "Correlation",
+    "MapSettings",
+    "array_error",
     "at_every_pixel",
+    "contacts_for_error",
+    "correlation",
+    "deviation_interval",
     "force_maps",
     "normal_quantile",
     "rigid_pull_off",
+    "variation",
 ]
 
 Floats = NDArray[np.float64]
@@ -44,48 +43,31 @@ Floats = NDArray[np.float64]
 #: exp(-gap/rho) would fall among the numbers that floats hold with fewer digits.
 STEEPEST = 600.0
 
+#: Contacts along an edge of the arrays whose error is computed.
+COUNTS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 28, 40, 57, 80)
+
+#: Edges of the classes of forces, over the force of a smooth sphere on a plane.
+CLASSES = np.geomspace(1e-6, 1e2, 161)
+
+#: How the contacts on a scan lie.
+SAMPLINGS = ["random", "array"]
+
 
 def at_every_pixel(bodies: Bodies, pixels: int) -> Bodies:
-    """Return bodies with a contact at each of the first pixels of the substrate.
+    """Return bodies with a contact at each of the first pixels of the substrate, along either axis.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere.
-    pixels : int
-        Along either axis: half a period of a mirror-stitched surface is its scan, and the other
-        half its mirror image.
-
-    Returns
-    -------
-    Bodies
-        The same with other positions.
+    Half a period of a mirror-stitched surface is its scan, and the other half its mirror image.
     """
     return replace(bodies, geometry=replace(bodies.geometry, positions=np.arange(pixels)))
 
 
 def rigid_pull_off(bodies: Bodies, ranges: Sequence[float]) -> Floats:
-    """Return the rigid pull-off force of every contact at W = 1 J/m².
+    """Return the rigid pull-off force (rho, contact, contact) in N at W = 1 J/m², smooth sphere.
 
     F = W/rho A_pix exp((g0 + h_max)/rho) sum exp((h - h_max - s)/rho), with the smallest gap g0 at
     zero approach and the sum over the analysis window: Eq. 3. Nothing is left out or interpolated.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        With a smooth sphere.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    numpy.ndarray
-        (rho, contact, contact) in N.
-
-    Raises
-    ------
-    ValueError
-        If the sphere is rough, or a range of adhesion is too small for the relief of the surface.
+    ValueError if the sphere is rough, or a range of adhesion is too small for the relief of the
+    surface.
     """
     if bodies.roughness is not None:
         raise ValueError("expected a smooth sphere, found a rough one: its sum is not separable")
@@ -121,60 +103,24 @@ def _separable_sums(heights: Floats, geometry: ContactGeometry, rho: float) -> F
         return np.asarray(of_sphere @ (attraction @ of_sphere.T))
 
 
-#: Contacts along an edge of the arrays whose error is computed.
-COUNTS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 28, 40, 57, 80)
-
-#: Edges of the classes of forces, over the force of a smooth sphere on a plane.
-CLASSES = np.geomspace(1e-6, 1e2, 161)
-
-#: How the contacts on a scan lie.
-SAMPLINGS = ["random", "array"]
-
-
 class MapSettings(TypedDict):
-    """How maps are made and what is asked of them.
+    """How maps are made and what is asked of them."""
 
-    Attributes
-    ----------
-    radius : float
-        Of the smooth sphere in nm.
-    contact : ContactArray
-        Analysis window, and the array of contacts beside the map.
-    ranges : list of float
-        Ranges of adhesion in nm.
-    reference_rho : float
-        That of the maps that are kept, one of the ranges.
-    tolerance : float
-        Relative error of a mean.
-    confidence : float
-        Probability that the mean is within the tolerance, and of the intervals.
-    """
-
-    radius: float
-    contact: ContactArray
-    ranges: list[float]
-    reference_rho: float
-    tolerance: float
-    confidence: float
+    radius: float  #: Of the smooth sphere in nm.
+    contact: ContactArray  #: Analysis window, and the array of contacts beside the map.
+    ranges: list[float]  #: Ranges of adhesion in nm.
+    reference_rho: float  #: That of the maps that are kept, one of the ranges.
+    tolerance: float  #: Relative error of a mean.
+    confidence: float  #: Probability that the mean is within the tolerance, and of the intervals.
 
 
 def force_maps(stitched: HeightMap, settings: MapSettings) -> xr.Dataset:
-    """Return the map of one scan, its mean and spread, and the errors of means of contacts.
+    """Return the map of one mirror-stitched scan, and the errors of means of contacts on it.
 
-    Parameters
-    ----------
-    stitched : HeightMap
-        The scan beside its mirror images.
-    settings : MapSettings
-        Sphere, contacts, ranges and the error asked for.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``heights`` and ``pull_off_force`` (row, column) of the scan, the latter at the reference
-        range; ``touched_pixels``; by ``rho`` the means, ``variation``, the correlation,
-        ``array_error`` (rho, contacts), ``contacts_needed`` (rho, sampling) and ``distribution``
-        (rho, sample, relative_force).
+    ``heights`` and ``pull_off_force`` (row, column) of the scan, the latter at the reference range;
+    ``touched_pixels``; by ``rho`` the means, ``variation``, the correlation, ``array_error`` (rho,
+    contacts), ``contacts_needed`` (rho, sampling) and ``distribution`` (rho, sample,
+    relative_force).
     """
     ranges = settings["ranges"]
     pair = bodies(stitched, None, settings["radius"], settings["contact"])
@@ -270,3 +216,109 @@ def _distribution(relative: np.ndarray) -> np.ndarray:
     """Return the share of forces (over that of a smooth sphere) per decade in each of CLASSES."""
     number, _ = np.histogram(relative, CLASSES)
     return number / relative.size / np.diff(np.log10(CLASSES))
+
+
+def variation(forces: Floats) -> float:
+    """Return the standard deviation of forces over their mean: the error of a single contact."""
+    return float(forces.std() / forces.mean())
+
+
+def array_error(forces: Floats, count: int) -> float:
+    """Return the error of the mean of a square array of contacts on the scan and its mirror images.
+
+    It is the root mean square of array mean over map mean minus one of all arrays there are: the
+    same array at every shift within one of its steps. `count` contacts along an edge span the
+    period of 2n pixels of the stitched scan, as `contact_positions` does.
+    """
+    period = 2 * len(forces)
+    shifts = np.arange(-(-period // count))
+    places = (shifts[:, None] + np.arange(count) * period // count) % period
+    on_scan = np.minimum(places, period - 1 - places)
+    rows = forces[on_scan].mean(axis=1)
+    means = rows[:, on_scan].mean(axis=2)
+    return float(np.sqrt(np.mean((means / forces.mean() - 1) ** 2)))
+
+
+def contacts_for_error(contacts: ArrayLike, errors: ArrayLike, error: float) -> float:
+    """Return the number of contacts beyond which errors stay within a limit.
+
+    Of ascending numbers (k,) and their errors (k,) it is interpolated in the logarithms; the first
+    number if all errors are within the limit, NaN if the last one is not.
+    """
+    numbers, found = np.asarray(contacts, float), np.asarray(errors, float)
+    (beyond,) = np.nonzero(found > error)
+    if not beyond.size:
+        return float(numbers[0])
+    if beyond[-1] == len(found) - 1:
+        return float("nan")
+    ends = [beyond[-1] + 1, beyond[-1]]  # errors ascend from the first to the second
+    with np.errstate(divide="ignore"):
+        at = np.interp(np.log(error), np.log(found[ends]), np.log(numbers[ends]))
+    return float(np.exp(at))
+
+
+class Correlation(NamedTuple):
+    """How far the force at one place tells that at another."""
+
+    #: Distance (nm) at which the correlation, averaged over directions, falls to 1/e; NaN where it
+    #: does not within half the scan.
+    length: float
+    #: Integral (nm²) of the correlation over the plane, up to its first zero: an area much larger
+    #: than it has as many independent contacts as it holds such areas.
+    area: float
+
+
+def correlation(forces: Floats, pixel_size: float) -> Correlation:
+    """Return the correlation of a map (n, n), which does not continue itself beyond its edges."""
+    half = len(forces) // 2
+    lags = _autocorrelation(forces)[: half + 1, : 2 * half + 1]
+    rows, columns = np.arange(half + 1)[:, None], np.arange(-half, half + 1)
+    # The map of lags is symmetric about zero: rows of negative lag count with those of positive.
+    weight = np.where(rows > 0, 2.0, 1.0) * np.ones_like(columns)
+    distance = np.rint(np.hypot(rows, columns)).astype(int)
+    near = distance <= half
+    number = np.bincount(distance[near], weight[near])
+    integral = np.bincount(distance[near], (weight * lags)[near])
+    radial = integral / number
+    (negative,) = np.nonzero(radial <= 0)
+    end = negative[0] if negative.size else len(radial)
+    return Correlation(
+        _first_crossing(radial, np.exp(-1)) * pixel_size, integral[:end].sum() * pixel_size**2
+    )
+
+
+def _autocorrelation(forces: Floats) -> Floats:
+    """Return the correlation at lags (row, column) from 0 to n/2 and from -n/2 to n/2.
+
+    Each lag is averaged over the pairs of pixels that it has on the map.
+    """
+    pixels = len(forces)
+    half = pixels // 2
+    padded = np.fft.rfft2(forces - forces.mean(), s=(2 * pixels, 2 * pixels))
+    products = np.fft.irfft2(np.abs(padded) ** 2, s=(2 * pixels, 2 * pixels))
+    columns = np.arange(-half, half + 1)
+    pairs = (pixels - np.arange(half + 1))[:, None] * (pixels - np.abs(columns))
+    covariance = products[: half + 1, columns] / pairs
+    return np.asarray(covariance / covariance[0, half])
+
+
+def _first_crossing(curve: Floats, level: float) -> float:
+    """Return the index, interpolated, at which a curve first falls below a level; NaN if never."""
+    (below,) = np.nonzero(curve < level)
+    if not below.size:
+        return float("nan")
+    end = int(below[0])
+    return float(end - (level - curve[end]) / (curve[end - 1] - curve[end]))
+
+
+def deviation_interval(deviation: ArrayLike, count: int, confidence: float) -> Floats:
+    """Return the interval (..., 2) of a standard deviation of normal values, by chi-squared.
+
+    `deviation` (...) is that of `count` independent values, with the divisor count - 1; NaN of
+    fewer than two.
+    """
+    found = np.asarray(deviation, float)
+    if count < 2:
+        return np.full((*found.shape, 2), np.nan)
+    tails = np.array([1 + confidence, 1 - confidence]) / 2
+    return np.asarray(found[..., None] * np.sqrt((count - 1) / stats.chi2.ppf(tails, count - 1)))

@@ -4,17 +4,12 @@ A contact finds its peaks within 2 sqrt(2 R sigma) of each other (`finite_scan`)
 mirrored, has fewer peaks, so that the sphere misses the highest of them. How much that counts may
 depend on this draw size and on the roll-off, both over the size of the scan, and on the heights
 over the range of adhesion. The rule is a power law of these three ratios, with exponents of either
-sign as the fit finds them. It is fitted to some surfaces, and its error is found on others.
+sign as the fit finds them. It is fitted to random self-affine surfaces, which differ in rms height,
+roll-off, Hurst exponent and sphere, and tested on spectra that it was not fitted to.
 
-The long edge of the band from mirrored windows, beside that of whole random surfaces.
-
-A window has no waves longer than its period, so that nothing is known of their removal: where a
-window's force changes as soon as its longest waves go, the edge is open, and at least so long.
-
-The rule for the size of scans: fitted on random surfaces, tested on those of a study.
-
-Random self-affine surfaces differ in rms height, roll-off, Hurst exponent and sphere. The rule that
-fits them is tested on spectra that it was not fitted to.
+Mirrored windows also have a long edge of the band, beside that of whole random surfaces. A window
+has no waves longer than its period, so that nothing is known of their removal: where a window's
+force changes as soon as its longest waves go, the edge is open, and at least so long.
 """
 
 from collections.abc import Mapping
@@ -50,27 +45,20 @@ __all__ = [
 
 Floats = NDArray[np.float64]
 
+#: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.
+RMS_HEIGHTS, ROLL_OFFS, HURST = (2.0, 120.0), (300.0, 4000.0), (0.5, 1.2)
+#: The ratios that the rule is a power law of.
+RATIOS = ["draw size / scan size", "roll-off / scan size", "rms height / range"]
+
 
 class Case(NamedTuple):
-    """Scans of surfaces under a sphere; all lengths in nm, of shapes that go with each other.
+    """Scans of surfaces under a sphere; all lengths in nm, of shapes that go with each other."""
 
-    Attributes
-    ----------
-    size : array_like
-        Side of the scan.
-    rms_height, roll_off : array_like
-        Of the surface.
-    radius : array_like
-        Of the sphere.
-    rho : array_like
-        Range of adhesion.
-    """
-
-    size: ArrayLike
-    rms_height: ArrayLike
-    roll_off: ArrayLike
-    radius: ArrayLike
-    rho: ArrayLike
+    size: ArrayLike  #: Side of the scan.
+    rms_height: ArrayLike  #: Of the surface.
+    roll_off: ArrayLike  #: Of the surface.
+    radius: ArrayLike  #: Of the sphere.
+    rho: ArrayLike  #: Range of adhesion.
 
     def ratios(self) -> Floats:
         """Return logarithms (3, n) of draw size and roll-off over scan size, of sigma over rho."""
@@ -81,18 +69,10 @@ class Case(NamedTuple):
 
 
 class ScanSizeRule(NamedTuple):
-    """A power law: ln(force on the scan / on a large one) = strength * prod(ratios**exponents).
+    """A power law: ln(force on the scan / on a large one) = strength * prod(ratios**exponents)."""
 
-    Attributes
-    ----------
-    strength : float
-        Where all ratios are 1.
-    exponents : numpy.ndarray
-        (3,) of the ratios of `Case`.
-    """
-
-    strength: float
-    exponents: Floats
+    strength: float  #: Where all ratios are 1.
+    exponents: Floats  #: (3,) of the ratios of `Case`.
 
     def excess(self, case: Case) -> Floats:
         """Return the factor by which the force on a scan is too large."""
@@ -111,26 +91,10 @@ class ScanSizeRule(NamedTuple):
 
 
 def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
-    """Return the rule that fits measured factors best, by least squares of their logarithms.
+    """Return the rule that fits measured factors (n,) best, by least squares of their logarithms.
 
     Logarithms of factors that scatter about one may be negative; they are fitted as they are.
-
-    Parameters
-    ----------
-    case : Case
-        Scans (n,).
-    excess : array_like
-        (n,) measured factors.
-
-    Returns
-    -------
-    ScanSizeRule
-        Of a strength above zero.
-
-    Raises
-    ------
-    ValueError
-        If there are fewer than four scans.
+    ValueError of fewer than four scans.
     """
     from scipy.optimize import least_squares
 
@@ -146,25 +110,10 @@ def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
 
 
 def rule_error(rule: ScanSizeRule, case: Case, excess: ArrayLike) -> tuple[float, float]:
-    """Return the error of ln(force) with and without the rule as a correction, on given scans.
+    """Return the errors of ln(force) with and without the rule as a correction, on given scans.
 
-    A correction is worth making where the first is well below the second, on scans that the rule
-    was not fitted to.
-
-    Parameters
-    ----------
-    rule : ScanSizeRule
-        Fitted to other scans.
-    case : Case
-        Scans (n,).
-    excess : array_like
-        (n,) measured factors.
-
-    Returns
-    -------
-    corrected, uncorrected : float
-        Root of the mean square of ln(excess), of the force divided by the rule's factor and as it
-        is.
+    Both are roots of the mean square of ln(excess) of measured factors (n,). A correction is worth
+    making where the first is well below the second, on scans that the rule was not fitted to.
     """
     measured = np.log(np.asarray(excess, float))
     left = measured - np.log(rule.excess(case))
@@ -176,18 +125,8 @@ def ratio_of_means(
 ) -> tuple[xr.DataArray, xr.DataArray]:
     """Return the mean force over realizations over that of a reference, with its interval.
 
-    Parameters
-    ----------
-    forces, reference : xarray.DataArray
-        (realization, ...) above zero.
-    confidence : float
-        Probability that the interval holds the ratio.
-
-    Returns
-    -------
-    ratio, interval : xarray.DataArray
-        (...) and (..., bound); the interval is that of the ratios of single realizations by
-        Student's t of their logarithms, about the ratio of the means.
+    The interval (..., bound) of forces (realization, ...) above zero is that of the ratios of
+    single realizations by Student's t of their logarithms, about the ratio of the means.
     """
     ratio = forces.mean("realization") / reference.mean("realization")
     single = forces / reference
@@ -242,44 +181,18 @@ def window_edges(
     )
 
 
-#: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.
-RMS_HEIGHTS, ROLL_OFFS, HURST = (2.0, 120.0), (300.0, 4000.0), (0.5, 1.2)
-#: The ratios that the rule is a power law of.
-RATIOS = ["draw size / scan size", "roll-off / scan size", "rms height / range"]
-
-
 class Trials(TypedDict):
-    """Surfaces that the rule is fitted to and tested on.
+    """Surfaces that the rule is fitted to and tested on."""
 
-    Attributes
-    ----------
-    size : float
-        Edge of a surface in nm.
-    pixels, realizations : int
-        Along an edge of a surface, and surfaces of each spectrum.
-    count : int
-        Random spectra that the rule is fitted to.
-    radii : list of float
-        Of the spheres on these, in turn, in nm.
-    contacts : WindowContacts
-        Windows and contacts; the radius is that on the tested surfaces.
-    excess : float
-        Factor of the force that a scan may add, for the size that is needed.
-    seed : int
-        Of spectra and surfaces.
-    confidence : float
-        Of intervals.
-    """
-
-    size: float
-    pixels: int
-    realizations: int
-    count: int
-    radii: list[float]
-    contacts: WindowContacts
-    excess: float
-    seed: int
-    confidence: float
+    size: float  #: Edge of a surface in nm.
+    pixels: int  #: Along an edge of a surface.
+    realizations: int  #: Surfaces of each spectrum.
+    count: int  #: Random spectra that the rule is fitted to.
+    radii: list[float]  #: Of the spheres on these, in turn, in nm.
+    contacts: WindowContacts  #: Windows and contacts; the radius is that on the tested surfaces.
+    excess: float  #: Factor of the force that a scan may add, for the size that is needed.
+    seed: int  #: Of spectra and surfaces.
+    confidence: float  #: Of intervals.
 
 
 def random_spectra(rng: np.random.Generator, count: int) -> list[Spectrum]:
@@ -298,23 +211,9 @@ def random_spectra(rng: np.random.Generator, count: int) -> list[Spectrum]:
 def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) -> xr.Dataset:
     """Return how much larger the force is on windows than on surfaces of a spectrum.
 
-    Parameters
-    ----------
-    name : str
-        Of the spectrum, for its random numbers.
-    spectrum : Spectrum
-        Of the surfaces.
-    radius : float
-        Of the sphere in nm.
-    trials : Trials
-        Surfaces and windows.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``excess`` (scan_size, rho), the mean force over realizations on windows over that on the
-        surfaces, with its interval from those of single realizations; ``rms_height``,
-        ``roll_off`` and ``radius`` in nm.
+    ``excess`` (scan_size, rho) is the mean force over realizations on windows over that on the
+    surfaces, with its interval from those of single realizations; ``rms_height``, ``roll_off`` and
+    ``radius`` of the sphere in nm. `name` is that of the spectrum, for its random numbers.
     """
     contacts: WindowContacts = {**trials["contacts"], "radius": radius}
     pixel_size = trials["size"] / trials["pixels"]
@@ -322,7 +221,7 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
     for realization in range(trials["realizations"]):
         rng = generator(trials["seed"], name, realization, "scan size")
         surface = random_surface(rng, trials["pixels"], pixel_size, spectrum)
-        forces.append(window_forces(surface, contacts)["pull_off_force"].values)
+        forces.append(window_forces(surface, contacts))
     force = xr.DataArray(
         forces,
         {"scan_size": [*contacts["sizes"], trials["size"]], "rho": contacts["ranges"]},
@@ -375,25 +274,28 @@ def scan_size_trials(spectra: Mapping[str, Spectrum], trials: Trials) -> xr.Data
     tested = xr.concat(
         [window_excess(name, one, radius, trials) for name, one in spectra.items()], "surface"
     ).assign_coords(surface=list(spectra))
-    rule = fitted_rule(_case(known), _flat(known))
-    left_out = [
-        fitted_rule(_case(others), _flat(others)).excess(_case(known.isel(trial=[one])))
-        for one in range(trials["count"])
-        for others in [known.drop_isel(trial=one)]
-    ]
-    known_excess = known["excess"]
-    misses = np.log(_flat(known)) - np.log(np.concatenate(left_out))
-    of_known = np.sqrt([(misses**2).mean(), (np.log(_flat(known)) ** 2).mean()])
-    of_tested = rule_error(rule, _case(tested), _flat(tested))
-    needed = rule.size_for(_case(tested.isel(scan_size=[0])), trials["excess"])
+    (of_random, known_excess), (of_surfaces, tested_excess) = _scans(known), _scans(tested)
+    rule = fitted_rule(of_random, known_excess)
+    left_out = np.concatenate(
+        [
+            fitted_rule(*_scans(known.drop_isel(trial=one))).excess(
+                _scans(known.isel(trial=[one]))[0]
+            )
+            for one in range(trials["count"])
+        ]
+    )
+    misses = np.log(known_excess) - np.log(left_out)
+    of_known = np.sqrt([(misses**2).mean(), (np.log(known_excess) ** 2).mean()])
+    of_tested = rule_error(rule, of_surfaces, tested_excess)
+    needed = rule.size_for(_scans(tested.isel(scan_size=[0]))[0], trials["excess"])
     dims = ("surface", "scan_size", "rho")
     shape = tuple(tested.sizes[name] for name in dims)
     one = {"units": "1"}
     return tested.assign(
-        predicted_excess=(dims, rule.excess(_case(tested)).reshape(shape), one),
-        known_excess=known_excess,
+        predicted_excess=(dims, rule.excess(of_surfaces).reshape(shape), one),
+        known_excess=known["excess"],
         predicted_known_excess=(
-            ("trial", *dims[1:]), np.concatenate(left_out).reshape(known_excess.shape), one,
+            ("trial", *dims[1:]), left_out.reshape(known["excess"].shape), one,
         ),
         strength=((), rule.strength, one),
         exponent=("ratio", rule.exponents, one),
@@ -407,18 +309,11 @@ def scan_size_trials(spectra: Mapping[str, Spectrum], trials: Trials) -> xr.Data
     )  # fmt: skip
 
 
-def _case(excess: xr.Dataset) -> Case:
-    """Return the scans of a dataset of `window_excess`, stacked, flat."""
-    variables = (
-        excess["scan_size"], excess["rms_height"], excess["roll_off"], excess["radius"],
-        excess["rho"],
-    )  # fmt: skip
+def _scans(excess: xr.Dataset) -> tuple[Case, Floats]:
+    """Return the scans of a dataset of `window_excess`, stacked, and their factors: both flat."""
     like = excess["excess"]
-    return Case(
-        *(one.broadcast_like(like).transpose(*like.dims).values.ravel() for one in variables)
-    )
-
-
-def _flat(excess: xr.Dataset) -> NDArray[np.float64]:
-    """Return the factors of the force in the order of `_case`."""
-    return np.asarray(excess["excess"].values.ravel())
+    names = ("scan_size", "rms_height", "roll_off", "radius", "rho")
+    lengths = [
+        excess[name].broadcast_like(like).transpose(*like.dims).values.ravel() for name in names
+    ]
+    return Case(*lengths), like.values.ravel()

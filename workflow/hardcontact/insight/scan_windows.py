@@ -1,6 +1,6 @@
 """Pull-off on mirrored windows of a large surface, against that on the surface itself.
 
-Pull-off on mirrored windows without their long waves, beside that on whole random surfaces.
+With all their waves, and without their long ones.
 """
 
 from collections.abc import Iterator
@@ -11,7 +11,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, mean_pull_off_of_pair
+from hardcontact.adhesion.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.contact.geometry import ContactArray, bodies, window_pixels
 from hardcontact.numbers.random import generator
@@ -35,96 +35,36 @@ __all__ = [
 
 
 class WindowContacts(TypedDict):
-    """Windows that are cut out of a surface, and the contacts on them.
+    """Windows that are cut out of a surface, and the contacts on them."""
 
-    Attributes
-    ----------
-    sizes : list of float
-        Edges of the windows in nm.
-    each : int
-        Windows of every size, along the diagonal of the surface.
-    radius : float
-        Of the sphere in nm.
-    ranges : list of float
-        Ranges of adhesion in nm.
-    window : float
-        Edge of the analysis window in nm.
-    count : int
-        Contacts along an edge of the array.
-    load : NamedLoad
-        Preload and hardness.
-    """
-
-    sizes: list[float]
-    each: int
-    radius: float
-    ranges: list[float]
-    window: float
-    count: int
-    load: NamedLoad
+    sizes: list[float]  #: Edges of the windows in nm.
+    each: int  #: Windows of every size, along the diagonal of the surface.
+    radius: float  #: Of the sphere in nm.
+    ranges: list[float]  #: Ranges of adhesion in nm.
+    window: float  #: Edge of the analysis window in nm.
+    count: int  #: Contacts along an edge of the array.
+    load: NamedLoad  #: Preload and hardness.
 
 
-def window_forces(surface: HeightMap, parameters: WindowContacts) -> xr.Dataset:
+def window_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
     """Return the plastic pull-off of a smooth sphere on a surface and on windows cut out of it.
 
-    A window is levelled and mirrored, as the paper does with its scans.
-
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic, the largest there is.
-    parameters : WindowContacts
-        Windows and contacts.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (scan_size, rho) in N at 1 J/m², means over contacts and windows. The
-        last scan size is that of the surface itself, which is not mirrored.
+    ``pull_off_force`` (scan_size, rho) in N at 1 J/m² are means over contacts and windows. The
+    surface is periodic, the largest there is; the last scan size is its own, and it is not
+    mirrored.
     """
-    forces = [
-        np.mean(
-            [
-                mean_forces(one, parameters)
-                for one in mirrored_windows(surface, size, parameters["each"])
-            ],
-            axis=0,
-        )
-        for size in parameters["sizes"]
-    ]
-    nm = {"units": "nm"}
-    return xr.Dataset(
-        {
-            "pull_off_force": (
-                ("scan_size", "rho"),
-                np.array([*forces, mean_forces(surface, parameters)]),
-                FORCE,
-            )
-        },
-        {
-            "scan_size": (("scan_size",), np.array([*parameters["sizes"], surface.size]), nm),
-            "rho": (("rho",), np.array(parameters["ranges"]), nm),
-        },
-        {"work_of_adhesion": WORK_OF_ADHESION, "sphere_radius": parameters["radius"]},
-    )
+    means = []
+    for size in parameters["sizes"]:
+        windows = mirrored_windows(surface, size, parameters["each"])
+        means.append(np.mean([mean_forces(one, parameters) for one in windows], axis=0))
+    return np.array([*means, mean_forces(surface, parameters)])
 
 
 def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[HeightMap]:
-    """Yield windows of a surface, levelled and mirrored as the paper does with its scans.
+    """Yield windows of a periodic surface, levelled and mirrored as the paper does with its scans.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic.
-    size : float
-        Edge of a window in nm.
-    count : int
-        Of the windows, evenly along the diagonal of the surface.
-
-    Yields
-    ------
-    HeightMap
-        Periodic over twice the size.
+    `count` windows of the edge `size` (nm) lie evenly along the diagonal of the surface; mirrored
+    they are periodic over twice the size.
     """
     pixels = round(size / surface.pixel_size)
     for start in np.arange(count) * (surface.pixels // count):
@@ -133,20 +73,7 @@ def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[He
 
 
 def mean_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
-    """Return the plastic pull-off of a smooth sphere on a surface, averaged over contacts.
-
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic.
-    parameters : WindowContacts
-        Contacts; the windows do not matter.
-
-    Returns
-    -------
-    numpy.ndarray
-        (rho,) in N at 1 J/m².
-    """
+    """Return the plastic pull-off (rho,) in N at 1 J/m² on a periodic surface, over contacts."""
     array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
     pair = bodies(surface, None, parameters["radius"], array)
     found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])

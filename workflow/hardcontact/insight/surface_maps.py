@@ -9,8 +9,13 @@ import xarray as xr
 from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.inference.smooth_sphere import dmt_pull_off
-from hardcontact.insight.map_statistics import deviation_interval
-from hardcontact.insight.scan_maps import SAMPLINGS, MapSettings, force_maps, normal_quantile
+from hardcontact.insight.scan_maps import (
+    SAMPLINGS,
+    MapSettings,
+    deviation_interval,
+    force_maps,
+    normal_quantile,
+)
 from hardcontact.numbers.statistics import student_log_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.records.log import progress
@@ -74,22 +79,12 @@ def maps_of_surfaces(
 def maps_of_scans(scans: Mapping[tuple[str, int], xr.Dataset], settings: MapSettings) -> xr.Dataset:
     """Return the maps of one scan a surface, and the numbers of all scans with their intervals.
 
-    Parameters
-    ----------
-    scans : mapping of tuple to xarray.Dataset
-        (surface, scan) -> `force_maps`.
-    settings : MapSettings
-        As there.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``heights``, ``pull_off_force`` (surface, row, column) and ``scan_size`` of the first scan;
-        ``map_mean``, ``map_median``, ``contacts_mean`` (surface, scan, rho); ``distribution``,
-        ``array_error`` averaged over scans; the other numbers of LONG_NAMES (surface, rho), with
-        intervals: over scans by Student's t on logarithms, of what scatters between them by
-        chi-squared. Contacts of one scan have that scan's mean in common: ``worth_of_scan`` is
-        their variance, within and between scans, over that between scans.
+    Of `force_maps` by (surface, scan): ``heights``, ``pull_off_force`` (surface, row, column) and
+    ``scan_size`` of the first scan; ``map_mean``, ``map_median``, ``contacts_mean`` (surface, scan,
+    rho); ``distribution``, ``array_error`` averaged over scans; the other numbers of LONG_NAMES
+    (surface, rho), with intervals: over scans by Student's t on logarithms, of what scatters
+    between them by chi-squared. Contacts of one scan have that scan's mean in common:
+    ``worth_of_scan`` is their variance, within and between scans, over that between scans.
     """
     pictures = ["heights", "pull_off_force", "scan_size"]
     first = {(surface,): scans[surface, scan] for surface, scan in reversed(list(scans))}

@@ -1,12 +1,8 @@
-"""What measured forces say about range and work of adhesion, in words.
-
-Mean forces of measured tests, and samples of them: tests scatter log-normally.
-
-Range and work of adhesion that the user's own measured forces allow.
+"""Range and work of adhesion that the user's own measured forces allow, in numbers and words.
 
 Forces F are measured, forces f are computed at 1 J/m²: at every range the work W = F/f(rho) makes
 them agree. One surface gives a curve W(rho). Of several surfaces, the region holds the pairs of
-range and work that lie within the intervals of all of them at once.
+range and work that lie within the intervals of all of them at once. Tests scatter log-normally.
 """
 
 from collections.abc import Mapping
@@ -37,6 +33,14 @@ __all__ = [
     "sampled_means",
 ]
 
+#: Logarithms of a sampled mean beyond this are as good as infinite.
+ENDLESS = 50.0
+
+#: Ranges of adhesion of the curves, from the least to the greatest one computed.
+FINE_RANGES = 401
+
+NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
+
 
 def fit_note(parts: Parts, tests: int) -> str:
     """Return what the interval of the work of adhesion of one surface comes from."""
@@ -46,17 +50,9 @@ def fit_note(parts: Parts, tests: int) -> str:
 
 
 def fit_text(fitted: xr.Dataset) -> str:
-    """Return what the forces allow, in one sentence.
+    """Return what the forces allow by one contact model, in one sentence: energies in mJ/m².
 
-    Parameters
-    ----------
-    fitted : xarray.Dataset
-        Of one contact model: work_of_adhesion (surface, rho), best fit and region.
-
-    Returns
-    -------
-    str
-        Energies in mJ/m².
+    `fitted` has work_of_adhesion (surface, rho), the best fit and the region.
     """
     if fitted.sizes["surface"] == 1:
         return "one mean force: every range of adhesion has its own work of adhesion"
@@ -99,41 +95,18 @@ def _gap_text(rho: np.ndarray, allowed: np.ndarray) -> str:
     return f", but none between {' nor between '.join(gaps)}" if gaps else ""
 
 
-#: Logarithms of a sampled mean beyond this are as good as infinite.
-ENDLESS = 50.0
-
-
 class MeasuredTests(NamedTuple):
-    """Tests on one surface.
+    """Tests on one surface."""
 
-    Attributes
-    ----------
-    mean : float
-        Of the forces in N.
-    shape : float
-        Standard deviation of the logarithm of a force; NaN of a single test.
-    number : int
-        Of the tests.
-    """
-
-    mean: float
-    shape: float
-    number: int
+    mean: float  #: Of the forces in N.
+    shape: float  #: Standard deviation of the logarithm of a force; NaN of a single test.
+    number: int  #: Of the tests.
 
 
 def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
-    """Return the tests on one surface.
+    """Return the tests on one surface, from its rows of `config.tables.measured_forces`.
 
-    Parameters
-    ----------
-    forces : pandas.DataFrame
-        Rows of one surface, of `study.measured_forces.measured_forces`:
-        mean and median in N, count.
-
-    Returns
-    -------
-    MeasuredTests
-        Of a mean and median the shape of the log-normal that has both, sqrt(2 ln(mean/median)).
+    Of a mean and median the shape of the log-normal that has both, sqrt(2 ln(mean/median)).
     """
     count = int(forces["count"].sum())
     mean = float(np.average(forces["mean"], weights=forces["count"]))
@@ -145,26 +118,13 @@ def measured_tests(forces: pd.DataFrame) -> MeasuredTests:
 
 
 def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) -> np.ndarray:
-    """Draw mean forces of a log-normal distribution of which a few tests are known.
+    """Draw mean forces (samples,) in N of a log-normal of which a few tests are known.
 
-    The generalized pivot of the logarithm of the mean, mu + s²/2, is
-    m - z s*/sqrt(n) + s*²/2 with s*² = (n - 1) s²/chi²(n - 1); z is normal, m and s are mean and
-    deviation of the logarithms of n tests. Its deviation from m + s²/2 is added to the logarithm of
-    the mean measured. Source: Krishnamoorthy and Mathew, J. Stat. Plan. Inference 115 (2003) 103.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of the samples.
-    tests : MeasuredTests
-        On one surface.
-    samples : int
-        How many are drawn.
-
-    Returns
-    -------
-    numpy.ndarray
-        (samples,) in N; NaN of a single test, whose scatter is unknown.
+    The generalized pivot of the logarithm of the mean, mu + s²/2, is m - z s*/sqrt(n) + s*²/2 with
+    s*² = (n - 1) s²/chi²(n - 1); z is normal, m and s are mean and deviation of the logarithms of n
+    tests. Its deviation from m + s²/2 is added to the logarithm of the mean measured. NaN of a
+    single test, whose scatter is unknown. Source: Krishnamoorthy and Mathew, J. Stat. Plan.
+    Inference 115 (2003) 103.
     """
     if tests.number < 2:
         return np.full(samples, np.nan)
@@ -175,31 +135,13 @@ def sampled_means(rng: np.random.Generator, tests: MeasuredTests, samples: int) 
     return np.asarray(tests.mean * np.exp(np.clip(deviation, -ENDLESS, ENDLESS)))
 
 
-#: Ranges of adhesion of the curves, from the least to the greatest one computed.
-FINE_RANGES = 401
-
-NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
-
-
 class _Curve(NamedTuple):
-    """Mean forces of one surface at 1 J/m², and the works of adhesion that measured ones mean.
+    """Mean forces of one surface at 1 J/m², and the works of adhesion that measured ones mean."""
 
-    Attributes
-    ----------
-    force : numpy.ndarray
-        (fine rho,) in N.
-    works : numpy.ndarray
-        (sample, computed rho) in J/m², tests and scans resampled.
-    tests : MeasuredTests
-        On the surface.
-    note : str
-        What the interval comes from.
-    """
-
-    force: np.ndarray
-    works: np.ndarray
-    tests: MeasuredTests
-    note: str
+    force: np.ndarray  #: (fine rho,) in N.
+    works: np.ndarray  #: (sample, computed rho) in J/m², tests and scans resampled.
+    tests: MeasuredTests  #: On the surface.
+    note: str  #: What the interval comes from.
 
 
 def fit_measured(

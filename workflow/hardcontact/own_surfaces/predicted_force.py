@@ -1,16 +1,21 @@
-"""Mean forces on the scans of one surface, with what is left without each part of the scans.
+"""The pull-off force that a work and a range of adhesion predict: no fit is needed.
 
-The pull-off force that a work and a range of adhesion predict: no fit is needed.
+It is that on the scans, and that with their roughness continued beyond their wavelengths, from
+which works of adhesion of measured forces follow as well.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.numbers.statistics import with_interval
+from hardcontact.numbers.statistics import bounds, with_interval
+from hardcontact.own_surfaces.master_forces import (
+    Masters,
+    forces_of_masters,
+    half_width_over_masters,
+)
 from hardcontact.own_surfaces.scan_parts import (
     Parts,
     half_width_of_logarithm,
@@ -19,46 +24,41 @@ from hardcontact.own_surfaces.scan_parts import (
     quarters_of_contacts,
 )
 from hardcontact.records.dataset import stack
+from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["Prediction", "ScanForces", "forces_of_scans", "predicted_force"]
+__all__ = [
+    "PLASTIC",
+    "ScanForces",
+    "continued_force",
+    "forces_of_scans",
+    "predicted_force",
+    "with_continued_force",
+    "with_continued_work",
+]
 
 CONTACTS = ["contact_y", "contact_x"]
 
+#: The contact model of the filtered masters.
+PLASTIC = "plastic"
+
+#: Of the forces of single contacts.
+QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+
 
 class ScanForces(NamedTuple):
-    """Mean forces of one surface, over scans, scans of the sphere and contacts.
+    """Mean forces of one surface, over scans, scans of the sphere and contacts."""
 
-    Attributes
-    ----------
-    mean : numpy.ndarray
-        (rho,) in N, at the work of adhesion of the forces given.
-    left_out : numpy.ndarray
-        (part, rho) logarithms of the mean of all parts but one.
-    parts : list of Parts
-        (rho,) they correlate the more the longer the range.
-    """
-
-    mean: np.ndarray
-    left_out: np.ndarray
-    parts: list[Parts]
+    mean: np.ndarray  #: (rho,) in N, at the work of adhesion of the forces given.
+    left_out: np.ndarray  #: (part, rho) logarithms of the mean of all parts but one.
+    parts: list[Parts]  #: (rho,) they correlate the more the longer the range.
 
 
 def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanForces:
-    """Return the mean forces of one surface and contact model.
+    """Return the mean forces of one surface and contact model, and those without each part.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray (scan, sphere_scan, rho, contact_y, contact_x)
-        In N at any work of adhesion, NaN where a scan is missing.
-    size : float
-        Edge of a scan in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    ScanForces
-        Of scans where there are three, otherwise of their quarters.
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) in N are at any work of adhesion, NaN
+    where a scan is missing; `size` is the edge of a scan, `radius` that of the sphere, in nm. Parts
+    are scans where there are three, otherwise their quarters.
     """
     of_scans = forces.dropna("scan", how="all").mean("sphere_scan")
     of_scans = of_scans.transpose("scan", "rho", *CONTACTS)
@@ -76,44 +76,21 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanFor
     return ScanForces(mean, np.array(left_out), parts)
 
 
-#: Of the forces of single contacts.
-QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
-
-#: Dimensions of single contacts.
-CONTACTS_OF_PREDICTED_FORCE = ["scan", "sphere_scan", "contact_y", "contact_x"]
-
-
-@dataclass(frozen=True)
-class Prediction:
-    """What a force is predicted with.
-
-    Attributes
-    ----------
-    work : float
-        Of adhesion, in J/m².
-    rho : float
-        Range of adhesion in nm, one of those computed.
-    sizes : mapping of str to float
-        Edge of the scans of each surface in nm.
-    confidence : float
-        Of the intervals.
-    """
-
-    work: float
-    rho: float
-    sizes: Mapping[str, float]
-    confidence: float
-
-
-def predicted_force(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
+def predicted_force(
+    adhesion: xr.Dataset, *, work: float, rho: float, sizes: Mapping[str, float], confidence: float
+) -> xr.Dataset:
     """Return the pull-off force of every surface at one work of adhesion and all ranges.
 
     Parameters
     ----------
     adhesion : xarray.Dataset
         All pull-off forces at 1 J/m², as in adhesion.nc.
-    prediction : Prediction
-        Work, range, sizes of scans, confidence.
+    work, rho : float
+        Of adhesion in J/m², and the range of adhesion in nm, one of those computed.
+    sizes : mapping of str to float
+        Edge of the scans of each surface in nm.
+    confidence : float
+        Of the intervals.
 
     Returns
     -------
@@ -131,52 +108,56 @@ def predicted_force(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
         If the range was not computed.
     """
     ranges = adhesion.rho.values
-    if not np.isclose(ranges, prediction.rho, rtol=1e-9).any():
+    if not np.isclose(ranges, rho, rtol=1e-9).any():
         raise ValueError(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
-            f" nm), found {prediction.rho:g} nm"
+            f" nm), found {rho:g} nm"
         )
     surfaces = stack(
         {
-            (str(surface),): _of_surface(adhesion.sel(surface=surface), prediction)
+            (str(surface),): _of_surface(
+                adhesion.sel(surface=surface), sizes[str(surface)], work, rho, confidence
+            )
             for surface in adhesion.surface.values
         },
         ["surface"],
     )
     return surfaces.assign(label=adhesion.label, basis=adhesion.basis).assign_attrs(
-        work_of_adhesion=prediction.work,
-        range_of_adhesion=prediction.rho,
-        confidence=prediction.confidence,
+        work_of_adhesion=work,
+        range_of_adhesion=rho,
+        confidence=confidence,
         sphere_radius=adhesion.attrs["sphere_radius"],
     )
 
 
-def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
+def _of_surface(
+    adhesion: xr.Dataset, size: float, work: float, rho: float, confidence: float
+) -> xr.Dataset:
     """Return the variables of one surface."""
-    surface, radius = str(adhesion.surface.values), float(adhesion.attrs["sphere_radius"])
-    forces = adhesion.pull_off_force * prediction.work
+    radius = float(adhesion.attrs["sphere_radius"])
+    forces = adhesion.pull_off_force * work
     models = [
-        forces_of_scans(forces.sel(contact_model=model), prediction.sizes[surface], radius)
+        forces_of_scans(forces.sel(contact_model=model), size, radius)
         for model in forces.contact_model.values
     ]
     mean = np.array([scans.mean for scans in models])
     half = np.array(
         [
             [
-                half_width_of_logarithm(left_out, parts, prediction.confidence)
+                half_width_of_logarithm(left_out, parts, confidence)
                 for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
             ]
             for scans in models
         ]
     )
     interval = logarithmic_interval(mean, half)
-    quantiles = forces.quantile(QUANTILES, CONTACTS_OF_PREDICTED_FORCE).transpose(
+    quantiles = forces.quantile(QUANTILES, ["scan", "sphere_scan", *CONTACTS]).transpose(
         "contact_model", "rho", "quantile"
     )
-    parts = models[0].parts[int(np.abs(adhesion.rho.values - prediction.rho).argmin())]
+    parts = models[0].parts[int(np.abs(adhesion.rho.values - rho).argmin())]
     newton, dimensions = {"units": "N"}, ("contact_model", "rho")
     return xr.Dataset(
-        with_interval("force", dimensions, mean, interval, newton, prediction.confidence)
+        with_interval("force", dimensions, mean, interval, newton, confidence)
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, newton),
             "conditional": int(parts.conditional),
@@ -184,4 +165,135 @@ def _of_surface(adhesion: xr.Dataset, prediction: Prediction) -> xr.Dataset:
             "correlation_of_parts": ((), parts.shared, {"units": "1"}),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
+    )
+
+
+def continued_force(
+    scales: xr.Dataset, masters: Masters, work: float, confidence: float
+) -> xr.Dataset:
+    """Return the mean force on masters with all their roughness, in plastic contact.
+
+    Parameters
+    ----------
+    scales : xarray.Dataset
+        Forces of the masters at 1 J/m², as in scales.nc.
+    masters : Masters
+        Scans and tiles.
+    work : float
+        Of adhesion in J/m².
+    confidence : float
+        Of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface and side ``continued_force`` in N with its interval, from the same parts and
+        realizations as the edges of the band, ``continued_note``, what that comes from, and
+        ``continued_end`` in nm, the last wavelength: the shortest or the longest. Over side
+        ``transition`` in nm, from which on the roughness is that of the spectrum.
+    """
+    parts = {
+        (str(surface), side): _of_side(scales, str(surface), side, masters, work, confidence)
+        for surface in scales.surface.values
+        for side in SIDES
+    }
+    return stack(parts, ["surface", "side"]).assign(transition=scales.transition)
+
+
+def _of_side(
+    scales: xr.Dataset, surface: str, side: str, masters: Masters, work: float, confidence: float
+) -> xr.Dataset:
+    """Return the variables of one surface and side."""
+    given = forces_of_masters(scales, surface, side, masters)
+    force = work * given.forces.unfiltered_pull_off_force.mean().values
+    half = half_width_over_masters(given, lambda filtered, whole: whole, confidence)
+    end = float(scales.unfiltered_wavelength.sel(surface=surface, side=side))
+    newton = {"units": "N", "long_name": "mean pull-off force with roughness continued"}
+    return xr.Dataset(
+        with_interval(
+            "continued_force", (), force, logarithmic_interval(force, half), newton, confidence
+        )
+        | {
+            "continued_note": given.note(),
+            "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
+        }
+    )
+
+
+def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: float) -> xr.Dataset:
+    """Return predicted forces with those of continued roughness, and whether the two differ.
+
+    Parameters
+    ----------
+    force : xarray.Dataset
+        Of `predicted_force`.
+    continued : xarray.Dataset
+        Of `continued_force`, at the same work and at the range that is asked for.
+    tolerance : float
+        Relative change of the force that counts as none.
+
+    Returns
+    -------
+    xarray.Dataset
+        With the variables of `continued_force` and ``continued_differs`` (surface, side): 1 where
+        the force with continued roughness lies outside the interval of that on the scans, or there
+        is none, and the change is more than the tolerance; 0 where one number says both.
+    """
+    rho = force.attrs["range_of_adhesion"]
+    of_scans = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
+    low, high = bounds(of_scans, "force")
+    other = continued.continued_force
+    inside = (low <= other) & (other <= high)
+    changed = np.abs(other / of_scans.force - 1) > tolerance
+    differs = (changed & ~inside).drop_vars("contact_model").astype(int)
+    return force.merge(continued).assign(continued_differs=differs.transpose("surface", "side"))
+
+
+def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
+    """Return a fit to measured forces with the works of adhesion at the range that is asked for.
+
+    The work is a measured force over that computed at 1 J/m². Where continued roughness changes the
+    computed force by a factor, it changes the work by one over that: W F_scan/F_continued. Masters
+    were computed at one range and in plastic contact alone, so that this is no curve.
+
+    Parameters
+    ----------
+    fitted : xarray.Dataset
+        Of `fit_measured`: measured_force (surface) in N with its interval.
+    force : xarray.Dataset
+        Predicted forces, as in force.nc, over the same surfaces and others.
+
+    Returns
+    -------
+    xarray.Dataset
+        With ``continued_work`` (surface, side) in J/m² and its interval: relative ends of measured
+        and computed force, which are independent, are added as squares of their logarithms. With
+        ``continued_differs`` and ``transition`` of the forces, and the attribute
+        ``range_of_adhesion``, at which ``work_of_adhesion`` is to be compared.
+    """
+    of_fit = force.sel(surface=fitted.surface)
+    measured, unit = fitted.measured_force, of_fit.continued_force / force.attrs["work_of_adhesion"]
+    less, more = (np.log(end / measured) for end in bounds(fitted, "measured_force"))
+    low, high = bounds(of_fit, "continued_force")
+    above = np.log(high / of_fit.continued_force)
+    below = np.log(low.where(low > 0) / of_fit.continued_force).where(low != 0, -np.inf)
+    work = (measured / unit).transpose("surface", "side")
+    ends = [-np.hypot(less, above), np.hypot(more, below)]
+    interval = xr.concat([work * np.exp(end) for end in ends], "bound")
+    return (
+        fitted.assign(
+            with_interval(
+                "continued_work",
+                ("surface", "side"),
+                work.values,
+                interval.transpose("surface", "side", "bound").values,
+                {
+                    "units": "J m-2",
+                    "long_name": f"work with continued roughness, {PLASTIC} contact",
+                },
+                fitted.attrs["confidence"],
+            )
+        )
+        .assign(continued_differs=of_fit.continued_differs, transition=of_fit.transition)
+        .assign_attrs(range_of_adhesion=force.attrs["range_of_adhesion"])
     )

@@ -39,37 +39,20 @@ SAME = 1 - 1e-9
 
 
 class Variance(NamedTuple):
-    """Variance of the logarithm of a statistic from one source.
+    """Variance of the logarithm of a statistic from one source."""
 
-    Attributes
-    ----------
-    value : numpy.ndarray
-        (...), NaN where it is not known.
-    freedom : float
-        Degrees of freedom it is known with.
-    """
-
-    value: np.ndarray
-    freedom: float
+    value: np.ndarray  #: (...), NaN where it is not known.
+    freedom: float  #: Degrees of freedom it is known with.
 
 
 @dataclass(frozen=True, eq=False)
 class Parts:
-    """Parts of the scans of one surface.
+    """Parts of the scans of one surface."""
 
-    Attributes
-    ----------
-    of_contact : numpy.ndarray
-        (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
-    correlation : numpy.ndarray
-        (part, part), of mean forces of parts.
-    scans : int
-        The scans they are parts of.
-    """
-
+    #: (map, contact_y, contact_x), the number of the part in which a contact of a map lies.
     of_contact: np.ndarray
-    correlation: np.ndarray
-    scans: int
+    correlation: np.ndarray  #: (part, part), of mean forces of parts.
+    scans: int  #: The scans they are parts of.
 
     @property
     def conditional(self) -> bool:
@@ -94,21 +77,11 @@ class Parts:
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
-    """Return the quarter of the scan in which each contact lies.
+    """Return the quarter of the scan in which each contact of an array (count, count) lies.
 
-    A map is a mirrored scan, repeated `tiles` times; contacts lie as `contact_positions` says.
-
-    Parameters
-    ----------
-    count : int
-        Contacts along an edge of the array.
-    tiles : int
-        Mirrored scans along an edge of the map.
-
-    Returns
-    -------
-    numpy.ndarray
-        (count, count) of 0 to 3: 2 in the second half along y, plus 1 in the second half along x.
+    A map is a mirrored scan, repeated `tiles` times along an edge; contacts lie as
+    `contact_positions` says. Quarters are 0 to 3: 2 in the second half along y, plus 1 in the
+    second half along x.
     """
     unfolded = 2 * tiles * (np.arange(count) + 0.25) / count % 2  # in edges of the scan
     half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
@@ -118,23 +91,12 @@ def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
 def parts_of_scans(
     scan_of_map: np.ndarray, quarters: np.ndarray, size: float, reach: float
 ) -> Parts:
-    """Return the parts of the scans of one surface.
+    """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
-    Parameters
-    ----------
-    scan_of_map : numpy.ndarray
-        (map,) number of the scan that each map is made of.
-    quarters : numpy.ndarray
-        (contact_y, contact_x), as from `quarters_of_contacts`.
-    size : float
-        Edge of a scan in nm.
-    reach : float
-        sqrt(R rho) in nm, the deviation of the weight with which a contact feels the surface.
-
-    Returns
-    -------
-    Parts
-        Scans where there are three, otherwise quarters that hold contacts.
+    `scan_of_map` (map,) is the number of the scan that each map is made of, `quarters` (contact_y,
+    contact_x) as from `quarters_of_contacts`, of which those that hold contacts are parts; `size`
+    is the edge of a scan, `reach` sqrt(R rho), the deviation of the weight with which a contact
+    feels the surface, both in nm.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -164,17 +126,8 @@ def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
 def jackknife_variance(left_out: np.ndarray, parts: Parts) -> Variance:
     """Return the variance of the delete-one jackknife, corrected as `_widening` says.
 
-    Parameters
-    ----------
-    left_out : numpy.ndarray
-        (part, ...) logarithms of the statistic of all parts but one.
-    parts : Parts
-        As many.
-
-    Returns
-    -------
-    Variance
-        NaN of fewer than two parts, and of parts that are the same.
+    `left_out` (part, ...) are logarithms of the statistic of all parts but one. NaN of fewer than
+    two parts, and of parts that are the same.
     """
     widened, freedom = _widening(parts)
     return Variance((len(left_out) - 1) * left_out.var(axis=0) * widened, freedom)
@@ -183,20 +136,9 @@ def jackknife_variance(left_out: np.ndarray, parts: Parts) -> Variance:
 def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
     """Return the half width of the interval of a logarithm whose variance has several sources.
 
-    Student's t with the sum of the variances v_i of independent sources, and the degrees of freedom
-    of Welch and Satterthwaite: (sum v_i)²/sum(v_i²/f_i).
-
-    Parameters
-    ----------
-    sources : sequence of Variance
-        Of the same shape (...).
-    confidence : float
-        Probability that the interval holds the logarithm.
-
-    Returns
-    -------
-    numpy.ndarray
-        (...), NaN where a variance is, and where all are rounding.
+    Student's t with the sum of the variances v_i (...) of independent sources, and the degrees of
+    freedom of Welch and Satterthwaite: (sum v_i)²/sum(v_i²/f_i). NaN where a variance is, and where
+    all are rounding.
     """
     from scipy import stats
 
@@ -209,22 +151,7 @@ def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
 
 
 def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: float) -> np.ndarray:
-    """Return the half width of the interval of the logarithm of a statistic of parts.
-
-    Parameters
-    ----------
-    left_out : numpy.ndarray
-        (part, ...) logarithms of the statistic of all parts but one.
-    parts : Parts
-        As many.
-    confidence : float
-        Probability that the interval holds the logarithm.
-
-    Returns
-    -------
-    numpy.ndarray
-        (...), as of `half_width` with the variance of `jackknife_variance`.
-    """
+    """Return `half_width` (...) with the variance of `jackknife_variance` alone."""
     return half_width([jackknife_variance(left_out, parts)], confidence)
 
 
@@ -241,26 +168,11 @@ def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
 def sampled_deviations(
     rng: np.random.Generator, left_out: np.ndarray, parts: Parts, samples: int
 ) -> np.ndarray:
-    """Draw deviations of the logarithm of a statistic, of Student's t at every place.
+    """Draw deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    Their distribution is that of `half_width_of_logarithm`. With the same generator, parts that
-    differ in their correlation alone share their random numbers.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of the samples.
-    left_out : numpy.ndarray
-        (part, ...) logarithms of the statistic of all parts but one.
-    parts : Parts
-        As many.
-    samples : int
-        How many are drawn.
-
-    Returns
-    -------
-    numpy.ndarray
-        (samples, ...), NaN of fewer than two parts.
+    At every place they are of Student's t, as in `half_width_of_logarithm`; `left_out` (part, ...)
+    are logarithms of the statistic of all parts but one. With the same generator, parts that differ
+    in their correlation alone share their random numbers. NaN of fewer than two parts.
     """
     from scipy import stats
 

@@ -34,52 +34,25 @@ FACTS = ["rms_height", "rms_gradient", "rms_half_laplacian"]
 
 
 class SetSettings(NamedTuple):
-    """How sets are drawn and judged.
+    """How sets are drawn and judged."""
 
-    Attributes
-    ----------
-    seed : int
-        The seed of the study.
-    replicates : int
-        Sets drawn.
-    realizations : int
-        Masters of each substrate in a set.
-    reference_surface : str
-        The surface that ratios are taken to.
-    error_threshold, force_floor : float
-        Of `inference.infer`.
-    tolerance : float
-        Relative change of the force that ends the critical band.
-    confidence : float
-        Of the intervals.
-    """
-
-    seed: int
-    replicates: int
-    realizations: int
-    reference_surface: str
-    error_threshold: float
-    force_floor: float
-    tolerance: float
-    confidence: float
+    seed: int  #: The seed of the study.
+    replicates: int  #: Sets drawn.
+    realizations: int  #: Masters of each substrate in a set.
+    reference_surface: str  #: The surface that ratios are taken to.
+    error_threshold: float  #: Of `inference.infer`.
+    force_floor: float  #: In N, of `inference.infer`.
+    tolerance: float  #: Relative change of the force that ends the critical band.
+    confidence: float  #: Of the intervals.
 
 
 class Paper(NamedTuple):
-    """What sets are compared with.
+    """What sets are compared with."""
 
-    Attributes
-    ----------
-    statements : pandas.DataFrame
-        Of `evaluation.read_statements`; those that are replicated are judged.
-    constants : pandas.DataFrame
-        Of `published.constants`.
-    published : Published
-        Measured forces, and the pair of the paper.
-    """
-
+    #: Of `evaluation.read_statements`; those that are replicated are judged.
     statements: pd.DataFrame
-    constants: pd.DataFrame
-    published: Published
+    constants: pd.DataFrame  #: Of `published.constants`.
+    published: Published  #: Measured forces, and the pair of the paper.
 
 
 def gathered_sources(

@@ -1,6 +1,6 @@
-"""Drawing a set: which scans of a pool it takes, how high each is, which forces follow.
+"""The datasets of one set of scans, shaped as those of the study that claims are about.
 
-The datasets of one set of scans, shaped as those of the study that claims are about.
+A set takes scans of a pool and gives each its height, from which its forces follow.
 """
 
 from collections.abc import Mapping
@@ -37,32 +37,17 @@ SHAPES = ("skewness", "kurtosis")
 #: How often a set is drawn in search of one with the heights asked for.
 TRIES = 1000
 
+#: Scans of one set, by substrate.
+Drawn = Mapping[str, xr.Dataset]
+
 
 def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
     """Draw a set of scans of one substrate from its pool, without replacement.
 
     A set of which a height would be below those of the pool is drawn again: with six scans or more
-    it could be negative.
-
-    Parameters
-    ----------
-    pool : xarray.Dataset
-        Of `pool.compute_pool`, all scans.
-    rng : numpy.random.Generator
-        Named for the surface and the set.
-    scans : int
-        Of the set.
-
-    Returns
-    -------
-    xarray.Dataset
-        METRICS (scan), `pull_off_force` (scan, contact_model, rho, contact_y, contact_x) in N on a
-        smooth sphere, and `number` (scan) in the pool; scan counts from 1.
-
-    Raises
-    ------
-    ValueError
-        If no set of so many scans is found.
+    it could be negative; ValueError if none is found. METRICS and `number` in the pool are over
+    scan, which counts from 1; `pull_off_force` (scan, contact_model, rho, contact_y, contact_x) in
+    N is that on a smooth sphere.
     """
     known = pool["rms_height_of_force"].values
     for _ in range(TRIES):
@@ -108,19 +93,8 @@ def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.Data
     """Return the forces of measured scans times one sample of what their mean may be.
 
     Other scans of the surface would have another mean force; the scans that there are keep their
-    distribution over contacts.
-
-    Parameters
-    ----------
-    forces : xarray.DataArray
-        (scan, sphere_scan, contact_model, rho, contact_y, contact_x) in N.
-    rng : numpy.random.Generator
-        Named for the surface and the set.
-
-    Returns
-    -------
-    xarray.DataArray
-        In the order of the forces; a single scan is left as it is.
+    distribution over contacts, and a single scan is left as it is. Forces (scan, sphere_scan,
+    contact_model, rho, contact_y, contact_x) are in N.
     """
     axes = ("scan", "contact_model", "rho")
     means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
@@ -131,46 +105,24 @@ def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.Data
     return (forces * factor).transpose(*forces.dims)
 
 
-#: Scans of one set, by substrate.
-Drawn = Mapping[str, xr.Dataset]
-
-
 class Sources(NamedTuple):
-    """What all sets are made from.
+    """What all sets are made from."""
 
-    Attributes
-    ----------
-    topography, adhesion : xarray.Dataset
-        Of the study.
-    pools : mapping of str to xarray.Dataset
-        Of `pool.compute_pool`, by substrate; a substrate without one keeps its scans.
-    sphere_factor : xarray.DataArray
-        (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
-        substrates with a pool.
-    masters : xarray.Dataset
-        Of `filtered_masters.stacked_forces` at one load.
-    """
-
-    topography: xr.Dataset
-    adhesion: xr.Dataset
+    topography: xr.Dataset  #: Of the study.
+    adhesion: xr.Dataset  #: Of the study.
+    #: Of `pool.compute_pool`, by substrate; a substrate without one keeps its scans.
     pools: Mapping[str, xr.Dataset]
+    #: (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
+    #: substrates with a pool.
     sphere_factor: xr.DataArray
-    masters: xr.Dataset
+    masters: xr.Dataset  #: Of `filtered_masters.stacked_forces` at one load.
 
 
 class Draw(NamedTuple):
-    """Which of all sets it is.
+    """Which of all sets it is."""
 
-    Attributes
-    ----------
-    seed : int
-        The seed of the study.
-    number : int
-        Of the set.
-    """
-
-    seed: int
-    number: int
+    seed: int  #: The seed of the study.
+    number: int  #: Of the set.
 
     def generator(self, surface: str, purpose: str) -> np.random.Generator:
         """Return the random generator for one purpose on one surface."""
@@ -190,21 +142,9 @@ def drawn_scans(sources: Sources, draw: Draw) -> dict[str, xr.Dataset]:
 
 
 def set_topography(study: xr.Dataset, drawn: Drawn, confidence: float) -> xr.Dataset:
-    """Return the topography of a set: METRICS, their averages, and all that scans do not enter.
+    """Return METRICS, their averages, and all that scans do not enter, as topography.nc has them.
 
-    Parameters
-    ----------
-    study : xarray.Dataset
-        As topography.nc.
-    drawn : mapping of str to xarray.Dataset
-        Of `drawn_scans`; other surfaces keep their scans.
-    confidence : float
-        Of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface and scan.
+    Surfaces without drawn scans keep those of the study.
     """
     parts = [
         drawn[name] if name in drawn else study.sel(surface=name, drop=True)
@@ -219,21 +159,8 @@ def set_topography(study: xr.Dataset, drawn: Drawn, confidence: float) -> xr.Dat
 def set_adhesion(sources: Sources, drawn: Drawn, draw: Draw) -> xr.Dataset:
     """Return the pull-off forces of a set, as adhesion.nc has them.
 
-    Forces of drawn scans are those on a smooth sphere times what its roughness changes.
-
-    Parameters
-    ----------
-    sources : Sources
-        What all sets are made from.
-    drawn : mapping of str to xarray.Dataset
-        Of `drawn_scans`; other substrates keep their scans and get another mean.
-    draw : Draw
-        Which of all sets it is.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (surface, scan, sphere_scan, contact_model, rho, contact_y, contact_x).
+    Forces of drawn scans are those on a smooth sphere times what its roughness changes. Other
+    substrates keep their scans and get another mean.
     """
     study, parts = sources.adhesion, []
     for surface in study["surface"].values.tolist():
@@ -256,23 +183,8 @@ def set_band(
 ) -> xr.Dataset:
     """Return the critical band of some masters of each substrate, drawn with replacement.
 
-    Parameters
-    ----------
-    masters : xarray.Dataset
-        Of `filtered_masters.stacked_forces` at one load.
-    realizations : int
-        Masters of each substrate in a set.
-    tolerance : float
-        Relative change of the force that counts.
-    sampling : Sampling
-        Without samples.
-    draw : Draw
-        Which of all sets it is.
-
-    Returns
-    -------
-    xarray.Dataset
-        As band.nc, without labels.
+    `realizations` masters of each are drawn from `filtered_masters.stacked_forces` at one load; as
+    band.nc, without labels.
     """
     parts = []
     for surface in masters["surface"].values.tolist():
