@@ -122,9 +122,9 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
         rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
         surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
         pair = bodies(surface, None, trial.radius, trial.array)
-        found = pull_off_of_pair(pair, trial.load, trial.ranges).variables
-        forces.append(found["pull_off_force"][1][1].mean(axis=(1, 2)) * trial.work)
-        approaches.append(-found["closest_approach"][1][1])
+        plastic = pull_off_of_pair(pair, trial.load, trial.ranges).sel(contact_model="plastic")
+        forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
+        approaches.append(-plastic["closest_approach"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
     area = contact_pixel_count(trial.load, pixel_size) * pixel_size**2
     contacts = [Contact(trial.radius, rho, trial.work, area) for rho in trial.ranges]
