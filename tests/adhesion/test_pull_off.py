@@ -12,7 +12,7 @@ from hardcontact.adhesion.traced_contact import traced_contact
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.records import dataset
-from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.filters import filtered
 
 LOAD = {"preload": 10e-6, "hardness": 25e9}

@@ -8,7 +8,7 @@ from scipy.special import erf
 from hardcontact.insight import edge_scaling as scaling
 from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 

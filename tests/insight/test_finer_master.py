@@ -5,7 +5,7 @@ import pytest
 from periodic_maps import height_map, periodic_noise
 
 from hardcontact.insight.finer_master import FinerMaster, on_coarser_pixels, on_several_pixels
-from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 
 PIXELS, SIZE = 128, 256.0
 GIVEN = FinerMaster(

@@ -3,7 +3,7 @@
 from hardcontact.adhesion.all_surfaces import at_load, with_names
 from hardcontact.records.dataset import read_all
 from hardcontact.records.job import job
-from hardcontact.scales.filtered_masters import stacked_forces, with_transitions
+from hardcontact.scales.stacked_masters import stacked_forces, with_transitions
 
 with job(snakemake) as this:
     given = this.parameters

@@ -1,7 +1,7 @@
 """Plastic pull-off at every contact of a master, whole and filtered at every cutoff."""
 
 from hardcontact.records.job import job
-from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.height_map import read_height_map
 
 with job(snakemake) as this:

@@ -6,7 +6,7 @@ from hardcontact.inference.inference import Pair, Published
 from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
 from hardcontact.records.job import job
-from hardcontact.scales.filtered_masters import stacked_forces
+from hardcontact.scales.stacked_masters import stacked_forces
 from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
 
 with job(snakemake) as this:

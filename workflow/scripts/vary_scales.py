@@ -4,7 +4,7 @@ from itertools import product
 
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import job
-from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import SIDES, synthesized_master

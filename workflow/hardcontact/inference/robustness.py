@@ -20,7 +20,7 @@ from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records import log
 from hardcontact.scales.critical_band import critical_band
-from hardcontact.scales.filtered_masters import stacked_forces
+from hardcontact.scales.stacked_masters import stacked_forces
 
 __all__ = ["Choices", "robustness"]
 

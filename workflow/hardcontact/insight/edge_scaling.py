@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.adhesion.all_surfaces import Described, with_names
 from hardcontact.numbers.statistics import Sampling, bounds, jackknife_interval, with_interval
 from hardcontact.scales.critical_band import POOLED, critical_band
-from hardcontact.scales.filtered_masters import stacked_forces
+from hardcontact.scales.stacked_masters import stacked_forces
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 
 __all__ = [

@@ -14,7 +14,7 @@ from hardcontact.numbers.statistics import jackknife_interval, with_interval
 from hardcontact.records.log import progress
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
-from hardcontact.scales.filtered_pull_off import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
 

@@ -30,7 +30,7 @@ from hardcontact.insight.law_forces import law_forces, range_grid
 from hardcontact.numbers.statistics import Sampling, jackknife_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band, last_cutoff
-from hardcontact.scales.filtered_masters import stacked_forces
+from hardcontact.scales.stacked_masters import stacked_forces
 
 __all__ = [
     "CASES",

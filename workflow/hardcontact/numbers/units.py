@@ -3,6 +3,7 @@
 import math
 import re
 import reprlib
+from functools import cache
 
 import pint
 
@@ -24,6 +25,7 @@ _QUANTITY = re.compile(
 )
 
 
+@cache
 def magnitude(text: object, unit: str) -> float:
     """Return the number of a quantity such as ``"10 uN"`` in a unit.
 

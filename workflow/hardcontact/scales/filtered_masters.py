@@ -1,22 +1,22 @@
-"""Forces on masters, whole and filtered at every cutoff wavelength; those of all masters."""
+"""Forces on a master, whole and filtered below or above every cutoff wavelength."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, TypedDict
+from typing import TypedDict
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, Axis
-from hardcontact.records.dataset import stack
+from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, Axis, load_axis
+from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
+from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.records.log import progress
+from hardcontact.scales.stacked_masters import CONTACT_AXES
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["CONTACT_AXES", "Cutoffs", "forces_at_cutoffs", "stacked_forces", "with_transitions"]
-
-#: Forces that have these dimensions are averaged over them before a ratio is taken.
-CONTACT_AXES = ("contact_y", "contact_x")
+__all__ = ["Cutoffs", "FilteredContacts", "filtered_pull_off", "forces_at_cutoffs"]
 
 
 class Cutoffs(TypedDict):
@@ -80,51 +80,63 @@ def forces_at_cutoffs(
     )
 
 
-def stacked_forces(masters: Mapping[tuple[Any, ...], xr.Dataset]) -> xr.Dataset:
-    """Return the forces on all filtered masters, and their ratios to those on the whole ones.
+class FilteredContacts(ContactArray):
+    """A master, filtered at several cutoffs, in an array of contacts at several loads.
+
+    Attributes
+    ----------
+    side : str
+        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
+    scales : Cutoffs
+        The filters.
+    radius : float
+        Of the sphere, in nm.
+    rho : float
+        Range of adhesion in nm.
+    loads : list of NamedLoad
+        Preloads and hardnesses.
+    """
+
+    side: str
+    scales: Cutoffs
+    radius: float
+    rho: float
+    loads: list[NamedLoad]
+
+
+def filtered_pull_off(
+    master: HeightMap, sphere: HeightMap | None, parameters: FilteredContacts, threads: int = 1
+) -> xr.Dataset:
+    """Return the plastic pull-off at every contact and load of a master, whole and filtered.
 
     Parameters
     ----------
-    masters : mapping of tuple to xarray.Dataset
-        (surface, realization, side) -> `forces_at_cutoffs`.
+    master : HeightMap
+        Periodic.
+    sphere : HeightMap or None
+        Roughness of the sphere; None of a smooth one.
+    parameters : FilteredContacts
+        Filters, sphere and loads.
+    threads : int
+        The result does not depend on it.
 
     Returns
     -------
     xarray.Dataset
-        ``pull_off_force`` (surface, realization, side, cutoff_wavelength, ...), NaN at cutoffs of
-        the other side, ``unfiltered_pull_off_force`` (surface, realization, side, ...),
-        ``unfiltered_wavelength`` (surface, side) and ``ratio`` (surface, realization, side,
-        cutoff_wavelength, ...) of the means over contacts.
+        ``pull_off_force`` (cutoff_wavelength, load, contact_y, contact_x) with contacts by number,
+        ``unfiltered_pull_off_force`` (load, contact_y, contact_x) and ``unfiltered_wavelength``,
+        the end of the unfiltered spectrum.
     """
-    stacked = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
-    contacts = [axis for axis in CONTACT_AXES if axis in stacked.dims]
-    filtered, whole = (
-        stacked[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
-    )
-    ratio = (filtered / whole).assign_attrs(
-        units="1", long_name="mean pull-off force over that unfiltered"
-    )
-    ends = stacked["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    scales = stacked.assign(ratio=ratio, unfiltered_wavelength=ends)
-    scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
-    return scales
+    loads, rho = parameters["loads"], parameters["rho"]
 
+    def forces(surface: HeightMap) -> np.ndarray:
+        pair = bodies(surface, sphere, parameters["radius"], parameters)
+        pixel_size = pair.geometry.pixel_size
+        contact_pixels = [contact_pixel_count(load, pixel_size) for load in loads]
+        totals = plastic_totals(pair, contact_pixels, rho, threads)
+        return pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
 
-def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
-    """Return forces of masters with the wavelength (nm) beyond which their roughness is artificial.
-
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Of `stacked_forces`.
-    transitions : mapping of str to float
-        By side, in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``transition`` (side): below it on the small side, above it on the large one.
-    """
-    attributes = {"units": "nm", "long_name": "artificial roughness begins"}
-    lengths = [transitions[str(side)] for side in scales["side"].values]
-    return scales.assign(transition=("side", lengths, attributes))
+    axes = load_axis(loads)
+    axes |= {axis: ((axis,), np.arange(parameters["count"]), {}) for axis in CONTACT_AXES}
+    found = forces_at_cutoffs(master, parameters["side"], parameters["scales"], forces, axes)
+    return found.assign_attrs(rho=rho)

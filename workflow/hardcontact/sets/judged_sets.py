@@ -72,7 +72,7 @@ def gathered_sources(
     smooth : mapping of str to xarray.Dataset
         Of `smooth_sphere.on_smooth_sphere`, by substrate.
     masters : xarray.Dataset
-        Of `filtered_masters.stacked_forces` at one load.
+        Of `stacked_masters.stacked_forces` at one load.
 
     Returns
     -------
