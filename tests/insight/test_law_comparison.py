@@ -10,9 +10,8 @@ from scipy.special import gamma
 
 from hardcontact.inference.error_map import fit
 from hardcontact.inference.inference import Pair
-from hardcontact.insight.interaction_laws import LAWS
+from hardcontact.insight.interaction_laws import LAWS, law_forces, range_grid
 from hardcontact.insight.law_comparison import LawChoices, compare_laws, stacked_law_forces
-from hardcontact.insight.law_forces import law_forces, range_grid
 from hardcontact.numbers.statistics import Sampling
 
 SURFACES, SLOPES = ["smooth", "middle", "rough"], np.array([0.1, 0.3, 0.5])

@@ -6,15 +6,13 @@ from periodic_maps import RADIUS, height_map, over, periodic_noise
 
 from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.contact.geometry import flattened_gaps, gap_map
-from hardcontact.insight.interaction_laws import LAWS, pressure, work_shares
+from hardcontact.insight.interaction_laws import LAWS, law_forces, pressure, range_grid, work_shares
 from hardcontact.insight.law_forces import (
     LARGEST_EXPONENT,
     MIXED_RANGES,
     filtered_range_forces,
-    law_forces,
     mean_range_forces,
     range_forces,
-    range_grid,
     scan_range_forces,
 )
 

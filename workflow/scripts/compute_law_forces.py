@@ -1,11 +1,7 @@
 """Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
 
-from hardcontact.insight.law_forces import (
-    MIXED_RANGES,
-    filtered_range_forces,
-    range_grid,
-    scan_range_forces,
-)
+from hardcontact.insight.interaction_laws import range_grid
+from hardcontact.insight.law_forces import MIXED_RANGES, filtered_range_forces, scan_range_forces
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map

@@ -26,6 +26,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import constants, special
 
+from hardcontact.adhesion.force_curves import on_fine_grid
+
 __all__ = [
     "EXPONENTIAL",
     "HAMAKER",
@@ -33,7 +35,9 @@ __all__ = [
     "POTENTIAL",
     "Law",
     "implied_over_known",
+    "law_forces",
     "pressure",
+    "range_grid",
     "work_shares",
 ]
 
@@ -114,3 +118,37 @@ def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
         return np.full(np.broadcast(rho, work).shape, np.nan)
     metres = law.spacing(rho) * NANOMETRE
     return np.asarray(np.asarray(work, float) * metres**law.exponent / law.known)
+
+
+def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
+    """Return the grid of ranges, all in nm, that holds `anchor` and covers `low` to `high`.
+
+    `step` is that of the logarithm.
+    """
+    first, last = np.floor(np.log(low / anchor) / step), np.ceil(np.log(high / anchor) / step)
+    return np.asarray(anchor * np.exp(step * np.arange(first, last + 1)))
+
+
+def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> Floats:
+    """Return the forces of a law from those of exponential laws, all at the same W.
+
+    Parameters
+    ----------
+    law : Law
+        Any of the laws.
+    rho : array_like (n,)
+        Ranges of the law in nm.
+    ranges : numpy.ndarray (k,)
+        Of the exponential laws in nm, rising, evenly spaced in their logarithm.
+    forces : array_like (..., k)
+        In N.
+
+    Returns
+    -------
+    numpy.ndarray
+        (..., n) in N. Those of the exponential law are interpolated between its ranges.
+    """
+    values = np.asarray(forces, float)
+    if law.exponential:
+        return on_fine_grid(values, ranges, np.asarray(rho, float))
+    return np.asarray(values @ work_shares(law, rho, ranges).T)

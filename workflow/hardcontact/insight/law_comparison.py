@@ -23,10 +23,11 @@ from hardcontact.insight.interaction_laws import (
     LAWS,
     Law,
     implied_over_known,
+    law_forces,
     pressure,
+    range_grid,
     work_shares,
 )
-from hardcontact.insight.law_forces import law_forces, range_grid
 from hardcontact.numbers.statistics import Sampling, jackknife_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band, last_cutoff

@@ -11,9 +11,8 @@ from dataclasses import replace
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from hardcontact.adhesion.force_curves import on_fine_grid
 from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, range_axis
 from hardcontact.adhesion.sphere_sums import Contacts, outside_sums
@@ -25,7 +24,6 @@ from hardcontact.contact.bearing_area import (
     lowest_gaps,
 )
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
-from hardcontact.insight.interaction_laws import Law, work_shares
 from hardcontact.scales.filtered_masters import Cutoffs, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -33,10 +31,8 @@ __all__ = [
     "MIXED_RANGES",
     "RangeContacts",
     "filtered_range_forces",
-    "law_forces",
     "mean_range_forces",
     "range_forces",
-    "range_grid",
     "scan_range_forces",
 ]
 
@@ -72,15 +68,6 @@ class RangeContacts(ContactSettings):
     radius: float
     reach: float
     ranges: list[float]
-
-
-def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
-    """Return the grid of ranges, all in nm, that holds `anchor` and covers `low` to `high`.
-
-    `step` is that of the logarithm.
-    """
-    first, last = np.floor(np.log(low / anchor) / step), np.ceil(np.log(high / anchor) / step)
-    return np.asarray(anchor * np.exp(step * np.arange(first, last + 1)))
 
 
 def range_forces(pair: Bodies, parameters: RangeContacts) -> Floats:
@@ -207,28 +194,3 @@ def scan_range_forces(
         range_axis(parameters["ranges"]),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
-
-
-def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> Floats:
-    """Return the forces of a law from those of exponential laws, all at the same W.
-
-    Parameters
-    ----------
-    law : Law
-        Any of the laws.
-    rho : array_like (n,)
-        Ranges of the law in nm.
-    ranges : numpy.ndarray (k,)
-        Of the exponential laws in nm, rising, evenly spaced in their logarithm.
-    forces : array_like (..., k)
-        In N.
-
-    Returns
-    -------
-    numpy.ndarray
-        (..., n) in N. Those of the exponential law are interpolated between its ranges.
-    """
-    values = np.asarray(forces, float)
-    if law.exponential:
-        return on_fine_grid(values, ranges, np.asarray(rho, float))
-    return np.asarray(values @ work_shares(law, rho, ranges).T)

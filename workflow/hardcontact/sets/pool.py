@@ -17,11 +17,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
-from scipy.interpolate import make_interp_spline
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_of_pair
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.contact.geometry import bodies
+from hardcontact.numbers.interpolation import height_weights
 from hardcontact.numbers.random import generator
 from hardcontact.records.log import progress
 from hardcontact.surfaces.conditioning import Targets
@@ -30,7 +30,7 @@ from hardcontact.surfaces.spectrum import Density
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.topography import METRICS, level, metrics, mirror_stitch
 
-__all__ = ["PoolSettings", "compute_pool", "height_weights", "on_smooth_sphere", "pool_heights"]
+__all__ = ["PoolSettings", "compute_pool", "on_smooth_sphere", "pool_heights"]
 
 Floats = NDArray[np.float64]
 
@@ -92,18 +92,6 @@ def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
     reach = targets.deviation * (scans - 1) / np.sqrt(scans)
     least = max(mean - reach, LEAST * mean)
     return np.asarray(np.linspace(least**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
-
-
-def height_weights(heights: Floats, at: Floats) -> Floats:
-    """Return the weights (at, amplitude) of logarithms of forces at `heights`, all in nm.
-
-    Those of a cubic spline in the root of the height.
-    """
-    if len(heights) == 1:
-        return np.ones((len(at), 1))
-    degree = min(3, len(heights) - 1)
-    spline = make_interp_spline(np.sqrt(heights), np.eye(len(heights)), k=degree)
-    return np.asarray(spline(np.sqrt(at)))
 
 
 def compute_pool(

@@ -10,10 +10,10 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.numbers.interpolation import height_weights
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import Sampling, student_log_samples
 from hardcontact.scales.critical_band import critical_band
-from hardcontact.sets.pool import height_weights
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.roughness_table import averages
 from hardcontact.surfaces.topography import METRICS
