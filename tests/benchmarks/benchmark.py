@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the m
 
 from direct_sum import direct_total
 
-from hardcontact.adhesion.force_sum import plastic_totals
+from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count

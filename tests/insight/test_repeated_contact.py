@@ -5,7 +5,7 @@ import pytest
 from direct_sum import direct_total
 from periodic_maps import over, periodic_noise
 
-from hardcontact.adhesion.force_sum import plastic_totals
+from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.contact.geometry import gap_map
 from hardcontact.insight.repeated_contact import (
     Adhesion,

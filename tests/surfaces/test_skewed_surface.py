@@ -9,7 +9,8 @@ from repository import ROOT
 from scipy.ndimage import maximum_filter
 from scipy.stats import skew
 
-from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
+from hardcontact.adhesion.force_sum import pull_off_force
+from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator

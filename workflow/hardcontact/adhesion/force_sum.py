@@ -5,18 +5,11 @@ functions here return sums of exp(-g/rho) at closest approach; `pull_off_force` 
 forces.
 """
 
-from collections.abc import Sequence
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
-from hardcontact.contact.geometry import Bodies
-
 __all__ = [
     "force_separation",
-    "plastic_totals",
     "pull_off_force",
     "opened_total",
 ]
@@ -88,33 +81,6 @@ def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: flo
     approach = gaps[..., contact_pixels - 1]
     opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
     return np.asarray(contact_pixels + opened + outside * np.exp((approach - gaps[..., -1]) / rho))
-
-
-def plastic_totals(
-    bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
-) -> Floats:
-    """Return the sums of exp(-gap/rho) of an array of plastic contacts at several loads.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        With a smooth or a rough sphere.
-    contact_pixels : sequence of int
-        At each load.
-    rho : float
-        Range of adhesion in nm.
-    threads : int
-        Used for a smooth sphere; the result does not depend on it.
-
-    Returns
-    -------
-    numpy.ndarray
-        (load, contact, contact)
-    """
-    contacts = all_lowest_gaps(bodies, max(contact_pixels))
-    gaps = stacked_gaps(contacts, bodies.geometry)
-    (outside,) = outside_sums(bodies, contacts, [rho], threads)
-    return np.array([opened_total(outside, gaps, count, rho) for count in contact_pixels])
 
 
 def force_separation(pull_off: float, rho: float, separation: ArrayLike) -> Floats:

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import NDArray
 
 from hardcontact.adhesion.force_sum import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
@@ -19,6 +20,7 @@ from hardcontact.contact.bearing_area import (
 from hardcontact.contact.geometry import Bodies
 
 __all__ = [
+    "plastic_totals",
     "Axis",
     "FORCE",
     "WORK_OF_ADHESION",
@@ -32,6 +34,8 @@ __all__ = [
 
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
+
+Floats = NDArray[np.float64]
 
 #: J/m², of all stored forces: they are proportional to it.
 WORK_OF_ADHESION = 1.0
@@ -55,6 +59,33 @@ def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
     """Return the coordinate of ranges of adhesion."""
     attributes = {"units": "nm", "long_name": "range of adhesion"}
     return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
+
+
+def plastic_totals(
+    bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
+) -> Floats:
+    """Return the sums of exp(-gap/rho) of an array of plastic contacts at several loads.
+
+    Parameters
+    ----------
+    bodies : Bodies
+        With a smooth or a rough sphere.
+    contact_pixels : sequence of int
+        At each load.
+    rho : float
+        Range of adhesion in nm.
+    threads : int
+        Used for a smooth sphere; the result does not depend on it.
+
+    Returns
+    -------
+    numpy.ndarray
+        (load, contact, contact)
+    """
+    contacts = all_lowest_gaps(bodies, max(contact_pixels))
+    gaps = stacked_gaps(contacts, bodies.geometry)
+    (outside,) = outside_sums(bodies, contacts, [rho], threads)
+    return np.array([opened_total(outside, gaps, count, rho) for count in contact_pixels])
 
 
 def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.Dataset:

@@ -11,7 +11,8 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.all_surfaces import Described, with_names
-from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
+from hardcontact.adhesion.force_sum import pull_off_force
+from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.repeated_contact import (

@@ -7,8 +7,8 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.adhesion.force_sum import plastic_totals, pull_off_force
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, Axis, load_axis
+from hardcontact.adhesion.force_sum import pull_off_force
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, Axis, load_axis, plastic_totals
 from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
 from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.records.log import progress
