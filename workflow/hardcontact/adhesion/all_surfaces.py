@@ -10,16 +10,6 @@ import xarray as xr
 
 from hardcontact.records.dataset import stack
 
-__all__ = [
-    "Described",
-    "at_load",
-    "over_sphere_scans",
-    "stacked_asperities",
-    "stacked_elastic_contacts",
-    "stacked_pull_off_forces",
-    "with_names",
-]
-
 
 class Described(TypedDict):
     """Label of each surface, and whether it was measured or is a substitute."""

@@ -13,16 +13,6 @@ import xarray as xr
 
 from hardcontact.contact.bearing_area import Load
 
-__all__ = [
-    "LARGE_ENOUGH",
-    "FiniteScan",
-    "finite_scan",
-    "finite_scan_warning",
-    "with_contact_area",
-    "with_finite_scan_notes",
-    "with_window_share",
-]
-
 #: Mean force on mirrored windows over that on the random surfaces of 20 µm they were cut out of, by
 #: the size of the window over the draw size: the least and the greatest ratio up to that size.
 #: Measured on Gaussian surfaces of rms height 2 to 50 nm (roll-off 930 nm, H = 0.84), R = 20 and

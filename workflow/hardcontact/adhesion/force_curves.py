@@ -19,16 +19,6 @@ from hardcontact.numbers.statistics import (
     with_interval,
 )
 
-__all__ = [
-    "at_range",
-    "force_curves",
-    "force_statistics",
-    "mean_forces",
-    "mean_of_each_scan",
-    "means_over_scans",
-    "on_fine_grid",
-]
-
 #: Dimensions of single contacts, and of the sphere scans they are made with.
 CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
 

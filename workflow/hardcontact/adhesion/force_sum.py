@@ -8,12 +8,6 @@ forces.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = [
-    "force_separation",
-    "pull_off_force",
-    "opened_total",
-]
-
 Floats = NDArray[np.float64]
 
 #: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.

@@ -19,19 +19,6 @@ from hardcontact.contact.bearing_area import (
 )
 from hardcontact.contact.geometry import Bodies
 
-__all__ = [
-    "plastic_totals",
-    "Axis",
-    "FORCE",
-    "WORK_OF_ADHESION",
-    "contact_axes",
-    "load_axis",
-    "mean_pull_off_of_pair",
-    "pull_off_of_pair",
-    "range_axis",
-    "window_change",
-]
-
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
 

@@ -21,8 +21,6 @@ from threadpoolctl import threadpool_limits
 from hardcontact.contact.bearing_area import LowestGaps
 from hardcontact.contact.geometry import Bodies, ContactGeometry, gaps_at
 
-__all__ = ["ContactPixels", "Contacts", "outside_sums"]
-
 Floats = NDArray[np.float64]
 
 #: Contact pixels of each contact, by its place (i, j) in the array.

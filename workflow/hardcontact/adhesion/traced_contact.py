@@ -9,8 +9,6 @@ from hardcontact.adhesion.force_sum import force_separation, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
 
-__all__ = ["traced_contact"]
-
 
 def traced_contact(
     bodies: Bodies,

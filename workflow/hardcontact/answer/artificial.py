@@ -7,14 +7,6 @@ import xarray as xr
 
 from hardcontact.numbers.printing import print_length
 
-__all__ = [
-    "artificial_bands",
-    "artificial_words",
-    "measurements",
-    "reliable_measurements",
-    "share_inside",
-]
-
 #: Kinds of measurement, and the description of a substitute in the place of one; where a surface
 #: has fewer than another its datasets are padded.
 KINDS = ("map", "profile", "description")

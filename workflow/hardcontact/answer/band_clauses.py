@@ -16,16 +16,6 @@ from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = [
-    "clause_of_closed_form",
-    "clause_of_elastic_limit",
-    "clause_of_laws",
-    "clause_of_maps",
-    "clause_of_repeated_contact",
-    "clause_of_scaling",
-    "clause_of_scan_size",
-]
-
 
 def clause_of_scaling(scaling: xr.Dataset) -> str:
     """Return on how many surfaces each edge changes with sphere, range and contact."""

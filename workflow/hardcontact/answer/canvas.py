@@ -13,8 +13,6 @@ from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullFormat
 from hardcontact.figures import style
 from hardcontact.numbers.printing import print_length
 
-__all__ = ["WIDTH", "canvas_style", "create", "label_lengths", "label_numbers", "png"]
-
 WIDTH = 4.2  # inch: 360 pixels of a phone show 9 points as 11 pixels
 RESOLUTION = 200  # dots per inch: sharp at twice the pixels of a phone
 TEXT: dict[Any, Any] = {

@@ -5,8 +5,6 @@ from io import BytesIO
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
-__all__ = ["Caption", "caption", "web_png"]
-
 #: Nothing but the text itself, and an error for what is no markup.
 SETTINGS = {
     "_disable_config": True,

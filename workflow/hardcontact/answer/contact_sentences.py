@@ -20,14 +20,6 @@ from hardcontact.numbers.printing import (
 )
 from hardcontact.numbers.statistics import bounds
 
-__all__ = [
-    "amounts",
-    "disputed",
-    "elastic_limit_sentences",
-    "map_sentences",
-    "repeated_contact_sentences",
-]
-
 #: Of contacts that yield: by the index of all, and by the pressure of those that were solved.
 SHARES = ["plastic_share", "solved_plastic_share"]
 

@@ -5,8 +5,6 @@ from typing import NamedTuple
 
 import xarray as xr
 
-__all__ = ["Datasets", "Setting", "at_range", "model_of"]
-
 #: The contact model whose force stands in the answer, where it was computed.
 PREFERRED = "plastic"
 

@@ -9,8 +9,6 @@ from hardcontact.answer.sentences import capital, differing_sides, one_sentence,
 from hardcontact.numbers.printing import print_bounded, print_length, print_share
 from hardcontact.numbers.statistics import bounds
 
-__all__ = ["first_sentences", "fit_sentences", "measured_sentences"]
-
 #: The upper end of an interval is called open where it lies this many times farther, in the
 #: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
 LOPSIDED = 2.0

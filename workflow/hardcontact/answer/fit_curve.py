@@ -12,8 +12,6 @@ from hardcontact.figures import style
 from hardcontact.figures.marks import FIT_STAR, MILLIJOULE
 from hardcontact.figures.tables import bounded
 
-__all__ = ["draw", "of_answer"]
-
 REGION = {"color": FIT_STAR["color"], "alpha": 0.3, "lw": 0.0}
 
 

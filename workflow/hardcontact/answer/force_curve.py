@@ -13,8 +13,6 @@ from hardcontact.figures import style
 from hardcontact.figures.tables import bounded
 from hardcontact.numbers.printing import best_unit, print_length, print_quantity, print_share
 
-__all__ = ["draw"]
-
 LINES = ("-", "--", "-.")
 BESIDE = 1.04  # factor by which the marks of one surface stand beside those of the one before
 ASKED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": ":"}

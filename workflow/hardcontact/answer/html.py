@@ -5,8 +5,6 @@ import re
 from collections.abc import Iterable, Sequence
 from html import escape
 
-__all__ = ["figure_html", "list_html", "page", "table_html", "text_html"]
-
 STYLE = """
 :root { color-scheme: light }
 * { box-sizing: border-box }

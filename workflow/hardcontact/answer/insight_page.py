@@ -36,8 +36,6 @@ from hardcontact.numbers.printing import print_as_paper, print_bounded_as_paper,
 from hardcontact.scales.critical_band import POOLED
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["AnsweredPart", "PARTS", "Part", "insight_page"]
-
 
 class Part(NamedTuple):
     """One part of the chapter.

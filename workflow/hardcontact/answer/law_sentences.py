@@ -18,8 +18,6 @@ from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED, computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["closed_form_sentences", "law_sentences"]
-
 AT_TRANSITION = "transition"
 
 #: What a regime means, before the names of the surfaces that are in it.

@@ -20,23 +20,6 @@ from hardcontact.answer.sentences import (
 from hardcontact.numbers.printing import print_length, print_share
 from hardcontact.scales.critical_band import computed_cutoffs
 
-__all__ = [
-    "DESCRIPTION",
-    "EDGES",
-    "FEW_PIXELS",
-    "OPPOSITE",
-    "artificial_edges",
-    "grave_limits",
-    "limits",
-    "measurement_name",
-    "of_blind_scans",
-    "of_pixels",
-    "of_scan_size",
-    "of_window",
-    "place_of_edge",
-    "sparse_cutoffs",
-]
-
 #: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
 SPARSE = 2.0
 

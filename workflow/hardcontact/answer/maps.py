@@ -7,8 +7,6 @@ from matplotlib.figure import Figure
 from hardcontact.answer import canvas
 from hardcontact.figures.style import draw_map
 
-__all__ = ["draw", "heights_shown"]
-
 
 def heights_shown(of_surface: xr.Dataset) -> np.ndarray:
     """Return the heights (row, column) in nm about their mean, without rows that only pad them."""

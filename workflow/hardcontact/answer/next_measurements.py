@@ -12,8 +12,6 @@ from hardcontact.answer.limits import DESCRIPTION, FEW_PIXELS, place_of_edge
 from hardcontact.answer.sentences import differing_sides, is_open
 from hardcontact.numbers.printing import print_length
 
-__all__ = ["next_measurements"]
-
 
 def next_measurements(of_surface: Datasets) -> list[str]:
     """Return what to measure next, from the parts of one surface and the fit of all."""

@@ -15,8 +15,6 @@ from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["METRICS", "answer_numbers"]
-
 #: Metrics of a scan that the answer shows, with their units.
 METRICS = {
     "rms_height": "nm",

@@ -27,8 +27,6 @@ from hardcontact.answer.tables import measurement_table, roughness_table
 from hardcontact.numbers.printing import print_length, print_quantity, print_share
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["Answer", "answer"]
-
 SUBSTITUTES = "The scans are substitutes, synthesised from published statistics."
 LIMITS = "What limits this answer"
 FIRST_ANSWER = (

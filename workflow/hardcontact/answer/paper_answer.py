@@ -11,8 +11,6 @@ import xarray as xr
 from hardcontact.claims.verdicts import summary, with_open_ends
 from hardcontact.scales.critical_band import POOLED, last_cutoff
 
-__all__ = ["ANSWERS", "EDGES", "PaperAnswer", "as_plain", "paper_answer"]
-
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
     "shortest_wavelength": "critical_wavelength_small_pooled",

@@ -14,8 +14,6 @@ from hardcontact.claims.report_pages import chapter, counts_table, section_table
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import OF_PAPER
 
-__all__ = ["STORY", "paper_page"]
-
 TITLE = "Which scales of roughness matter?"
 PAPER = "https://doi.org/10.1007/s11340-021-00733-6"
 #: What each chapter of figures is about.

@@ -10,8 +10,6 @@ from hardcontact.answer.scan_size_sentences import force_on_scans_sentence
 from hardcontact.claims.verdicts import VERDICTS, summary
 from hardcontact.numbers.printing import print_as_paper
 
-__all__ = ["answer_sentences", "basis_sentences"]
-
 DIGITS = 2  # of computed numbers: their intervals are wider than what more digits would say
 
 

@@ -8,15 +8,6 @@ from hardcontact.numbers.printing import DIGITS, print_bounded_as_paper
 from hardcontact.numbers.statistics import bounds
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = [
-    "EDGE_NAMES",
-    "NEAR_ONE",
-    "differs_from_one",
-    "labels",
-    "listed",
-    "print_each",
-]
-
 #: Of ratios that are near one.
 NEAR_ONE = 3
 

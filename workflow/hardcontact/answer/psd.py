@@ -13,8 +13,6 @@ from hardcontact.answer import canvas
 from hardcontact.answer.artificial import artificial_bands, measurements
 from hardcontact.figures import style
 
-__all__ = ["draw"]
-
 MEASURED: dict[str, Any] = {"lw": 2.4, "alpha": 0.5, "solid_capstyle": "butt"}
 KINDS: dict[str, dict[str, Any]] = {
     "map": {"color": "#0072B2", **MEASURED},

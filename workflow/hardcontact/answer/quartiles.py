@@ -11,8 +11,6 @@ import xarray as xr
 from hardcontact.answer.datasets import Datasets, at_range
 from hardcontact.numbers.printing import print_length, print_quantity
 
-__all__ = ["over_quartiles", "quartile_sentences", "surfaces_with_quartiles"]
-
 ENDINGS = ("_lower", "_upper")
 
 

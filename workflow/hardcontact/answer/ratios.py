@@ -17,8 +17,6 @@ from hardcontact.figures.tables import bounded
 from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import computed_cutoffs
 
-__all__ = ["draw"]
-
 CURVE: dict[str, Any] = {"color": "#0072B2", "marker": "o"}
 EDGE: dict[str, Any] = {"color": "#D55E00", "lw": 1.4}
 EDGE_INTERVAL: dict[str, Any] = {"color": "#D55E00", "alpha": 0.25, "lw": 0}

@@ -32,8 +32,6 @@ from hardcontact.numbers.printing import (
 )
 from hardcontact.numbers.statistics import bounds
 
-__all__ = ["scaling_sentences"]
-
 #: Lengths as they are printed.
 NAMES = dict(zip(LENGTHS, ("√R", "√ρ", "√(F/H)"), strict=True))
 #: What `edge_scaling.dependence` says, in the words of the page.

@@ -14,8 +14,6 @@ from hardcontact.numbers.printing import (
 )
 from hardcontact.numbers.statistics import bounds
 
-__all__ = ["force_on_scans_sentence", "on_scans", "scan_size_sentences"]
-
 OTHER_EDGES = (
     "Fig. 6 and the scaling of the band take the long edge of the same surfaces from other "
     "masters, pixels, contacts and cutoffs, so that theirs need not be the same."

@@ -8,22 +8,6 @@ import xarray as xr
 from hardcontact.answer.datasets import at_range
 from hardcontact.numbers.printing import print_bounded, print_length, print_quantity, print_share
 
-__all__ = [
-    "band_sentences",
-    "capital",
-    "continued_words",
-    "differing_sides",
-    "edge_words",
-    "force_sentences",
-    "is_open",
-    "one_sentence",
-    "pooled_sentence",
-    "printed_continued_force",
-    "printed_force",
-    "printed_pair",
-    "transition_words",
-]
-
 #: The text of an open edge: its bound with what is known of its interval, and the reason.
 OPEN_TEXT = re.compile(r"^(.+?): (.+)$")
 #: What an edge without an interval ends with.

@@ -10,8 +10,6 @@ from hardcontact.answer.html import table_html
 from hardcontact.answer.limits import measurement_name
 from hardcontact.numbers.printing import print_length
 
-__all__ = ["measurement_table", "roughness_table"]
-
 ROUGHNESS = (
     "surface, scan", "size, pixel", "rms height (nm)", "rms slope", "rms curvature (1/nm)",
     "peak to valley (nm)", "skewness",

@@ -31,8 +31,6 @@ from hardcontact.claims.verdicts import BY_CONSTRUCTION, UNTESTABLE, accepts, ve
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import bounds
 
-__all__ = ["COLUMNS", "DATASETS", "DERIVED", "estimate", "evaluate", "read_statements", "values"]
-
 #: Functions of one dataset or several, by the name that a claim gives the quantity.
 DERIVED = {
     name: getattr(module, name)

@@ -13,18 +13,6 @@ from hardcontact.numbers.statistics import (
     student_log_interval,
 )
 
-__all__ = [
-    "absolute_value",
-    "decades",
-    "least",
-    "mean_over_contacts",
-    "mean_over_scans",
-    "number",
-    "quotient",
-    "signed_mean_over_scans",
-    "variable_as_number",
-]
-
 #: Dimensions of single contacts, and of the sphere scans they are made with.
 CONTACTS = ("sphere_scan", "contact", "contact_y", "contact_x")
 

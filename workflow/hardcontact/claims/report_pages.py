@@ -16,16 +16,6 @@ from hardcontact.claims.set_spread import STABLE
 from hardcontact.claims.verdicts import summary
 from hardcontact.numbers.printing import print_as_paper
 
-__all__ = [
-    "chapter",
-    "claims_page",
-    "counts_table",
-    "pages",
-    "parameters_page",
-    "section_tables",
-    "text_page",
-]
-
 STYLE = """
 body { font: 15px/1.5 sans-serif; max-width: 70em; margin: 2em auto; padding: 0 1em; color: #222 }
 table { border-collapse: collapse; width: 100% }

@@ -11,17 +11,6 @@ from hardcontact.claims.numbers import quotient
 from hardcontact.claims.verdicts import BY_CONSTRUCTION, ONE_SIDED, UNTESTABLE
 from hardcontact.records.published import rows_met
 
-__all__ = [
-    "NO_SCAN",
-    "Selection",
-    "basis",
-    "fixed_verdict",
-    "selected_labels",
-    "selected_number",
-    "selection",
-    "surfaces_of",
-]
-
 #: Labels by dimension; `a > b` makes two groups.
 Selection = Mapping[str, list[list[Any]]]
 

@@ -7,8 +7,6 @@ from numpy.typing import ArrayLike
 
 from hardcontact.numbers.statistics import percentile_interval
 
-__all__ = ["REDRAWS", "STABLE", "sets_interval", "stability", "stretched"]
-
 #: How often all sets are drawn again: an error of 0.015 of a share near 0.9.
 REDRAWS = 400
 #: A verdict may change with the seed if less than this share of the redraws gives it.

@@ -10,19 +10,6 @@ from numpy.typing import ArrayLike
 
 from hardcontact.scales.critical_band import last_cutoff
 
-__all__ = [
-    "BY_CONSTRUCTION",
-    "ONE_SIDED",
-    "UNTESTABLE",
-    "VERDICTS",
-    "accepted_range",
-    "accepts",
-    "read_verdicts",
-    "summary",
-    "verdict",
-    "with_open_ends",
-]
-
 BY_CONSTRUCTION = "by construction"
 UNTESTABLE = "not testable on substitutes"
 VERDICTS = (

@@ -18,16 +18,6 @@ from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 from hardcontact.surfaces.topography import flat_map
 
-__all__ = [
-    "Entry",
-    "FILLING",
-    "Found",
-    "SPECTRUM",
-    "inventory",
-    "printed_table",
-    "table_rows",
-]
-
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"
 #: How undefined pixels are filled, so that what a file holds can be told.

@@ -43,8 +43,6 @@ from hardcontact.config.tables import measured_forces
 from hardcontact.contact.bearing_area import Load
 from hardcontact.records.whole_file import whole_file
 
-__all__ = ["main", "new_study", "table_text", "write_files"]
-
 
 def main() -> int:
     """Carry out the command line, `new` or `predict`; return the exit code."""

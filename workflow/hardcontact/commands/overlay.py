@@ -6,8 +6,6 @@ from typing import Any, NamedTuple
 
 import yaml
 
-__all__ = ["Choice", "nested", "overlay_text"]
-
 #: Characters of a line.
 WIDTH = 100
 

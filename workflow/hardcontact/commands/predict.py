@@ -35,8 +35,6 @@ from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
-__all__ = ["COLUMNS", "own_spectrum", "predict", "predict_arguments"]
-
 #: Factor within which the closed form gives forces computed on random surfaces of 20 µm with the
 #: spectra of the four diamond coatings of the paper: 1.76 in closed_form.nc of the default study
 #: (`insight.closed_form_errors`). On surfaces of 5 µm, which lack the long waves, it is 2.4.

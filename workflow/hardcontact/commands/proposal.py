@@ -31,8 +31,6 @@ from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import FEWEST
 from hardcontact.surfaces.spectrum import BIN_EDGES
 
-__all__ = ["Proposal", "propose", "quantity", "refuse_unreliable"]
-
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
 TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4

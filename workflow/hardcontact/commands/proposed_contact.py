@@ -22,8 +22,6 @@ from hardcontact.numbers.printing import print_length, print_quantity
 if TYPE_CHECKING:
     from hardcontact.commands.inventory import Entry
 
-__all__ = ["Contact", "Probe", "contact_cautions", "contact_scans", "proposed_contact"]
-
 #: The sphere above its apex at the edge of the window, over the range of adhesion (14 in the paper)
 #: and over the rms height.
 RANGES_IN_WINDOW, RMS_IN_WINDOW = 14, 4

@@ -10,17 +10,6 @@ from hardcontact.config.grids import CONTACT_PIXELS, Grid
 from hardcontact.contact.bearing_area import TILE, Load, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
 
-__all__ = [
-    "COUNTS",
-    "Effort",
-    "FULL",
-    "QUICK",
-    "Scales",
-    "Setting",
-    "proposed_scales",
-    "proposed_tiles",
-]
-
 #: The finest pixels worth computing, in nm: half the distance of atoms.
 FINEST = 0.15
 #: Edge of the large-scale master over that of a scan, and over the window.

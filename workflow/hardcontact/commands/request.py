@@ -12,21 +12,6 @@ from hardcontact.config.schema import Schema, refuse, resolved
 from hardcontact.numbers.units import magnitude
 from hardcontact.records.code import LIBRARY
 
-__all__ = [
-    "Option",
-    "QUANTITIES",
-    "QUICK_NAME",
-    "ROOT",
-    "SPHERE",
-    "Source",
-    "name_faults",
-    "options",
-    "parsed",
-    "path_from_root",
-    "sources",
-    "surface_id",
-]
-
 #: The top folder, whose paths studies are named relative to.
 ROOT = LIBRARY.parents[1]
 #: Id and label of the sphere's surface.

@@ -34,8 +34,6 @@ from hardcontact.surfaces.scans import read_measurement, read_scan
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["check", "surface_grid"]
-
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the
 #: paper, in nm: five times the rms height of the roughest.
 SUBSTITUTE_RELIEF = 500.0

@@ -14,25 +14,6 @@ from hardcontact.config.schema import Schema, plain, refuse, refuse_lines, resol
 from hardcontact.numbers.units import magnitude, printed
 from hardcontact.records.code import LIBRARY
 
-__all__ = [
-    "CHAPTERS",
-    "Limit",
-    "NONE",
-    "PAGES",
-    "PAPER",
-    "SMOOTH",
-    "computed_ranges",
-    "configuration",
-    "contact_words",
-    "left_out",
-    "made",
-    "of_paper",
-    "read_yaml",
-    "refuse_all",
-    "refuse_first",
-    "refuse_repeated_keys",
-]
-
 #: Value of the key `published` in a study that is compared with the paper.
 PAPER = "paper"
 #: What stands for a table that the study does not have.

@@ -21,8 +21,6 @@ from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.numbers.units import token
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["Chunk", "Files", "Master", "Pair", "SingleFiles"]
-
 
 class SingleFiles:
     """The files of one study, one by one.

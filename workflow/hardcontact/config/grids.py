@@ -6,18 +6,6 @@ from typing import NamedTuple
 
 from hardcontact.numbers.printing import print_length
 
-__all__ = [
-    "CONTACT_PIXELS",
-    "Grid",
-    "MAP_PIXELS",
-    "PENETRATION_OVER_RANGE",
-    "PIXEL_SIZES",
-    "least_range",
-    "machine_megabytes",
-    "master_megabytes",
-    "refuse_beyond_memory",
-]
-
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
 PIXEL_SIZES = (0.05, 1e4)
 #: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.

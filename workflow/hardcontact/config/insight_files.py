@@ -11,8 +11,6 @@ from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["InsightFiles", "Repeated"]
-
 
 class Repeated(NamedTuple):
     """What a file of repeated contact is of: substrate, preload in N, scan."""

@@ -11,8 +11,6 @@ import yaml
 
 from hardcontact.config.schema import Schema, resolved
 
-__all__ = ["documented"]
-
 README = Path("config/README.md")
 SCHEMAS = Path("workflow/schemas")
 #: Lists of more entries are given by their number, first and last entry.

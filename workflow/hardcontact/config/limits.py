@@ -29,8 +29,6 @@ from hardcontact.contact.hertz import effective_modulus
 from hardcontact.numbers.printing import print_quantity
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["check_grids"]
-
 #: Contact pixels of one indent, which are compared with each other.
 INDENT_PIXELS = 2**12
 #: Least pixels along an edge of the window of elastic contacts.

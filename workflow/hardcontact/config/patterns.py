@@ -4,8 +4,6 @@ import re
 from collections.abc import Iterable
 from pathlib import PurePosixPath
 
-__all__ = ["PUBLISHED", "Patterns", "STUDY_VARIANT", "any_of", "wildcard_constraints"]
-
 #: The tables of what the paper prints, by the names under which rules and figures get them.
 PUBLISHED = {
     "published_constants": "resources/paper/parameters.csv",

@@ -16,8 +16,6 @@ import jsonschema
 
 from hardcontact.numbers.units import magnitude, quantity_words
 
-__all__ = ["Schema", "plain", "refuse", "refuse_lines", "resolved"]
-
 #: How the message names what a keyword of a schema expects.
 EXPECTED = {
     "const": "{}",

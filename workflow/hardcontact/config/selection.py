@@ -16,15 +16,6 @@ from hardcontact.config.tables import user_table
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.descriptions import is_calibrated
 
-__all__ = [
-    "CONTACT",
-    "Measured",
-    "NO_SCAN",
-    "Selection",
-    "selected_scans",
-    "surface_table",
-]
-
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0
 

@@ -26,17 +26,6 @@ from hardcontact.records import published
 from hardcontact.records.code import LIBRARY
 from hardcontact.records.whole_file import hold
 
-__all__ = [
-    "checked_configuration",
-    "checked_selection",
-    "hold_folders",
-    "kept_configuration",
-    "prepare",
-    "say_answer",
-    "say_left_out",
-    "with_effort",
-]
-
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
 SCHEMAS = LIBRARY.parent / "schemas"

@@ -20,17 +20,6 @@ from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.descriptions import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
-__all__ = [
-    "Row",
-    "UserTable",
-    "found",
-    "measured_forces",
-    "number",
-    "refuse_description",
-    "refuse_of_paper",
-    "user_table",
-]
-
 #: The largest table in bytes: some ten thousand rows.
 TABLE_LIMIT = 2**20
 #: Cells by the name of their column.

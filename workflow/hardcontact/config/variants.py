@@ -9,8 +9,6 @@ from hardcontact.config.selection import Selection
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.numbers.units import magnitude, printed, token
 
-__all__ = ["SurfaceVariant", "Variant", "named_load", "surface_variants", "variants"]
-
 OTHER_CURVATURE = {"half_laplacian": "laplacian", "laplacian": "half_laplacian"}
 OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
 

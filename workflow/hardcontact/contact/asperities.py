@@ -14,8 +14,6 @@ from hardcontact.contact.bearing_area import ContactSettings, contact_pixel_coun
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, sampled_contacts
 from hardcontact.records.log import progress
 
-__all__ = ["Asperities", "AsperitySettings", "asperities", "asperities_of_pair"]
-
 Floats = NDArray[np.float64]
 
 UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent": "nm"}

@@ -15,20 +15,6 @@ from numpy.typing import NDArray
 from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = [
-    "ContactSettings",
-    "Load",
-    "LowestGaps",
-    "NamedLoad",
-    "TILE",
-    "Tiles",
-    "all_lowest_gaps",
-    "as_tiles",
-    "contact_pixel_count",
-    "lowest_gaps",
-    "stacked_gaps",
-]
-
 #: Pixels along an edge of a tile.
 TILE = 64
 

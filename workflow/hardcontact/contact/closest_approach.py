@@ -12,8 +12,6 @@ from numpy.typing import NDArray
 
 from hardcontact.contact.geometry import ContactGeometry
 
-__all__ = ["closest_gaps", "touching_pixels"]
-
 Floats = NDArray[np.float64]
 Pixels = NDArray[np.int_]
 

@@ -31,16 +31,6 @@ from hardcontact.contact.geometry import (
 )
 from hardcontact.records.log import progress
 
-__all__ = [
-    "ElasticContact",
-    "ElasticPullOff",
-    "ElasticSettings",
-    "Material",
-    "adhesive_pull_off",
-    "contact_at_load",
-    "elastic_contacts_of_pair",
-]
-
 Floats = NDArray[np.float64]
 
 PASCAL_PER_GPA = 1e9

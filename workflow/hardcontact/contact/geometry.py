@@ -17,23 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
-__all__ = [
-    "Bodies",
-    "ContactArray",
-    "ContactGeometry",
-    "bodies",
-    "contact_positions",
-    "flattened_gaps",
-    "gap_map",
-    "gaps_at",
-    "part_around_lowest",
-    "plastic_approach",
-    "read_bodies",
-    "sampled_contacts",
-    "sphere_height",
-    "window_pixels",
-]
-
 
 class ContactArray(TypedDict):
     """Edge of the analysis window (nm) and contacts along an edge of the array."""

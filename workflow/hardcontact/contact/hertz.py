@@ -7,8 +7,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = ["HertzContact", "contact", "effective_modulus"]
-
 NANOMETRE = 1e-9  # m
 
 

@@ -18,8 +18,6 @@ from hardcontact.records.dataset import stack
 from hardcontact.records.log import progress
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["IndentingContact", "Indents", "flattening", "indents", "indents_of_scans"]
-
 #: Pixels on either side of the deepest in the height map of one contact.
 REACH = 32
 

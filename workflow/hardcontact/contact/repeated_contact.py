@@ -19,8 +19,6 @@ from hardcontact.contact.bearing_area import TILE, LowestGaps, Tiles, as_tiles, 
 from hardcontact.contact.geometry import Bodies
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["Indentation", "IndentSizes", "indent_sizes", "over_window", "repeated_contacts"]
-
 Floats = NDArray[np.float64]
 
 #: Pixels that share an edge or a corner belong to one indent, as in the indents of one contact.

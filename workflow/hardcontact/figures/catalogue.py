@@ -7,8 +7,6 @@ neither these modules nor matplotlib, so that the rules can be made from it.
 
 from typing import NamedTuple
 
-__all__ = ["FIGURES", "OF_ATOMIC", "OF_INSIGHT", "OF_PAPER", "Figure"]
-
 
 class Figure(NamedTuple):
     """Place in the report, title and inputs of one figure."""

@@ -13,8 +13,6 @@ from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.records import dataset, published
 from hardcontact.records.whole_file import whole_file
 
-__all__ = ["draw_figure", "save"]
-
 RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
 READERS = {
     "published_constants": published.constants,

@@ -12,8 +12,6 @@ from matplotlib.lines import Line2D
 from hardcontact.figures import style, tables
 from hardcontact.records.published import rows_met
 
-__all__ = ["draw", "table"]
-
 MAPS_IN_A_ROW = 3
 AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"

@@ -17,8 +17,6 @@ from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_formatted
 from hardcontact.numbers.statistics import lognormal_shape
 
-__all__ = ["draw", "table"]
-
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8

@@ -11,8 +11,6 @@ from matplotlib.patches import Patch
 from hardcontact.figures import fig4_curves, fig4_error, marks, style, tables
 from hardcontact.numbers.printing import print_share
 
-__all__ = ["draw", "table"]
-
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 MEGAPASCAL = 1e6
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force

@@ -8,16 +8,6 @@ from matplotlib.axes import Axes
 
 from hardcontact.figures import marks, style, tables
 
-__all__ = [
-    "AT_FIT",
-    "RATIO_FIT",
-    "Curves",
-    "curve_rows",
-    "draw_forces",
-    "draw_ratios",
-    "force_curves",
-]
-
 AT_FIT: dict[str, Any] = {"mfc": "white", "ms": 5, "mew": 1.2}
 RATIO_FIT: dict[str, Any] = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
 

@@ -11,8 +11,6 @@ from matplotlib.colors import LogNorm
 from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_formatted
 
-__all__ = ["draw_error_map", "draw_least_error", "error_rows"]
-
 UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 MINIMUM_UNITS = {"range": "nm", "work": "J/m2", "error": "1"}
 FAIR = 0.7  # the map shows the works of adhesion whose error gets below this somewhere

@@ -9,8 +9,6 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import marks, style, tables
 
-__all__ = ["draw", "table"]
-
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
 DEPTHS = mpl.colormaps["Purples"]  # preloads have its colours too, as black is for published values

@@ -14,8 +14,6 @@ from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import POOLED
 
-__all__ = ["draw", "table"]
-
 PUBLISHED: dict[str, Any] = {"color": "0.25", "lw": 1.0, "ls": "--"}
 CLOSED_FORM: dict[str, Any] = {"lw": 1.0, "ls": (0, (1, 1.2)), "zorder": 3}
 COLUMNS = [

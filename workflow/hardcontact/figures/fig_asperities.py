@@ -14,8 +14,6 @@ from hardcontact.figures import style, tables
 from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import POOLED
 
-__all__ = ["draw", "table"]
-
 MICROMETRE = 1000  # nm
 QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 

@@ -10,8 +10,6 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import marks, style, tables
 
-__all__ = ["draw", "table"]
-
 PERCENT = 1e-2
 # Of no surface: from coarse pixels, pale, to the finest, black.
 PALEST = 0.65

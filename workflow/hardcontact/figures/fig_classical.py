@@ -12,8 +12,6 @@ from matplotlib.ticker import FixedLocator
 
 from hardcontact.figures import marks, style, tables
 
-__all__ = ["draw", "table"]
-
 VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all
 LONGEST_BAR = 3  # panel c shows bars up to this many times the highest value
 METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}

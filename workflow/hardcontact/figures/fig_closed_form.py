@@ -11,8 +11,6 @@ from matplotlib.lines import Line2D
 
 from hardcontact.figures import marks, style, tables
 
-__all__ = ["draw", "table"]
-
 FORCE = "pull-off force (µN)"
 #: Where closest approach comes from, as it is printed.
 SOURCES = {"spectrum": "of the spectrum alone", "contacts": "with computed approaches"}

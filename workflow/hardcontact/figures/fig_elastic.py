@@ -9,8 +9,6 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import style, tables
 
-__all__ = ["draw", "table"]
-
 GIGAPASCAL = 1e9
 PERCENT = 1e-2
 PRESSURES = "RdBu_r"  # white at the hardness

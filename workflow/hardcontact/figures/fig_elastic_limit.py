@@ -11,8 +11,6 @@ from matplotlib.figure import Figure
 from hardcontact.figures import marks, style, tables
 from hardcontact.insight.elastic_limit import VARIANTS
 
-__all__ = ["draw", "table"]
-
 SHARES = {"plastic_share": "estimated", "solved_plastic_share": "solved"}
 OPEN: dict[str, dict[str, Any]] = {"plastic_share": {}, "solved_plastic_share": {"mfc": "white"}}
 AREAS = ("solved_area", "estimated_area")

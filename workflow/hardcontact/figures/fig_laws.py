@@ -12,8 +12,6 @@ from matplotlib.lines import Line2D
 from hardcontact.figures import marks, style, tables
 from hardcontact.insight.interaction_laws import LAWS, pressure
 
-__all__ = ["draw", "table"]
-
 # Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.
 COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933")
 DASHES = ("-", "--", "-.", ":")

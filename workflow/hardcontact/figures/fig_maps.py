@@ -12,8 +12,6 @@ from matplotlib.patches import Patch
 from hardcontact.figures import style, tables
 from hardcontact.numbers.printing import print_share
 
-__all__ = ["draw", "table"]
-
 MAPPED, ARRAY = "all positions", "array of contacts"
 FORCES = "RdBu_r"  # white at the mean of the map
 REACH = 0.999  # share of the positions of each surface inside the colours

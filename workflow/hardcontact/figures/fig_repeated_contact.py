@@ -9,8 +9,6 @@ from matplotlib.figure import Figure
 from hardcontact.figures import marks, style, tables
 from hardcontact.figures.fig5 import DEPTHS
 
-__all__ = ["draw", "table"]
-
 CURVES = {  # panel, unit, label
     "force_ratio": ("a", "1", "force / single contacts"),
     "depth": ("b", "nm", "deepest indent (nm)"),

@@ -16,8 +16,6 @@ from matplotlib.patches import Patch
 
 from hardcontact.figures import style, tables
 
-__all__ = ["draw", "table"]
-
 BASELINE = "baseline"
 FULL = "the study itself"
 CONTACT_MODEL, GROUP = "plastic", "pooled"  # what the variants are computed with and for

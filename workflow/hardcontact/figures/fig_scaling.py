@@ -9,8 +9,6 @@ from matplotlib.figure import Figure
 from hardcontact.figures import marks, style, tables
 from hardcontact.insight.edge_scaling import LENGTHS, PARTS
 
-__all__ = ["draw", "table"]
-
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
 CONTACT = "$\\sqrt{F/H}$"

@@ -11,8 +11,6 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import marks, style, tables
 
-__all__ = ["draw", "table"]
-
 COLUMNS = [
     *tables.ROW_COLUMNS, "trial", "scan_size", "rho", "predicted", "mirrored", "status",
     *tables.VALUE_COLUMNS

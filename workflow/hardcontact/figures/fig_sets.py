@@ -13,8 +13,6 @@ from scipy import stats
 from hardcontact.figures import marks, style, tables
 from hardcontact.numbers.printing import print_share
 
-__all__ = ["draw", "table"]
-
 PLASTIC = "plastic"  # the contact model that the paper's conclusions rest on
 MODELS: dict[str, dict[str, Any]] = {
     "plastic": {"fill": True, "color": "0.55"},

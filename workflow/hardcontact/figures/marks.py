@@ -11,21 +11,6 @@ from matplotlib.patches import Patch
 from hardcontact.figures.tables import SHARE_OF_SETS
 from hardcontact.numbers.printing import print_share
 
-__all__ = [
-    "BAND_OF_SETS",
-    "FIT_STAR",
-    "MICRONEWTON",
-    "MILLIJOULE",
-    "PUBLISHED_RANGE",
-    "REMOVED",
-    "draw_fit",
-    "draw_published_fit",
-    "draw_published_range",
-    "fill_sets",
-    "reach",
-    "sets_handle",
-]
-
 #: What a cutoff of each side of the band does, above its panel.
 REMOVED = {
     "small": "roughness below the cutoff removed",

@@ -19,30 +19,6 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
-__all__ = [
-    "ARTIFICIAL",
-    "FOOTER",
-    "PUBLISHED",
-    "SPHERE",
-    "WIDTH",
-    "colours",
-    "create",
-    "draw_map",
-    "draw_over_range",
-    "end_near_values",
-    "freeze_layout",
-    "label_logarithmic",
-    "label_panel",
-    "legend_above",
-    "legend_entries",
-    "looks",
-    "mark_basis",
-    "print_style",
-    "shade_artificial",
-    "surface_handles",
-    "three_above_two",
-]
-
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
 

@@ -13,8 +13,6 @@ from matplotlib.figure import Figure
 from hardcontact.figures import style, tables
 from hardcontact.records.published import rows_met
 
-__all__ = ["draw", "table"]
-
 ROW_HEIGHT = 0.19  # inch
 LEFT = -2.2  # where the names of the rows begin, in widths of a column
 SCOPES = {

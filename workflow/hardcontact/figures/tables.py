@@ -7,22 +7,6 @@ import xarray as xr
 
 from hardcontact.numbers.statistics import bounds
 
-__all__ = [
-    "BY_CONSTRUCTION",
-    "ROW_COLUMNS",
-    "SHARE_OF_SETS",
-    "VALUE_COLUMNS",
-    "bounded",
-    "computed_rows",
-    "drawn_rows",
-    "label_surfaces",
-    "over_sets",
-    "published_edge",
-    "published_rows",
-    "published_value",
-    "value_and_bounds",
-]
-
 #: Columns that say what a row is, and those of its value, with what the value depends on between.
 ROW_COLUMNS = ("panel", "surface", "label", "basis", "origin", "quantity")
 VALUE_COLUMNS = ("value", "low", "high", "unit")

@@ -24,8 +24,6 @@ from hardcontact.inference.classical_models import MODELS, Contact, Roughness
 from hardcontact.numbers.statistics import Sampling, with_interval
 from hardcontact.records.dataset import stack
 
-__all__ = ["PerSurface", "apply_classical_models", "effective_works", "pull_off_coefficients"]
-
 NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
 
 #: Prefix of the rows of Table 1 with the roughness of the scans alone, and of all scales.

@@ -21,16 +21,6 @@ from hardcontact.inference.classical_models import (
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import stack
 
-__all__ = [
-    "PowerLaw",
-    "RoughnessSamples",
-    "compare_models",
-    "fit_power_law",
-    "fit_work",
-    "power_laws",
-    "sample_roughness",
-]
-
 #: Works of adhesion (J/m²) among which that of the best fit is searched for.
 WORKS = np.geomspace(1e-3, 10, 401)
 REFINEMENTS = 3

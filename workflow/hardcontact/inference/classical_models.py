@@ -17,18 +17,6 @@ from scipy.optimize import brentq, minimize_scalar
 from hardcontact.contact.hertz import NANOMETRE
 from hardcontact.inference.smooth_sphere import Values, dmt_pull_off, jkr_pull_off
 
-__all__ = [
-    "MODELS",
-    "Contact",
-    "Model",
-    "Roughness",
-    "adhesion_index",
-    "fuller_tabor",
-    "maugis_rough_dmt",
-    "rabinovich",
-    "rumpf",
-]
-
 # Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
 HEMISPHERE_OVER_RMS = (4 * np.sqrt(3) / np.pi) ** 0.5
 # Rabinovich et al.: greatest height of an asperity over the rms height.

@@ -6,16 +6,6 @@ All forces are computed for a work of adhesion of 1 J/m², to which they are pro
 import numpy as np
 from scipy.signal import find_peaks
 
-__all__ = [
-    "WORK",
-    "error_region",
-    "fit",
-    "fit_ratios",
-    "fit_work",
-    "least_errors",
-    "mean_relative_error",
-]
-
 #: Works of adhesion (J/m²) of the error map.
 WORK = np.geomspace(1e-3, 10.0, 501)
 

@@ -29,8 +29,6 @@ from hardcontact.inference.error_map import (
 from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.records import log
 
-__all__ = ["PAIRS", "Pair", "Published", "infer", "infer_model", "undecided"]
-
 #: Of range and work of adhesion.
 PAIRS = ["published", "fitted"]
 

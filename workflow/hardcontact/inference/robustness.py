@@ -22,8 +22,6 @@ from hardcontact.records import log
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.scales.stacked_masters import stacked_forces
 
-__all__ = ["Choices", "robustness"]
-
 #: What is inferred of every variant of the forces.
 INFERRED = [
     "range_of_adhesion",

@@ -12,18 +12,6 @@ from scipy.optimize import brentq, minimize_scalar
 
 from hardcontact.contact.hertz import NANOMETRE
 
-__all__ = [
-    "Values",
-    "dmt_pull_off",
-    "effective_work_of_adhesion",
-    "jkr_pull_off",
-    "maugis_dugdale_coefficient",
-    "maugis_parameter",
-    "self_consistent_work_of_adhesion",
-    "tabor_parameter",
-    "transition_coefficient",
-]
-
 #: A number or an array of any shape; arrays broadcast.
 Values = Any
 

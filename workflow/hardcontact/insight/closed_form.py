@@ -47,23 +47,6 @@ from hardcontact.insight.summits import (
 from hardcontact.scales.critical_band import critical_wavelength, logarithmic_limits
 from hardcontact.surfaces.spectrum import Spectrum
 
-__all__ = [
-    "MANY_POINTS",
-    "SINGLE_PEAKS",
-    "SMOOTH",
-    "TRANSITION",
-    "ClosedForm",
-    "Contact",
-    "at_transition",
-    "closed_form",
-    "contact_area",
-    "contact_share",
-    "edges",
-    "filtered_spectrum",
-    "gaussian_share",
-    "smooth_force",
-]
-
 Floats = NDArray[np.float64]
 
 #: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.

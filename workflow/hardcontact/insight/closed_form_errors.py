@@ -23,8 +23,6 @@ from hardcontact.numbers.statistics import student_log_interval
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 
-__all__ = ["Trial", "closed_form_errors", "spectrum_of_grid"]
-
 #: Where closest approach comes from.
 SOURCES = ["spectrum", "contacts"]
 

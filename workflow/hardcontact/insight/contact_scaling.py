@@ -11,8 +11,6 @@ from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.scales.filtered_masters import forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["ScaledContacts", "scaled_pull_off"]
-
 
 class ScaledContacts(TypedDict):
     """A master, filtered at several cutoffs, in all combinations of sphere, range and area.

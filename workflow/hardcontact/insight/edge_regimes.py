@@ -26,8 +26,6 @@ from hardcontact.numbers.statistics import jackknife_interval, with_interval
 from hardcontact.surfaces.spectrum import Spectrum, roll_off
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["CONTACT", "RANGE", "REACH", "ROLL_OFF", "cause_exponents", "edge_regimes"]
-
 #: The longer of two lengths that may set the short edge.
 CONTACT, RANGE = "contact", "range"
 #: The shorter of two lengths that may stop the long edge.

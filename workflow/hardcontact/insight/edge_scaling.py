@@ -18,21 +18,6 @@ from hardcontact.scales.critical_band import POOLED, critical_band
 from hardcontact.scales.stacked_masters import stacked_forces
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 
-__all__ = [
-    "DEPENDENCE",
-    "FALLING",
-    "INDEPENDENT",
-    "LENGTHS",
-    "PARTLY",
-    "PARTS",
-    "PROPORTIONAL",
-    "STEEPER",
-    "UNDECIDED",
-    "dependence",
-    "edge_scaling",
-    "stacked_scaling",
-]
-
 #: What an edge may follow: sqrt(R) and sqrt(rho), together the reach of the attraction, sqrt(F/H).
 LENGTHS = ["radius", "rho", "contact"]
 

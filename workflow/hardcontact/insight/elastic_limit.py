@@ -33,16 +33,6 @@ from hardcontact.contact.geometry import Bodies, gaps_at
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
 
-__all__ = [
-    "ElasticEstimate",
-    "SLOPE_OVER_PRESSURE",
-    "VARIANTS",
-    "elastic_estimates",
-    "elastic_limit",
-    "elastic_limit_of_pair",
-    "squared_slopes",
-]
-
 Floats = NDArray[np.float64]
 
 #: E* h' over the mean pressure of a smooth sphere: 3 pi/(4 sqrt(2)).

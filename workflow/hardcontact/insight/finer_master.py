@@ -18,8 +18,6 @@ from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["FinerMaster", "on_coarser_pixels", "on_several_pixels"]
-
 #: Blocks of contacts along an edge of the array, which intervals are taken over.
 BLOCKS = 4
 NANOMETRES = {"units": "nm"}

@@ -28,19 +28,6 @@ from scipy import constants, special
 
 from hardcontact.adhesion.force_curves import on_fine_grid
 
-__all__ = [
-    "EXPONENTIAL",
-    "HAMAKER",
-    "LAWS",
-    "POTENTIAL",
-    "Law",
-    "implied_over_known",
-    "law_forces",
-    "pressure",
-    "range_grid",
-    "work_shares",
-]
-
 Floats = NDArray[np.float64]
 
 NANOMETRE = 1e-9

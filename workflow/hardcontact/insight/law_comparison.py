@@ -33,15 +33,6 @@ from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import critical_band, last_cutoff
 from hardcontact.scales.stacked_masters import stacked_forces
 
-__all__ = [
-    "CASES",
-    "LawChoices",
-    "bands_of_law",
-    "compare_laws",
-    "edge_factors",
-    "stacked_law_forces",
-]
-
 #: Lengths and works of adhesion at which laws are compared.
 CASES = ["equivalent", "fitted", "atomic"]
 

@@ -27,15 +27,6 @@ from hardcontact.contact.geometry import Bodies, bodies, window_pixels
 from hardcontact.scales.filtered_masters import Cutoffs, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = [
-    "MIXED_RANGES",
-    "RangeContacts",
-    "filtered_range_forces",
-    "mean_range_forces",
-    "range_forces",
-    "scan_range_forces",
-]
-
 Floats = NDArray[np.float64]
 
 #: The ranges that laws are mixtures of: the step of their logarithm, and both ends in nm. With the

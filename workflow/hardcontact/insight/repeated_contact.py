@@ -25,8 +25,6 @@ from hardcontact.contact.repeated_contact import (
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
 
-__all__ = ["Adhesion", "repeated_contact", "repeated_contact_of_pair", "repeated_totals"]
-
 Floats = NDArray[np.float64]
 
 #: Edge of the map (nm) about the deepest indent.

@@ -22,21 +22,6 @@ from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, 
 from hardcontact.inference.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = [
-    "SAMPLINGS",
-    "Correlation",
-    "MapSettings",
-    "array_error",
-    "at_every_pixel",
-    "contacts_for_error",
-    "correlation",
-    "deviation_interval",
-    "force_maps",
-    "normal_quantile",
-    "rigid_pull_off",
-    "variation",
-]
-
 Floats = NDArray[np.float64]
 
 #: Largest height of the substrate above the touching pixel, in ranges of adhesion: beyond it

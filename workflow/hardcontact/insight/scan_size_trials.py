@@ -29,20 +29,6 @@ from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 from hardcontact.surfaces.synthesis import random_surface
 
-__all__ = [
-    "Case",
-    "RATIOS",
-    "ScanSizeRule",
-    "Trials",
-    "fitted_rule",
-    "random_spectra",
-    "ratio_of_means",
-    "rule_error",
-    "scan_size_trials",
-    "window_edges",
-    "window_excess",
-]
-
 Floats = NDArray[np.float64]
 
 #: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.

@@ -23,16 +23,6 @@ from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
 
-__all__ = [
-    "WindowContacts",
-    "WindowFilters",
-    "filtered_forces",
-    "filtered_window_forces",
-    "mean_forces",
-    "mirrored_windows",
-    "window_forces",
-]
-
 
 class WindowContacts(TypedDict):
     """Windows that are cut out of a surface, and the contacts on them."""

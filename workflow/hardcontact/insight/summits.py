@@ -24,15 +24,6 @@ from scipy import special, stats
 
 from hardcontact.surfaces.spectrum import Spectrum
 
-__all__ = [
-    "Approaches",
-    "banded",
-    "closest_approaches",
-    "clump_radius",
-    "moment",
-    "rough_waves",
-]
-
 Floats = NDArray[np.float64]
 
 #: Points of a spectrum, and distances of its autocorrelation.

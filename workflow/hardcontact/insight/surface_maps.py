@@ -21,8 +21,6 @@ from hardcontact.records.dataset import stack
 from hardcontact.records.log import progress
 from hardcontact.surfaces.height_map import read_height_map
 
-__all__ = ["maps_of_scans", "maps_of_surfaces"]
-
 LONG_NAMES = {
     "map_mean": ("N", "mean pull-off force of all positions at W = 1 J/m2"),
     "map_median": ("N", "median pull-off force of all positions at W = 1 J/m2"),

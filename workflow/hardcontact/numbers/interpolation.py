@@ -4,8 +4,6 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
-__all__ = ["height_weights"]
-
 Floats = NDArray[np.float64]
 
 

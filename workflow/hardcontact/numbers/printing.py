@@ -7,22 +7,6 @@ import xarray as xr
 
 from hardcontact.numbers.statistics import bounds
 
-__all__ = [
-    "DIGITS",
-    "best_unit",
-    "print_as_paper",
-    "print_bounded",
-    "print_bounded_as_paper",
-    "print_edge",
-    "print_formatted",
-    "print_length",
-    "print_number",
-    "print_percent",
-    "print_quantity",
-    "print_share",
-    "print_within",
-]
-
 #: Printed units by the unit of a dataset, the largest first, each in that unit.
 UNITS = {
     "nm": {"mm": 1e6, "µm": 1e3, "nm": 1.0},

@@ -4,8 +4,6 @@ import hashlib
 
 import numpy as np
 
-__all__ = ["generator"]
-
 
 def generator(seed: int, *names: object) -> np.random.Generator:
     """Return the random generator for one purpose, e.g. ``generator(seed, "uncd", 3, "scan")``.

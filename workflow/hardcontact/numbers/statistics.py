@@ -18,20 +18,6 @@ from numpy.typing import ArrayLike
 
 from hardcontact.numbers.random import generator
 
-__all__ = [
-    "Sampling",
-    "bounds",
-    "interval_between",
-    "jackknife_interval",
-    "lognormal_fit",
-    "lognormal_shape",
-    "percentile_interval",
-    "student_interval",
-    "student_log_interval",
-    "student_log_samples",
-    "with_interval",
-]
-
 #: Logarithms of samples are held within this of that of the mean. Student's t of one degree of
 #: freedom, from two scans, has no moments: its extremes would leave the range of floating-point
 #: numbers, up or down, and products of samples with them. No end of an interval comes near.

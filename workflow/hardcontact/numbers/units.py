@@ -7,8 +7,6 @@ from functools import cache
 
 import pint
 
-__all__ = ["magnitude", "printed", "quantity_words", "token"]
-
 #: What has each unit, in words, and how users may write it.
 _EXPECTED = {
     "nm": "a length with a unit, such as 5.6 nm or 250 um",

@@ -19,8 +19,6 @@ from hardcontact.own_surfaces.scan_parts import (
     quarters_of_contacts,
 )
 
-__all__ = ["MasterForces", "Masters", "forces_of_masters", "half_width_over_masters"]
-
 CONTACTS = ("contact_y", "contact_x")
 
 

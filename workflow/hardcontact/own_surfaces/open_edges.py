@@ -17,8 +17,6 @@ from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = ["band_edges", "edges_of_curves"]
-
 #: What an edge is described by: further dimensions, and attributes.
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     "edge": ((), {"units": "nm", "long_name": "cutoff where the force leaves its tolerance"}),

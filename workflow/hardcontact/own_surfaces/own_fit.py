@@ -24,15 +24,6 @@ from hardcontact.own_surfaces.predicted_force import forces_of_scans
 from hardcontact.own_surfaces.scan_parts import Parts, sampled_deviations
 from hardcontact.records.dataset import stack
 
-__all__ = [
-    "MeasuredTests",
-    "fit_measured",
-    "fit_note",
-    "fit_text",
-    "measured_tests",
-    "sampled_means",
-]
-
 #: Logarithms of a sampled mean beyond this are as good as infinite.
 ENDLESS = 50.0
 

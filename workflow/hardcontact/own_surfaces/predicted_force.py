@@ -26,16 +26,6 @@ from hardcontact.own_surfaces.scan_parts import (
 from hardcontact.records.dataset import stack
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = [
-    "PLASTIC",
-    "ScanForces",
-    "continued_force",
-    "forces_of_scans",
-    "predicted_force",
-    "with_continued_force",
-    "with_continued_work",
-]
-
 CONTACTS = ["contact_y", "contact_x"]
 
 #: The contact model of the filtered masters.

@@ -13,18 +13,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-__all__ = [
-    "Parts",
-    "Variance",
-    "half_width",
-    "half_width_of_logarithm",
-    "jackknife_variance",
-    "logarithmic_interval",
-    "parts_of_scans",
-    "quarters_of_contacts",
-    "sampled_deviations",
-]
-
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
 

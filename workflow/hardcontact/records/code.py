@@ -8,8 +8,6 @@ from pathlib import Path
 
 import hardcontact
 
-__all__ = ["LIBRARY", "SCRIPTS", "code_inputs"]
-
 #: The folder of the library that is imported, and that of the scripts beside it.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
 SCRIPTS = LIBRARY.parent / "scripts"

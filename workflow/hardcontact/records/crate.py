@@ -16,8 +16,6 @@ from hardcontact.records import provenance
 from hardcontact.records.code import PINS
 from hardcontact.records.origin import digest
 
-__all__ = ["NAME", "describe", "described_files"]
-
 NAME = "ro-crate-metadata.json"
 PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 

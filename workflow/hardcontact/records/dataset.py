@@ -9,8 +9,6 @@ import xarray as xr
 
 from hardcontact.records.whole_file import whole_file
 
-__all__ = ["read", "read_all", "stack", "write"]
-
 #: Formats of netCDF; scan readers know the classic ones only.
 FileFormat = Literal["NETCDF4", "NETCDF3_64BIT"]
 

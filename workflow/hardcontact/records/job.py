@@ -15,8 +15,6 @@ from hardcontact.records.dataset import FileFormat
 from hardcontact.records.origin import Origin, canonical, digests
 from hardcontact.records.whole_file import whole_file
 
-__all__ = ["Job", "job"]
-
 
 class Job(NamedTuple):
     """Inputs and parameters of a script, and the ways in which it writes its outputs.

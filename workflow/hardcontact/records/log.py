@@ -9,8 +9,6 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TypeVar
 
-__all__ = ["job_log", "progress"]
-
 _logger = logging.getLogger("hardcontact")
 
 Step = TypeVar("Step")

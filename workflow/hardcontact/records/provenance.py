@@ -10,8 +10,6 @@ import netCDF4
 
 from hardcontact.records.origin import digest
 
-__all__ = ["check", "folder_records", "require", "sources", "traced_records"]
-
 #: The texts of `Origin.attributes`; of files without attributes also `output_digests`, a dict.
 Record = dict[str, Any]
 

@@ -4,8 +4,6 @@ from pathlib import Path
 
 import pandas as pd
 
-__all__ = ["constants", "printed_pull_off", "pull_off", "rows_met", "table1"]
-
 #: Units of pull-off statistics: numbers in another one would be read as these.
 UNITS = {"mean_force": "N", "median_force": "N", "effective_work_of_adhesion": "J/m2"}
 

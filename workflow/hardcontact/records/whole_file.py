@@ -9,8 +9,6 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TextIO
 
-__all__ = ["PART", "hold", "remove_parts", "whole_file"]
-
 #: Names of files that are not whole yet begin with this.
 PART = ".part-"
 

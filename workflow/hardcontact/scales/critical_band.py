@@ -8,16 +8,6 @@ import xarray as xr
 
 from hardcontact.numbers.statistics import Sampling, student_log_samples
 
-__all__ = [
-    "POOLED",
-    "computed_cutoffs",
-    "critical_band",
-    "critical_wavelength",
-    "find_critical_band",
-    "last_cutoff",
-    "logarithmic_limits",
-]
-
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
     """Return the cutoffs (nm), growing, at which any value of one side is known.

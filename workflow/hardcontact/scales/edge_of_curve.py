@@ -11,8 +11,6 @@ import numpy as np
 from hardcontact.numbers.printing import DIGITS, print_as_paper, print_edge
 from hardcontact.scales.critical_band import critical_wavelength
 
-__all__ = ["Curve", "Edge", "described_edge"]
-
 
 class Curve(NamedTuple):
     """A measure of the change of the force on one side, zero without a filter.

@@ -16,8 +16,6 @@ from hardcontact.scales.stacked_masters import CONTACT_AXES
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["Cutoffs", "FilteredContacts", "filtered_pull_off", "forces_at_cutoffs"]
-
 
 class Cutoffs(TypedDict):
     """What a master is filtered at.

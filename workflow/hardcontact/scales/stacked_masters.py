@@ -7,8 +7,6 @@ import xarray as xr
 
 from hardcontact.records.dataset import stack
 
-__all__ = ["CONTACT_AXES", "stacked_forces", "with_transitions"]
-
 #: Forces that have these dimensions are averaged over them before a ratio is taken.
 CONTACT_AXES = ("contact_y", "contact_x")
 

@@ -20,8 +20,6 @@ from hardcontact.sets.set_datasets import (
     set_topography,
 )
 
-__all__ = ["Paper", "SetSettings", "gathered_sources", "judge_sets"]
-
 #: Of the inference of a set.
 INFERRED = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",

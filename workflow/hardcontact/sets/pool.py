@@ -30,8 +30,6 @@ from hardcontact.surfaces.spectrum import Density
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.topography import METRICS, level, metrics, mirror_stitch
 
-__all__ = ["PoolSettings", "compute_pool", "on_smooth_sphere", "pool_heights"]
-
 Floats = NDArray[np.float64]
 
 #: Least height of a pool, over the mean height: no set of a few scans has a smoother one.

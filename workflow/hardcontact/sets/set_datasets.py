@@ -18,17 +18,6 @@ from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.roughness_table import averages
 from hardcontact.surfaces.topography import METRICS
 
-__all__ = [
-    "Draw",
-    "Sources",
-    "draw_scans",
-    "drawn_scans",
-    "set_adhesion",
-    "set_band",
-    "set_topography",
-    "with_sampled_mean",
-]
-
 Floats = NDArray[np.float64]
 
 #: Metrics that do not change with the height of a scan.

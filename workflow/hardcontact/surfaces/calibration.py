@@ -13,16 +13,6 @@ from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum, all_scales_moments
 
-__all__ = [
-    "Weights",
-    "calibrate_self_affine",
-    "calibrate_tail",
-    "calibrate_varying_hurst",
-    "expected_moments",
-    "rows_of_surface",
-    "transfer_weights",
-]
-
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[NDArray[np.float64], NDArray[np.float64]]
 

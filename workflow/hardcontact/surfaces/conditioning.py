@@ -31,20 +31,6 @@ from hardcontact.surfaces.topography import DEFINITIONS, level, metrics
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = [
-    "BANDS",
-    "Conditioning",
-    "Targets",
-    "amplified",
-    "band_shares",
-    "conditioned",
-    "conditioned_density",
-    "conditioned_group",
-    "group_heights",
-    "scan_targets",
-    "second_moments",
-]
-
 #: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
 OVER_MOMENTS = {
     "rms_height": 1.0,

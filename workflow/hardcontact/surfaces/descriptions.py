@@ -2,8 +2,6 @@
 
 import pandas as pd
 
-__all__ = ["AFM_ROWS", "CALIBRATED", "KNOWN", "PARAMETERS", "TAIL_ROWS", "is_calibrated"]
-
 #: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
 AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
 TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")

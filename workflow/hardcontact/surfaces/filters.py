@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
-__all__ = ["filtered", "filtered_series", "interpolate", "lowpass"]
-
 #: Of a transform: orders (y, x).
 Spectrum = NDArray[np.complex128]
 

@@ -7,8 +7,6 @@ import xarray as xr
 
 from hardcontact.records import dataset
 
-__all__ = ["HeightMap", "read_height_map"]
-
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:

@@ -27,8 +27,6 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, Spectrum, sp
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = ["FEWEST", "continued_spectrum", "joined_spectrum", "stacked_spectra"]
-
 #: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
 #: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many
 #: waves from silencing the others.

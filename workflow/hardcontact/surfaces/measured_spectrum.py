@@ -22,18 +22,6 @@ from hardcontact.surfaces.topography import level, library_map
 if TYPE_CHECKING:
     from SurfaceTopography import UniformLineScan
 
-__all__ = [
-    "axis_ratio",
-    "bias_of_log",
-    "independent_waves",
-    "isotropic_from_profile",
-    "levelled_topography",
-    "local_slopes",
-    "measured_psd",
-    "size_of",
-    "variance_of_log",
-]
-
 #: Share of the waves of a window of Hann that are independent, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT = (3 / 8) ** 2 / (35 / 128)

@@ -15,17 +15,6 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
-__all__ = [
-    "FILE_LIMIT",
-    "Measurement",
-    "RefusedScan",
-    "check_points",
-    "map_values",
-    "profile_values",
-    "stated_tip_radius",
-    "unit_in_nm",
-]
-
 
 @dataclass(frozen=True)
 class Measurement:

@@ -5,8 +5,6 @@ import xarray as xr
 from hardcontact.surfaces.scans import described, height_map, read_measurement
 from hardcontact.surfaces.topography import LEVELLING, prepared_scan
 
-__all__ = ["LEVELLED", "STITCHED", "prepared_file"]
-
 #: Titles of the files that hold what `prepared_file` returns.
 LEVELLED = "levelled scan, the sphere subtracted if it shows one"
 STITCHED = "scan and its mirror images, periodic"

@@ -40,8 +40,6 @@ from hardcontact.surfaces.measured_spectrum import (
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
-__all__ = ["ReliableBand", "band_of_psd", "reliable_band"]
-
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
 #: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
 #: C_iso is 1.2 times too large at a third of the size, and 2 times at half of it).

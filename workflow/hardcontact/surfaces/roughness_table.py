@@ -14,8 +14,6 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_from
 from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
 
-__all__ = ["averages", "measured_roughness", "roughness_table"]
-
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
     """Return the METRICS and the PSDs of one levelled scan.

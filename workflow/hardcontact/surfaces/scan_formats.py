@@ -29,8 +29,6 @@ from hardcontact.surfaces.measurement import (
     unit_in_nm,
 )
 
-__all__ = ["datasets_of", "measurement_of"]
-
 #: The lists of scans, in the order in which they are looked for, and the largest one in bytes.
 LISTS: dict[str, Callable[[bytes], Any]] = {
     "index.json": json.loads,

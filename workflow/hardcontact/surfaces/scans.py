@@ -23,15 +23,6 @@ import numpy as np
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measurement import Measurement
 
-__all__ = [
-    "described",
-    "flattened",
-    "height_map",
-    "list_measurements",
-    "read_measurement",
-    "read_scan",
-]
-
 #: What reading one scan may take: bytes beyond those of this process, and seconds of computing.
 MEMORY_LIMIT = 4 * 2**30
 TIME_LIMIT = 120

@@ -5,17 +5,6 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.spectrum import WAVEVECTORS
 
-__all__ = [
-    "continued",
-    "power_law_tail",
-    "profile_from_isotropic_power_law",
-    "profile_points",
-    "self_affine",
-    "share_of_cells",
-    "smooth_rolloff",
-    "varying_hurst",
-]
-
 
 def self_affine(
     wavevector: NDArray[np.float64], plateau: float, rolloff: float, hurst: float

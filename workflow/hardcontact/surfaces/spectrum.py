@@ -20,21 +20,6 @@ from hardcontact.surfaces.topography import library_map
 if TYPE_CHECKING:
     from SurfaceTopography import Topography, UniformLineScan
 
-__all__ = [
-    "BIN_CENTRES",
-    "BIN_EDGES",
-    "WAVEVECTORS",
-    "Density",
-    "Spectrum",
-    "all_scales_moments",
-    "measured_psds",
-    "profile_psd",
-    "read_spectrum",
-    "roll_off",
-    "spectrum_dataset",
-    "spectrum_from",
-]
-
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
 Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 

@@ -25,19 +25,6 @@ from hardcontact.surfaces.topography import level
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = [
-    "FINENESS",
-    "HeightChoices",
-    "ScanGrid",
-    "drawn_scan",
-    "imaged_by_tip",
-    "imaged_scan",
-    "skewed_surface",
-    "sphere_scan",
-    "substitute_scan",
-    "synthesized_scan",
-]
-
 
 class ScanGrid(NamedTuple):
     """Pixels of substitute scans and of the random surfaces that they are cut out of.

@@ -36,13 +36,6 @@ from hardcontact.surfaces.spectrum import (
 if TYPE_CHECKING:
     import xarray as xr
 
-__all__ = [
-    "described_rms_height",
-    "described_spectrum",
-    "from_description",
-    "substitute_spectrum",
-]
-
 
 def from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights

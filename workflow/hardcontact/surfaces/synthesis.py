@@ -15,15 +15,6 @@ from hardcontact.surfaces.filters import ROWS, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
 
-__all__ = [
-    "SIDES",
-    "large_scale_master",
-    "random_surface",
-    "refined",
-    "small_scale_master",
-    "synthesized_master",
-]
-
 
 def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, density: Density

@@ -17,21 +17,6 @@ from hardcontact.surfaces.height_map import HeightMap
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
-__all__ = [
-    "DEFINITIONS",
-    "LEVELLING",
-    "METRICS",
-    "flat_map",
-    "level",
-    "level_lines",
-    "library_map",
-    "metrics",
-    "mirror_stitch",
-    "prepared_scan",
-    "subtract_sphere",
-    "table1_variables",
-]
-
 #: Metrics of a height map with their units and long names, in the order of Table 1.
 METRICS = {
     "rms_height": ("nm", "rms height"),
