@@ -9,6 +9,7 @@ from periodic_maps import RADIUS, over, periodic_noise
 from scipy.special import ive
 
 from hardcontact.adhesion import force_sum
+from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
 from hardcontact.contact.geometry import gap_map
@@ -79,7 +80,7 @@ def test_force_of_a_contact_does_not_depend_on_what_touches_elsewhere(rough):
 @pytest.mark.parametrize("rho", [0.1, 5.6])
 def test_smooth_sphere_force_is_the_direct_sum(case, contact_pixels, rho):
     bodies = bodies_of(case, 5, rough=False)
-    (totals,) = force_sum.plastic_totals(bodies, [contact_pixels], rho)
+    (totals,) = plastic_totals(bodies, [contact_pixels], rho)
     for place, total in np.ndenumerate(totals):
         expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
         assert total == pytest.approx(expected, rel=1e-12)
@@ -91,7 +92,7 @@ def test_forces_do_not_depend_on_the_order_of_heights_in_memory(rough):
     turned = np.asfortranarray(bodies.substrate.heights)
     other = replace(bodies, substrate=replace(bodies.substrate, heights=turned))
     for rho in (0.5, 5.6):
-        totals, of_turned = (force_sum.plastic_totals(one, [17], rho) for one in (bodies, other))
+        totals, of_turned = (plastic_totals(one, [17], rho) for one in (bodies, other))
         np.testing.assert_allclose(of_turned, totals, rtol=1e-12)
 
 
@@ -99,7 +100,7 @@ def test_forces_do_not_depend_on_the_order_of_heights_in_memory(rough):
 @pytest.mark.parametrize("rough", [False, True])
 def test_several_loads_at_once_are_each_load_alone(case, rough):
     bodies, rho, loads = bodies_of(case, 12, rough), 5.6, [9, 1, 40]
-    totals = force_sum.plastic_totals(bodies, loads, rho)
+    totals = plastic_totals(bodies, loads, rho)
     assert totals.shape == (3, 3, 3)
     for contact_pixels, of_load in zip(loads, totals, strict=True):
         for place, total in np.ndenumerate(of_load):
@@ -123,7 +124,7 @@ def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin():
     work, pixel_size = 46.3e-3, 50.0
     for rho, window in ((2.0, 300), (5.6, 400)):
         flat = over(np.zeros((250, 250)), None, pixel_size, window, 1)
-        (total,) = force_sum.plastic_totals(flat, [1], rho)
+        (total,) = plastic_totals(flat, [1], rho)
         force = force_sum.pull_off_force(total, rho, pixel_size, work).item()
         assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
         assert force == pytest.approx(72.7e-6, rel=1e-3)
@@ -137,7 +138,7 @@ def mean_attraction(heights, rho, rough):
     pixels = len(heights)
     roughness = np.zeros_like(heights) if rough else None
     bodies = over(heights, roughness, 1.0, pixels, 1, radius=1e18)
-    (total,) = force_sum.plastic_totals(bodies, [1], rho)
+    (total,) = plastic_totals(bodies, [1], rho)
     return total.item() / pixels**2
 
 
@@ -157,7 +158,7 @@ def test_force_of_a_sphere_over_a_sinusoid_is_that_over_a_flat_times_its_factor(
     amplitude, rho, pixel_size = 3.0, 5.6, 20.0
     wave = amplitude * np.cos(2 * np.pi * np.arange(256) / 8) + np.zeros((256, 1))
     wavy, flat = (
-        force_sum.plastic_totals(over(heights, None, pixel_size, 640, 1), [1], rho)[0].item()
+        plastic_totals(over(heights, None, pixel_size, 640, 1), [1], rho)[0].item()
         for heights in (wave, np.zeros((256, 256)))
     )
     position = int(over(wave, None, pixel_size, 640, 1).geometry.positions[0])
@@ -185,7 +186,7 @@ def test_force_decays_with_the_range_of_adhesion_on_parting():
 def test_results_do_not_depend_on_threads():
     substrate = periodic_noise(512, 20.0, 7).astype(np.float32)
     bodies = over(substrate, None, 10.0, 800, 5)
-    one, two = (force_sum.plastic_totals(bodies, [17], 5.6, threads) for threads in (1, 2))
+    one, two = (plastic_totals(bodies, [17], 5.6, threads) for threads in (1, 2))
     np.testing.assert_array_equal(one, two)
 
 
