@@ -18,7 +18,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.contact.indents import indents
 from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.insight.scan_maps import at_every_pixel, rigid_pull_off
-from hardcontact.scales.filtered_masters import mean_filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces import spectral_models, synthesis
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
@@ -181,7 +181,7 @@ def check_masters(config, rng, stitched, sphere, section, side):
         "loads": [{"name": "one", "preload": contact["preload"], "hardness": contact["hardness"]}],
     }
     for probe in [None, sphere] if section == "sets" else [None]:
-        assert_forces(mean_filtered_pull_off(master, probe, parameters))
+        assert_forces(filtered_pull_off(master, probe, parameters))
 
 
 def check_scaled(config, rng, stitched, side):

@@ -57,8 +57,8 @@ def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
     assert found.edge.isnull().all()
     np.testing.assert_array_equal(found.edge_bound, [1000, 4000])
     np.testing.assert_array_equal(found.edge_at_least, [1, 1])
-    assert found.edge_text.values[0].startswith("at least 1 µm: no longer cutoff")
-    assert found.edge_text.values[1].startswith("at least 4 µm: no longer cutoff")
+    assert found.edge_text.values[0].startswith("at least 1 µm")
+    assert found.edge_text.values[1].startswith("at least 4 µm")
 
 
 def test_the_cell_of_each_side_ends_where_its_masters_do():

@@ -73,7 +73,7 @@ def maps():
 def table(maps):
     scans = {key: measured_roughness(scan) for key, scan in maps.items()}
     radius = {"uncd": None, "ruby": 250e3}
-    examples = {name: xr.Dataset(*prepared_scan(maps[name, 1], radius[name])[0]) for name in radius}
+    examples = {name: prepared_scan(maps[name, 1], radius[name])[0] for name in radius}
     spectra = {
         name: spectrum_dataset(factor * UNCD.density).assign_attrs(calibrated_to_table1=name)
         for name, factor in (("uncd", 1), ("ruby", 4))

@@ -23,7 +23,6 @@ _QUANTITY = re.compile(
 )
 
 
-@cache
 def magnitude(text: object, unit: str) -> float:
     """Return the number of a quantity such as ``"10 uN"`` in a unit.
 
@@ -44,18 +43,24 @@ def magnitude(text: object, unit: str) -> float:
     ValueError
         In one line, if the quantity is no finite number with a unit of this dimension.
     """
-    match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
-    try:
-        value = None
-        if match:
-            quantity = _registry.Quantity(float(match[1]), _powered(match[2]))
-            value = float(quantity.m_as(_powered(unit)))
-        if value is not None and math.isfinite(value):
-            # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
-            return float(f"{value:.12g}")
-    except (pint.PintError, ValueError, AttributeError):
-        pass  # not a unit, or not of this dimension: refused below
+    value = _magnitude(text, unit) if isinstance(text, str) else math.nan
+    if math.isfinite(value):
+        return value
     raise ValueError(f"expected {quantity_words(unit)}, found {reprlib.repr(text)}")
+
+
+@cache
+def _magnitude(text: str, unit: str) -> float:
+    """Return the number of a quantity in a unit, NaN of what is none; pint takes its time."""
+    match = _QUANTITY.fullmatch(text)
+    if match is None:
+        return math.nan
+    try:
+        quantity = _registry.Quantity(float(match[1]), _powered(match[2]))
+        # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
+        return float(f"{quantity.m_as(_powered(unit)):.12g}")
+    except (pint.PintError, ValueError, AttributeError):
+        return math.nan  # not a unit, or not of this dimension
 
 
 def quantity_words(unit: str) -> str:
