@@ -1,7 +1,4 @@
-"""Labels and bases of surfaces in datasets of several.
-
-Datasets of all surfaces, stacked from those of single pairs or scans.
-"""
+"""Datasets of all surfaces, with their names, stacked from those of single pairs or scans."""
 
 from collections.abc import Mapping
 from typing import Any, TypedDict, TypeVar

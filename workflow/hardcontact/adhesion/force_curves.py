@@ -1,7 +1,4 @@
-"""Mean pull-off forces against the range of adhesion: over all scans, sampled, interpolated.
-
-Distribution of the pull-off forces of single contacts: mean, median, log-normal fit.
-"""
+"""Pull-off forces over scans: means against the range of adhesion, distributions of contacts."""
 
 from typing import Any
 

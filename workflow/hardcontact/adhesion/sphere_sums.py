@@ -1,12 +1,9 @@
-"""The pixels that touch in an array of contacts, left out of sums over the whole surface.
-
-Forces of plastic contact sum over the pixels outside it. To subtract the contact pixels from a sum
-over all pixels would cost as many digits as exp(penetration/rho) has.
-
-Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
+"""Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
 The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums of all contacts are
-a product over both axes, of a rough one a correlation with a kernel that is computed once.
+a product over both axes, of a rough one a correlation with a kernel that is computed once. Forces
+of plastic contact sum over the pixels outside it; contact pixels are left out beforehand, as their
+subtraction from a sum over all pixels would cost as many digits as exp(penetration/rho) has.
 """
 
 from collections.abc import Callable, Iterator, Sequence

@@ -1,7 +1,4 @@
-"""The paths of single files of one study: spectra, scans, stitched scans.
-
-Every list of files: those of each surface, pair of scans, realization and variant.
-"""
+"""Every file of one study: those of each surface, pair of scans, realization and variant."""
 
 from collections.abc import Iterable, Mapping
 from functools import cached_property

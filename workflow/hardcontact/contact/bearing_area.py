@@ -1,9 +1,8 @@
-"""A periodic map cut into tiles with the highest point of each, which bounds the gaps there.
-
-Rigid and plastic (bearing area) contact: closest approach and contact pixels.
+"""Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
 The gap of a contact is g = s - t - h: sphere s, its roughness t (growing out of the sphere) and
-substrate h, all in nm. The bodies approach until the contact pixels carry the preload.
+substrate h, all in nm. The bodies approach until the contact pixels carry the preload. The highest
+points of the tiles of a map bound its gaps, so that most tiles are never read.
 """
 
 from dataclasses import dataclass

@@ -3,8 +3,6 @@
 A rough body of height -gap is pressed into, or pulled off, a flat periodic half space of the
 effective modulus. Towards the solvers lengths are in nm and forces in nN, so that pressures are
 in GPa and energies per area in J/m²: numbers near one, as their tolerances expect.
-
-Elastic contacts of one pair of scans: pressure at the preload, and pull-off.
 """
 
 from typing import Any, NamedTuple, TypedDict

@@ -1,11 +1,7 @@
-"""The sphere over a surface: its paraboloid, the array of contacts, the analysis window.
+"""The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
 Pixel indices run along one axis. A contact at index c sees the substrate at the unfolded indices
 c + u, u from -window/2 to window/2 - 1; the substrate continues itself periodically.
-
-The gap of one contact at single pixels, where its whole window is not needed.
-
-The gap map of one contact over its whole window, before and after plastic flattening.
 """
 
 from dataclasses import dataclass, replace

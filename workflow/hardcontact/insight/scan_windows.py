@@ -1,7 +1,4 @@
-"""Pull-off on mirrored windows of a large surface, against that on the surface itself.
-
-With all their waves, and without their long ones.
-"""
+"""Pull-off on mirrored windows of a large surface, with all their waves and without long ones."""
 
 from collections.abc import Iterator
 from dataclasses import replace

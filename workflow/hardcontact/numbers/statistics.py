@@ -1,9 +1,7 @@
-"""Intervals of means over whole scans, samples of them, and log-normal fits.
+"""Intervals of means over whole scans, samples of what is uncertain, and log-normal fits.
 
 Uncertainty comes from scans, not from contacts: contacts on one scan see the same peaks. A variable
 `name` has its interval in a second variable, `name_interval`, of one more dimension `bound`.
-
-Samples of what is uncertain: how many, from which random numbers, for which confidence.
 """
 
 import warnings

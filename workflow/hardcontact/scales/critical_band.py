@@ -1,7 +1,4 @@
-"""The cutoffs at which one side of a filtered surface was computed.
-
-The critical band: the wavelengths whose removal changes the pull-off force.
-"""
+"""The critical band: the wavelengths whose removal changes the pull-off force."""
 
 import numpy as np
 import xarray as xr

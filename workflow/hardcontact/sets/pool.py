@@ -1,12 +1,8 @@
 """The pool that sets of substitute scans are drawn from: forces of each scan at several heights.
 
 A set multiplies the heights of each of its scans by a factor. Forces are computed at a few rms
-heights that span what a set may ask for, and interpolated between them.
-
-Forces of the study's own scans on a smooth sphere, beside those on the rough one.
-
-The forces of a pool are those on a smooth sphere. What its roughness changes is measured on the
-study's own scans, and applied to all sets.
+heights that span what a set may ask for, and interpolated between them. They are those on a smooth
+sphere; what its roughness changes is measured on the study's own scans, and applied to all sets.
 """
 
 from collections.abc import Mapping, Sequence

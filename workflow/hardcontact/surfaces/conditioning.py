@@ -1,8 +1,4 @@
-"""What the scans of a substitute are to have together: Table 1, on the pixels of the study.
-
-Smooth gains of a spectrum: three bands of wavelengths, and amplitudes multiplied.
-
-Scans of one surface, conditioned together on what Table 1 says of five.
+"""Scans of one surface, conditioned together on what Table 1 says of five.
 
 Random scans of one spectrum differ, and so do their means over a few of them. A smooth gain of the
 spectrum and one factor for each scan give a group of scans exactly the mean and the standard

@@ -1,14 +1,8 @@
-"""Substitute scans: cut out of random surfaces, flat or of the sphere.
-
-`scipy` and `xarray` are imported where they are used.
-
-Random surfaces of given spectrum and skewness whose tops are blunt, as those of clusters are.
+"""Substitute scans: cut out of random surfaces, flat or of the sphere, as a tip images them.
 
 A skewed distribution and a spectrum leave open how sharp the highest summits are, and these carry
-the contacts. Remapping heights by rank sharpens them; real clusters are rounded. `scipy` is
-imported where it is used.
-
-A surface as the tip of an AFM images it.
+the contacts. Remapping heights by rank sharpens them; real clusters are rounded, and so are the
+tops of skewed surfaces here. `scipy` and `xarray` are imported where they are used.
 """
 
 from dataclasses import replace

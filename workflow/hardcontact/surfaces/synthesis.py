@@ -1,8 +1,6 @@
-"""Random surfaces from a PSD, and the multi-scale masters of Fig. 6.
+"""Random surfaces from a PSD, and the multi-scale masters of Fig. 6, of either side of the scales.
 
 Surfaces are periodic. `scipy` is imported where it is used.
-
-The master of either side of the scales, as the configuration describes it.
 """
 
 from collections.abc import Mapping
