@@ -148,15 +148,14 @@ def edges(count=1):
         | between_multiples("edge", ("surface", "side"), edge, (0.8, 1.25), CONFIDENCE, units="nm"),
         {"surface": surfaces, "side": SIDES, "cutoff_wavelength": cutoffs},
     )  # fmt: skip
-    texts = ["37 [29.6, 46.2] nm", "1.7 [1.36, 2.12] µm"]
     data = data.assign(
         edge_bound=(("surface", "side"), np.full((count, 2), np.nan)),
         edge_at_least=(("surface", "side"), [[0] * 2] * count),
         edge_status=(("surface", "side"), [["found"] * 2] * count),
         interval_status=(("surface", "side", "bound"), [[["found"] * 2] * 2] * count),
-        edge_text=(("surface", "side"), [texts] * count),
         conditional=("surface", [0] * count),
-        interval_note=("surface", ["from 3 scans"] * count),
+        interval_source=("surface", ["scans"] * count),
+        interval_scans=("surface", [SCANS] * count),
         label=("surface", LABELS[:count]),
     ).assign_attrs(tolerance=0.1, confidence=CONFIDENCE)
     if count == 1:
@@ -164,9 +163,11 @@ def edges(count=1):
     return data.assign(
         between_multiples("pooled_edge", "side", [45.0, 1500.0], (0.8, 1.25), CONFIDENCE)
     ).assign(
+        pooled_change=data["scale_ratio"].mean("surface") - 1,
+        pooled_change_interval=data["scale_ratio_interval"].mean("surface") - 1,
         pooled_edge_bound=("side", [np.nan] * 2),
         pooled_edge_at_least=("side", [0] * 2),
-        pooled_edge_text=("side", ["45 [36, 56.2] nm", "1.5 [1.2, 1.88] µm"]),
+        pooled_edge_status=("side", ["found"] * 2),
     )
 
 
@@ -181,7 +182,6 @@ def open_edges(count=1):
     for name, value in {
         "edge_status": "beyond the cell",
         "interval_status": "open",
-        "edge_text": "at least 2.56 µm: the scans end here",
     }.items():
         values = data[name].astype(object)
         values.loc[at] = value
@@ -189,8 +189,7 @@ def open_edges(count=1):
     ratio = data["scale_ratio"].sel(side="large")
     data["scale_ratio"].loc[at] = ratio.where(ratio.isnull(), 1.2)
     data["conditional"][:] = 1
-    note = "conditional on this scan: from 4 quarters"
-    return data.assign(interval_note=("surface", [note] * count))
+    return data.assign(interval_source=("surface", ["quarters"] * count))
 
 
 def force(count=1):
@@ -206,11 +205,12 @@ def force(count=1):
     )
     data["force_quantile"] = (*axes, "quantile"), mean[..., None] * spread
     data["label"] = "surface", LABELS[:count]
-    data["interval_note"] = "surface", ["from 3 scans"] * count
+    data["interval_source"] = "surface", ["scans"] * count
+    data["interval_scans"] = "surface", [SCANS] * count
     data["conditional"] = "surface", [0] * count
     data = data.merge(continued_force(count))
     data["correlation_of_parts"] = "surface", [0.0] * count
-    data["finite_scan_note"] = "surface", [""] * count
+    data["draw_size"] = "surface", np.full(count, SIZE / 2)
     data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
     data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
@@ -229,7 +229,7 @@ def continued_force(count=1):
         {"surface": SURFACES[:count], "side": SIDES},
     )
     return data.assign(
-        continued_note=(axes, [["from 3 scans"] * 2] * count),
+        continued_source=(axes, [["scans"] * 2] * count),
         continued_end=(axes, [[5.0, 2560.0]] * count),
         continued_differs=(axes, [[0, 0]] * count),
         transition=("side", [20.0, 1000.0]),
@@ -248,10 +248,9 @@ def continued(data, **factors):
 
 def without_interval(of_force):
     """Return forces without an interval: one scan that is too small to be cut."""
-    note = "no interval: every contact feels all of this scan"
     return of_force.assign(
         force_interval=of_force["force_interval"] * np.nan,
-        interval_note=("surface", [note] * of_force.sizes["surface"]),
+        interval_source=("surface", ["none"] * of_force.sizes["surface"]),
     )
 
 
@@ -272,9 +271,6 @@ def fit(count=1):
     low, high = interval.max("surface").sel(bound="low"), interval.min("surface").sel(bound="high")
     region = xr.concat([low, high], "bound").transpose("contact_model", "rho", "bound")
     best = np.nan if count == 1 else np.array([1.0, 1.0])
-    text = "one mean force: every range of adhesion has its own work of adhesion"
-    if count > 1:
-        text = "range 5.6 nm, work 46 mJ/m² (mean relative error 0.05); region: ranges from 3.2 nm"
     return (
         data.assign(
             region=region.where(low < high),
@@ -284,10 +280,9 @@ def fit(count=1):
             region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
             region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
             region_status=(("contact_model", "bound"), [["found", "open"]] * 2),
-            fit_text=("contact_model", [text] * 2),
             tests=("surface", [40] * count),
             label=("surface", LABELS[:count]),
-            interval_note=("surface", ["40 tests; scans: from 3 scans"] * count),
+            interval_source=("surface", ["scans"] * count),
         )
         .assign(continued_work(count))
         .assign_attrs(basis="measured", confidence=CONFIDENCE, range_of_adhesion=RANGE)
@@ -320,4 +315,5 @@ def setting(left_out=(), effort="full"):
         "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "25 GPa",
         "preload": "10 µN",
     }  # fmt: skip
-    return Setting("my-coating", effort, contact, ["hardness"], list(left_out))
+    citation = {"title": "Which scales of roughness matter?", "version": "4.0.0"}
+    return Setting("my-coating", effort, contact, ["hardness"], list(left_out), citation)

@@ -14,7 +14,7 @@ BROWSER = next(filter(None, map(shutil.which, NAMES)), None)
 OPTIONS = [
     "--headless", "--hide-scrollbars", "--disable-gpu", "--disable-quic", "--no-first-run",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
-    "--host-resolver-rules=MAP * ~NOTFOUND", "--dump-dom",
+    "--host-resolver-rules=MAP * ~NOTFOUND", "--virtual-time-budget=3000", "--dump-dom",
 ]  # fmt: skip
 needs_browser = pytest.mark.skipif(BROWSER is None, reason="no browser is installed")
 WIDTHS = (390, 1200)
@@ -42,8 +42,27 @@ def shown(html, folder):
         f'<iframe width="{width}" height="844" style="border: 0" srcdoc="{escape(html)}"></iframe>'
         for width in WIDTHS
     )
+    return _told(frames + PROBE, folder)
+
+
+def used(html, script, folder):
+    """Open a page and return what a script tells that acts on it.
+
+    `script` is the body of a function of the page's `document` and `window` that returns what JSON
+    can say.
+    """
+    page = f'<iframe width="1200" height="844" srcdoc="{escape(html)}"></iframe>'
+    act = f"""<script>onload = async () => {{
+      const window = document.querySelector("iframe").contentWindow;
+      const told = await (async (document, window) => {{{script}}})(window.document, window);
+      document.body.dataset.shown = JSON.stringify(told); }}</script>"""
+    return _told(page + act, folder)
+
+
+def _told(body, folder):
+    """Return what the script of a document leaves in it."""
     probe = folder / "probe.html"
-    probe.write_text(f'<!DOCTYPE html><meta charset="utf-8"><body>{frames}{PROBE}</body>', "utf-8")
+    probe.write_text(f'<!DOCTYPE html><meta charset="utf-8"><body>{body}</body>', "utf-8")
     as_root = ["--no-sandbox"] if os.geteuid() == 0 else []  # which the browser asks of root
     command = [BROWSER, *OPTIONS, *as_root, f"--user-data-dir={folder / 'profile'}"]
     made = subprocess.run(

@@ -4,19 +4,23 @@ from functools import cache
 from io import BytesIO
 
 import numpy as np
+import yaml
 from figure_inputs.scales import band, scales
 from figure_inputs.scan_size import scan_size
 from figure_inputs.sets import sets
 from figure_inputs.surfaces import topography
 from paper_claims import CONSTANTS, STATEMENTS
 from PIL import Image
+from repository import ROOT
 
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.paper_answer import paper_answer
 from hardcontact.answer.paper_page import paper_page
+from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import OF_PAPER
 
+CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 DEPARTURES = "# Where it departs\n\n1. **First.** 1 < 2.\n\n## Substitutes\n\nRandom surfaces.\n"
 
 
@@ -31,7 +35,7 @@ def claims():
         stability=np.where(numbers % 3, 0.9, np.nan),
         verdict=[VERDICTS[number % len(VERDICTS)] for number in range(len(STATEMENTS))],
         basis="substitute scans",
-    )
+    )[list(COLUMNS)]
 
 
 @cache
@@ -66,9 +70,12 @@ def figures():
 
 def captions():
     """A caption for each figure."""
-    return {name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.") for name in OF_PAPER}
+    return {
+        name: Caption(f"Of {name}: a < b", f"It shows {name}: 1 < 2.", "And more.")
+        for name in OF_PAPER
+    }
 
 
 def made_page(of=None, departures=DEPARTURES):
     """The page."""
-    return paper_page(answer() if of is None else of, figures(), captions(), departures)
+    return paper_page(answer() if of is None else of, figures(), captions(), departures, CITATION)

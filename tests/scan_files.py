@@ -4,7 +4,7 @@ import zipfile
 
 import numpy as np
 import yaml
-from SurfaceTopography import Topography
+from SurfaceTopography import Topography, UniformLineScan
 from SurfaceTopography.Container.SurfaceContainer import InMemorySurfaceContainer
 
 
@@ -17,6 +17,11 @@ def scan(path, values=None, sizes=(320.0, 320.0), unit="nm"):
     """Write a scan of 10 nm a pixel, or of other sizes; first axis x."""
     Topography(heights() if values is None else values, sizes, unit=unit).to_netcdf(str(path))
     return path
+
+
+def line(values, length):
+    """Return a line scan of SurfaceTopography, its heights and length in nm."""
+    return UniformLineScan(values, length, unit="nm")
 
 
 def container(path, entries, files):

@@ -9,9 +9,8 @@ import xarray as xr
 from hardcontact.adhesion.finite_scan import (
     RATIOS,
     finite_scan,
-    finite_scan_warning,
     with_contact_area,
-    with_finite_scan_notes,
+    with_finite_scans,
     with_window_share,
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
@@ -52,28 +51,19 @@ def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height
     assert 0.75 * least < force_ratio(rms_height, pixels) < 1.25 * greatest
 
 
-def test_a_warning_names_both_sizes_and_the_ratio():
-    assert finite_scan_warning(1000.0, 17.0, RADIUS) == (
-        "A contact finds its peaks within 5.8 µm, the scan is 1 µm, 0.17 of that: on synthetic "
-        "surfaces the mean force on such scans was 2 to 4 times that on large ones."
-    )
-    assert "up to 1.2 times" in finite_scan_warning(10e3, 17.0, RADIUS)
-
-
-def test_a_large_scan_needs_no_warning():
-    assert finite_scan_warning(12e3, 17.0, RADIUS) == ""
+def test_a_large_scan_is_large_enough():
     found = finite_scan(12e3, 17.0, RADIUS)
     assert found.draw_size == pytest.approx(2 * np.sqrt(2 * 250e3 * 17))
     assert found.share > max(RATIOS) and found.ratio == (1.0, 1.0)
 
 
-def test_every_surface_has_its_note_and_its_ratios():
+def test_every_surface_has_its_draw_size_and_its_ratios():
     sizes = xr.Dataset(
         {"scan_size": ("surface", [1000.0, 12e3]), "rms_height_mean": ("surface", [17.0, 17.0])},
         {"surface": ["a", "b"]},
     )
-    found = with_finite_scan_notes(xr.Dataset(coords={"surface": ["b", "a"]}), sizes, RADIUS)
-    assert found.finite_scan_note.values.tolist() == ["", finite_scan_warning(1e3, 17.0, RADIUS)]
+    found = with_finite_scans(xr.Dataset(coords={"surface": ["b", "a"]}), sizes, RADIUS)
+    np.testing.assert_allclose(found.draw_size, 2 * np.sqrt(2 * RADIUS * 17))
     np.testing.assert_array_equal(found.finite_scan_ratio, [[1, 1], [2, 4]])
 
 

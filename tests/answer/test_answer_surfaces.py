@@ -51,9 +51,8 @@ def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch, of_forc
     monkeypatch.setattr(os, "_exit", pytest.fail)
     made = run(tmp_path, datasets(fit=of_forces))
     numbers = json.loads(made["json"])
-    texts = Page(made["page"]).texts
-    assert numbers["surfaces"]["my_coating"]["answer"] in texts["p"][0].replace("\u00a0", " ")
-    assert ("Fit to your own forces (measured)" in texts["h2"]) == (of_forces is not None)
+    sections = [one["id"] for one in Page(made["page"]).attributes["section"]]
+    assert ("forces" in sections) == (of_forces is not None)
     assert (numbers["fit"] is None) == (of_forces is None)
     assert numbers["left_out"] == [{"part": "part", "reason": "why"}]
     assert "output_digests" in json.loads(made["record"])

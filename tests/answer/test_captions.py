@@ -7,22 +7,31 @@ from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
 from hardcontact.answer.captions import caption
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
+from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC, OF_PAPER
 
 CONFIDENCE = '{% set share = 100 * snakemake.config["inference"]["confidence"] %}\n'
 
 
 def test_a_caption_names_the_values_of_the_study():
-    template = CONFIDENCE + "**Fig. 1.** Its {{ '%g' | format(share) }} %\ninterval, ``a.nc``."
+    template = (
+        CONFIDENCE + "**Fig. 1.** Its {{ '%g' | format(share) }} %\ninterval.\n\nFrom\n``a.nc``."
+    )
     shown = caption(template, {"inference": {"confidence": 0.8}})
-    assert shown == ("Fig. 1", "Its 80 % interval, a.nc.")
+    assert shown == ("Fig. 1", "Its 80 % interval.", "From a.nc.")
+    assert shown.text == "Its 80 % interval. From a.nc."
 
 
 @pytest.mark.parametrize("name", FIGURES | OF_ATOMIC)
 def test_captions_of_figures_have_a_title_and_no_markup(name):
     shown = caption((ROOT / f"workflow/report/{name}.rst").read_text(), PAPER)
-    assert all(shown) and 10 < len(shown.title) < 80
+    assert shown.short and 10 < len(shown.title) < 80
     assert not any(mark in " ".join(shown) for mark in ("{", "}", "**", "``", "\n"))
+
+
+@pytest.mark.parametrize("name", OF_PAPER)
+def test_captions_of_the_story_are_short_and_have_more(name):
+    shown = caption((ROOT / f"workflow/report/{name}.rst").read_text(), PAPER)
+    assert 20 < len(shown.short.split()) <= 60 and shown.more
 
 
 @pytest.mark.parametrize("template", ["No title.", "The **title** late.", ""])

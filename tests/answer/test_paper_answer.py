@@ -5,28 +5,19 @@ import math
 
 import numpy as np
 import pytest
-from figure_inputs.scales import band
+from figure_inputs.scales import CUTOFFS, LARGE_CUTOFFS, SMALL_CUTOFFS, band
 from figure_inputs.scan_size import scan_size
+from jsonschema import Draft202012Validator
+from paper_numbers import SUBSTRATES
 from paper_study import answer, claims, datasets
-from refusals import assert_says
+from repository import ROOT
 
-from hardcontact.answer.paper_answer import ANSWERS, as_plain
-from hardcontact.answer.paper_sentences import answer_sentences, basis_sentences
+from hardcontact.answer.facts import Fact
+from hardcontact.answer.paper_answer import ANSWERS, MAIN_FINDINGS, as_plain, cutoff_curves
 from hardcontact.claims.verdicts import VERDICTS, summary
-from hardcontact.numbers.printing import print_as_paper
+from hardcontact.figures.style import colours
 
-#: How many sentences there are not without a number of the answer.
-LOST = {
-    "shortest_wavelength": 2,
-    "longest_wavelength": 2,
-    "range_of_adhesion": 1,
-    "work_of_adhesion": 1,
-    "fit_error": 1,
-}
-
-
-def said(of):
-    return " ".join(answer_sentences(of))
+SCHEMA = json.loads((ROOT / "workflow/schemas/answer_paper.schema.json").read_text("utf-8"))
 
 
 def changed(name, **values):
@@ -81,78 +72,46 @@ def test_settings_for_machines_are_those_of_the_datasets():
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(ANSWERS.keys() - {"range_exceeds"}))
-def test_the_answer_prints_the_number_computed(name):
-    rows = changed(name, computed=0.0377, low=0.0311, high=0.0433)
-    unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
-    printed = print_as_paper(0.0377, unit, (0.0311, 0.0433), 2)
-    alike = with_fits([8.0, 9.0], [0.013, 0.012])
-    assert printed in said(answer(rows, sets=alike)) and printed not in said(answer(sets=alike))
+def test_numbers_for_machines_are_as_their_schema_says():
+    Draft202012Validator.check_schema(SCHEMA)
+    beyond = with_critical("large", np.nan)
+    split = with_fits([9.0, 1.2, 8.0], [0.012, 0.09, 0.014])
+    for made in (answer(), answer(band=beyond, sets=split), answer(changed("fit_error", low=1.0))):
+        plain = json.loads(json.dumps(as_plain(made), allow_nan=False))
+        assert list(Draft202012Validator(SCHEMA).iter_errors(plain)) == []
+    assert set(SCHEMA["properties"]["answer"]["properties"]) == set(ANSWERS)
 
 
-@pytest.mark.parametrize("name", sorted(ANSWERS.keys() - {"rigid_over_plastic_error"}))
-def test_the_answer_prints_the_number_of_the_paper(name):
-    rows = changed(name, published=0.0721)
-    unit = rows["unit"][rows["id"] == ANSWERS[name]].item()
-    assert print_as_paper(0.0721, unit) in said(answer(rows))
+def test_every_key_of_the_schema_is_described():
+    pending = [SCHEMA, *SCHEMA["$defs"].values()]
+    while pending:
+        inner = pending.pop()
+        assert inner["description"].endswith("."), inner
+        pending += [*inner.get("properties", {}).values()]
+        below = (inner.get(name) for name in ("items", "additionalProperties"))
+        pending += [one for one in below if isinstance(one, dict) and "properties" in one]
 
 
-def test_the_change_outside_the_band_is_that_of_the_mean_of_all_coatings():
-    assert_says(
-        answer_sentences(answer())[1], "averaged over all coatings, stays below 10 %", "of 5.6 nm"
-    )
+def test_main_findings_are_statements_of_the_paper():
+    assert len(set(MAIN_FINDINGS)) == 10 and set(MAIN_FINDINGS) <= set(claims()["id"])
 
 
-def test_edges_of_single_coatings_span_what_the_band_has():
-    """The long edge of polished UNCD is open: it counts as the last cutoff, by its bound."""
-    assert answer_sentences(answer())[1].endswith(
-        "edges of single coatings run from 32 nm (UNCD) to 160 nm (polished UNCD) and from "
-        "at most 500 nm (polished UNCD) to 2.4 µm (NCD)."
-    )
-    other = band()
-    other["critical_wavelength"].loc[{"side": "small", "group": "mcd"}] = np.nan
-    assert "to at least 250 nm (MCD) and" in answer_sentences(answer(band=other))[1]
+def test_grids_coarser_than_the_papers_are_known():
+    assert not answer().coarse
+    assert answer(**datasets(contacts=6)).coarse and answer(**datasets(pixels=128)).coarse
 
 
-def test_the_answer_says_in_how_many_sets_the_range_is_large():
-    assert "37 % of 100 equally good sets" in said(answer(changed("range_exceeds", frequency=0.37)))
-    assert "sets" not in said(answer(changed("range_exceeds", frequency=np.nan)))
-
-
-def test_fits_that_differ_in_kind_are_not_printed_as_one_interval():
+def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     """The paper's statement is that the range exceeds 5 nm."""
-    rows = changed("range_of_adhesion", computed=8.9, low=0.7, high=10.6)
     both = with_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
-    split = answer(rows, sets=both)
-    assert_says(
-        answer_sentences(split)[2],
-        "a range of adhesion of 8.9 nm and",
-        "58 % of 5 equally good sets of scans. In these it is 9 [8, 10] nm with 12 [11, 14] mJ/m², "
-        "in the others 1 [0.8, 1.2] nm with 120 [90, 140] mJ/m² (medians, and in brackets all sets "
-        "of a group); no set has a range between 1.2 nm and 8 nm.",
-    )
-    assert "[0.7" not in said(split)
-    short, long = as_plain(split)["fit_groups"]
+    short, long = as_plain(answer(sets=both))["fit_groups"]
     assert long["exceeds"] is True and short["exceeds"] is False
     assert long["range_of_adhesion"] == {"count": 3, "median": 9, "min": 8, "max": 10}
     assert short["work_of_adhesion"] == pytest.approx(
         {"count": 2, "median": 0.115, "min": 0.09, "max": 0.14}
     )
-
-
-@pytest.mark.parametrize("ranges", [[9.0, 8.0], [1.2, 0.8]])
-def test_fits_of_one_kind_have_their_interval(ranges):
-    rows = changed("range_of_adhesion", computed=8.9, low=0.7, high=10.6)
-    alike = said(answer(rows, sets=with_fits(ranges, [0.01, 0.02])))
-    assert "8.9 [0.7, 11] nm" in alike and "in the others" not in alike
-
-
-def test_the_answer_counts_independent_findings():
-    counts = summary(claims()).set_index("verdict")["independent"]
-    last = answer_sentences(answer())[-1]
-    assert_says(last, f"Of {counts.sum()} independent", f"{counts['undecided']} undecided")
-    reproduced = answer(claims().assign(verdict="reproduced"))
-    assert "undecided" not in said(reproduced)
+    assert list(answer(sets=with_fits([9.0, 8.0], [0.01, 0.02])).fit_groups) == [True]
+    assert answer(changed("range_exceeds", frequency=np.nan), sets=both).fit_groups == {}
 
 
 @pytest.mark.parametrize(
@@ -163,14 +122,9 @@ def test_the_answer_counts_independent_findings():
     ],
 )
 def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
-    rows = changed(name, computed=432.0, low=321.0, high=432.0)
-    beyond = answer(rows, band=with_critical(side, np.nan))
-    assert f"{bound} 430 nm" in said(beyond) and "[320" not in said(beyond)
+    beyond = answer(band=with_critical(side, np.nan))
+    assert beyond.open_edges == {name: bound} and answer().open_edges == {}
     assert as_plain(beyond)["answer"][name]["bound"] == bound
-    found = band()
-    found["critical_wavelength"] = found["critical_wavelength"].fillna(400.0)  # of one coating
-    known = said(answer(rows, band=found))
-    assert "at least" not in known and "at most" not in known
 
 
 @pytest.mark.parametrize(
@@ -185,53 +139,49 @@ def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
 def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
     sets = datasets()["sets"]
     fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
-    at_end = answer(changed(name, **{end: last}), sets=fewer)
-    assert f"its {end} end is the last cutoff" in said(at_end)
-    assert as_plain(at_end)["answer"][name]["open_end"] == end
-    assert as_plain(at_end)["open_ends"] == {ANSWERS[name]: end}
-    assert "open" not in said(answer(changed(name, **{end: inside}), sets=fewer))
+    at_end = as_plain(answer(changed(name, **{end: last}), sets=fewer))
+    assert at_end["answer"][name]["open_end"] == end
+    assert at_end["open_ends"] == {ANSWERS[name]: end}
+    assert as_plain(answer(changed(name, **{end: inside}), sets=fewer))["open_ends"] == {}
 
 
 @pytest.mark.parametrize("name", ANSWERS)
-def test_a_sentence_without_its_number_is_left_out(name):
+def test_a_claim_without_a_number_is_not_in_the_answer(name):
     for rows in (claims()[claims()["id"] != ANSWERS[name]], changed(name, computed=np.nan)):
-        text = said(answer(rows))
-        assert "nan" not in text and "  " not in text
-        assert name not in as_plain(answer(rows))["answer"]
-        lost = LOST.get(name, 0)
-        assert len(answer_sentences(answer(rows))) == len(answer_sentences(answer())) - lost
+        assert as_plain(answer(rows))["answer"].keys() == ANSWERS.keys() - {name}
 
 
-def test_substitutes_are_named_and_only_they():
-    topography = datasets()["topography"]
-    one = ["measured", "substitute", "measured", "measured", "measured"]
-    some = basis_sentences(answer(topography=topography.assign(basis=("surface", one))))[0]
-    assert "Substitute surfaces: UNCD." in some
-    measured = topography.assign(basis=("surface", ["measured"] * 5))
-    assert basis_sentences(answer(topography=measured))[0] == "All surfaces are measured."
-
-
-def test_the_error_of_forces_on_scans_is_said_of_each_coating():
+def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
     data = scan_size()
     place = {"surface": "mcd", "edge_size": 2500.0}
     data["force_over_largest"].loc[place] = 2.24
     data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
-    assert_says(
-        basis_sentences(answer(scan_size=data))[1],
-        "mirrored scans of 2.5 µm over that on surfaces of 40 µm", "a range of 5.6 nm, is: "
-        "polished UNCD 1.9 [", "; NCD ", "; MCD 2.2 [1.5, 3.4] (90 % intervals",
-        "none is corrected",
-    )  # fmt: skip
+    made = answer(scan_size=data)
+    assert (made.size_of_scans, made.size_of_surfaces) == (2500, 40e3)
+    assert list(made.forces_on_scans) == SUBSTRATES
+    assert made.forces_on_scans["mcd"] == Fact("mcd", 2.24, "1", 1.48, 3.39)
 
 
-def test_grids_coarser_than_the_papers_are_said_to_be():
-    assert "coarser" not in " ".join(basis_sentences(answer()))
-    for coarse in (datasets(contacts=6), datasets(pixels=128)):
-        assert_says(
-            " ".join(basis_sentences(answer(**coarse))),
-            "coarser", "512 x 512 pixels over 2.5 µm, 20 x 20 contacts",
-        )  # fmt: skip
+def test_curves_are_the_ratios_of_each_side_with_their_intervals():
+    curves = cutoff_curves(band())
+    for side, cutoffs in (("small", SMALL_CUTOFFS), ("large", LARGE_CUTOFFS)):
+        assert curves[side]["cutoffs"] == list(cutoffs)
+        shown = curves[side]["surfaces"]
+        assert {one["name"]: one["colour"] for one in shown} == colours(SUBSTRATES)
+        for one in shown:
+            of_side = band().sel(side=side, surface=one["name"])
+            of_side = of_side.sel(cutoff_wavelength=np.isin(CUTOFFS, cutoffs))
+            assert one["ratios"] == of_side["scale_ratio"].values.tolist()
+            ends = of_side["scale_ratio_interval"].values.T.tolist()
+            assert [one["low"], one["high"]] == ends
+            assert one["basis"] == of_side["basis"].item()
 
 
-def test_intervals_are_named_by_their_confidence():
-    assert_says(basis_sentences(answer())[-1], "90 %", "100 equally good sets")
+def test_limits_of_curves_do_not_follow_what_is_unbounded():
+    wide = band()
+    wide["scale_ratio_interval"].loc[{"surface": "mcd", "bound": "high"}] = 1e20
+    low, high = cutoff_curves(wide)["small"]["limits"]
+    assert high == pytest.approx(10 * wide["scale_ratio"].sel(side="small").max().item())
+    wide["scale_ratio_interval"][:] = np.nan
+    bare = cutoff_curves(wide)["small"]
+    assert all(np.isfinite(bare["limits"])) and set(bare["surfaces"][0]["low"]) == {None}

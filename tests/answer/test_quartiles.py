@@ -2,16 +2,16 @@
 
 import numpy as np
 import xarray as xr
-from answer_inputs import datasets, topography
+from answer_inputs import datasets, setting, topography
+from html_page import Page
 
-from hardcontact.answer.quartiles import (
-    over_quartiles,
-    quartile_sentences,
-    surfaces_with_quartiles,
-)
+from hardcontact.answer.own_surfaces import own_page
+from hardcontact.answer.quartiles import quartile_spans, surfaces_with_quartiles
+
+WHOLE = ["crn", "crn_lower", "crn_upper"]
 
 
-def described(names, basis="substitute"):
+def described(names=WHOLE, basis="substitute"):
     """Return the datasets of surfaces that are copies of one, by these names."""
     one = datasets(1, topography=topography(1, basis))
     parts = (
@@ -21,58 +21,53 @@ def described(names, basis="substitute"):
     return type(one)(*parts)
 
 
-def test_a_median_needs_both_quartiles_and_no_measurement():
-    whole = ["crn", "crn_lower", "crn_upper"]
-    assert surfaces_with_quartiles(described(whole)) == {"crn": whole}
-    assert surfaces_with_quartiles(described(whole[:2])) == {}
-    assert surfaces_with_quartiles(described(whole, "measured")) == {}
-    assert quartile_sentences(described(whole[:2])) == []
-
-
-def test_span_leaves_out_what_is_not_known():
-    assert over_quartiles(xr.DataArray([[40.0, np.nan], [np.inf, 70.0]])) == (40.0, 70.0)
-    assert np.isnan(over_quartiles(xr.DataArray([np.nan]))).all()
-
-
-def with_edges(side, edges, bounds, texts, intervals):
+def with_edges(side, edges, bounds, intervals):
     """Return datasets of a median and its quartiles with these edges (nm) at one side."""
-    given = described(["crn", "crn_lower", "crn_upper"])
+    given = described()
     changed = given.edges.copy(deep=True)
+    status = np.where(np.isnan(edges), "beyond the cutoffs", "found")
+    changed["edge_status"] = changed["edge_status"].astype(object)
     for name, values in {
-        "edge": edges, "edge_bound": bounds, "edge_text": texts, "edge_interval": intervals,
-        "edge_status": np.where(np.isnan(edges), "beyond the cutoffs", "found"),
+        "edge": edges, "edge_bound": bounds, "edge_interval": intervals, "edge_status": status,
+        "edge_at_least": np.isnan(edges).astype(int),
     }.items():  # fmt: skip
-        numbers = name not in ("edge_text", "edge_status")
-        changed[name] = changed[name].astype(float if numbers else object)
         changed[name].loc[{"side": side}] = values
     return given._replace(edges=changed)
 
 
-NONE = [np.nan] * 3
+def test_a_median_needs_both_quartiles_and_no_measurement():
+    assert surfaces_with_quartiles(described()) == {"crn": WHOLE}
+    assert surfaces_with_quartiles(described(WHOLE[:2])) == {}
+    assert surfaces_with_quartiles(described(WHOLE, "measured")) == {}
+    assert quartile_spans(described(WHOLE[:2])) == []
 
 
-def test_sentence_gives_the_median_its_quartiles_and_their_intervals():
+def test_spans_are_of_the_median_its_quartiles_and_their_intervals():
     intervals = [[35.0, 50.0], [10.0, np.nan], [60.0, 90.0]]
-    given = with_edges("small", [40.0, 20.0, 70.0], NONE, [""] * 3, intervals)
-    (sentence,) = quartile_sentences(given)
-    assert sentence.startswith("my coating (substitute), with the span over the quartiles")
-    assert "short edge of the band 40 nm (20 nm to 70 nm; above 10 nm);" in sentence
-    assert "; mean force " in sentence
+    given = with_edges("small", [40.0, 20.0, 70.0], [np.nan] * 3, intervals)
+    short, long, force = quartile_spans(given)
+    assert short.surface == "my coating (substitute)"
+    assert [one.value for one in short[1:4]] == [40.0, 20.0, 70.0]
+    assert (short.intervals.low, short.intervals.status) == (10.0, "more_than")
+    assert long.least == long.most and long.intervals.status == "between"
+    assert force.fact.name == "force_mean" and force.fact.low is None
 
 
 def test_forces_without_bounds_have_none():
-    given = described(["crn", "crn_lower", "crn_upper"])
+    given = described()
     ends = given.force["force_interval"] * 0 + xr.DataArray([0.0, np.inf], dims="bound")
-    (sentence,) = quartile_sentences(given._replace(force=given.force.assign(force_interval=ends)))
-    assert "; intervals not bounded)." in sentence and "inf" not in sentence
+    *_, force = quartile_spans(given._replace(force=given.force.assign(force_interval=ends)))
+    assert force.intervals.status == "not_bounded" and force.least.status == "known"
 
 
 def test_open_edges_are_bounds():
     unknown = [[np.nan] * 2] * 3
-    bounds, texts = [np.nan, 8e3, 8e3], ["", "at least 8 µm", "at least 8 µm"]
-    given = with_edges("large", [5e3, np.nan, np.nan], bounds, texts, unknown)
-    (sentence,) = quartile_sentences(given)
-    assert "long edge 5 µm (5 µm to at least 8 µm; intervals not bounded);" in sentence
-    given = with_edges("large", NONE, [8e3] * 3, ["at least 8 µm"] * 3, unknown)
-    (sentence,) = quartile_sentences(given)
-    assert "long edge at least 8 µm (all three alike; intervals not bounded);" in sentence
+    _, long, _ = quartile_spans(with_edges("large", [5e3, np.nan, np.nan], [np.nan, 8e3, 8e3],
+                                           unknown))  # fmt: skip
+    assert (long.least.value, long.least.status) == (5e3, "known")
+    assert (long.most.value, long.most.status) == (8e3, "open_above")
+
+
+def test_spans_stand_on_the_page():
+    rows = [row for row in Page(own_page(described(), setting())).rows if len(row) == 5]
+    assert len(rows) == 4

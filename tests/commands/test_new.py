@@ -138,6 +138,16 @@ def test_paths_are_those_from_the_top_folder(folder, monkeypatch, capsys, tmp_pa
     assert table.path.tolist() == ["deep/it's (1) ü.nc", "here.nc", str(elsewhere)]
 
 
+def test_a_study_is_not_written_into_another_clone(folder, monkeypatch, capsys, tmp_path_factory):
+    other = tmp_path_factory.mktemp("other")
+    (other / "workflow/hardcontact").mkdir(parents=True)
+    monkeypatch.chdir(other)
+    ended = run(monkeypatch, capsys, NAME, own_scan(folder / "a.001"))
+    (error,) = ended.errors
+    assert ended.code == 1 and str(other) in error and str(folder) in error
+    assert not (folder / f"config/{NAME}.yaml").exists()
+
+
 def test_all_problems_are_told_at_once_and_nothing_is_left(folder, monkeypatch, capsys):
     own_scan(folder / "good.nc")
     own_scan(folder / "odd{1}.nc")

@@ -1,25 +1,26 @@
 """`hardcontact predict`: what it tells, and all that is wrong with a table at once."""
 
+import csv
+import json
 import sys
 
 import numpy as np
 import pytest
+import scan_files
 from known_spectra import rough
+from measurements import line_of, map_of, measurement
+from random_scans import PIXEL
 from refusals import assert_says, refusal
 
 from hardcontact.commands import new
-from hardcontact.commands.predict import (
-    AREA,
-    RADIUS,
-    RANGES,
-    TRIED,
-    own_spectrum,
-    predict,
-    predict_arguments,
-)
+from hardcontact.commands.predict import TRIED, predict, predict_arguments
 from hardcontact.config.configuration import read_yaml
-from hardcontact.insight.closed_form import Contact, closed_form, contact_area
+from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
+from hardcontact.insight.closed_form import Contact, closed_form, contact_area, edges
+from hardcontact.insight.prediction import AREA, ERROR, RADIUS, RANGES
+from hardcontact.numbers.random import generator
 from hardcontact.numbers.units import magnitude
+from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
@@ -48,7 +49,7 @@ def of(spectrum):
 
 def test_units_and_order_do_not_matter(table):
     rows = ["1,um,2e-30,m4", "500,nm,1e6,nm4", "100,nm,5e4,nm⁴", "0.01,µm,3,nm4", "50,nm,1e4,nm^4"]
-    found = own_spectrum(table(HEADER, *rows))
+    found = table_spectrum(table(HEADER, *rows))
     assert 2 * np.pi / found.wavevector == pytest.approx([1000, 500, 100, 50, 10])
     assert found.density == pytest.approx([2e6, 1e6, 5e4, 1e4, 3])
 
@@ -56,7 +57,7 @@ def test_units_and_order_do_not_matter(table):
 def test_profiles_are_converted(table):
     wavevector = np.geomspace(0.01, 1, 9)
     rows = [f"{q!r},rad/nm,{1e-2 * q**-2.6!r},nm3" for q in wavevector.tolist()]
-    found = own_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
+    found = table_spectrum(table("wavevector,wavevector_unit,c_1d,c_1d_unit", *rows))
     expected = isotropic_from_profile(wavevector, 1e-2 * wavevector**-2.6, np.full(9, 20.0))
     assert found.density == pytest.approx(expected)
 
@@ -65,13 +66,13 @@ def test_zeros_say_no_roughness(table):
     rows = [f"{length},nm,{density},nm4" for length, density in zip(
         [1000, 500, 200, 100, 50, 20, 10], [0, 1e6, 1e5, 1e4, 1e3, 1e2, 0], strict=True
     )]  # fmt: skip
-    found = own_spectrum(table(HEADER, *rows))
+    found = table_spectrum(table(HEADER, *rows))
     assert (found.density == [0, 1e6, 1e5, 1e4, 1e3, 1e2, 0]).all()
     assert found(2 * np.pi / np.array([1000, 15, 5])) == pytest.approx(0, abs=1e-90)
 
 
 def test_a_fault_of_every_line_is_told_once(table):
-    message = refusal(own_spectrum, table(HEADER, *[f"{n},s,1,nm4" for n in range(1, 8)]))
+    message = refusal(table_spectrum, table(HEADER, *[f"{n},s,1,nm4" for n in range(1, 8)]))
     assert_says(message, "line 2 and 6 more: wavelength_unit: expected a length", "found s")
     assert len(message.splitlines()) == 1
 
@@ -90,7 +91,7 @@ def test_a_fault_of_every_line_is_told_once(table):
     ],
 )
 def test_every_fault_of_a_table_is_told(table, lines, parts):
-    message = refusal(own_spectrum, table(*lines))
+    message = refusal(table_spectrum, table(*lines))
     # A wavevector beside a wavelength is told with both names.
     assert_says(message.replace("wavevector and wavelength", "wavelength"), *parts)
 
@@ -130,7 +131,7 @@ def test_rows_without_roughness_are_left_out_and_counted(table):
     zeros = [f"{q},rad/nm,0,nm4" for q in (1e-7, 2e-7, 1e3)]
     first, ends, *_ = predict(predict_arguments([table(header, *rows, *zeros)])).splitlines()
     assert first == "left out: 3 rows of the table with a density of 0, no roughness there"
-    shortest = 2 * np.pi / own_spectrum(table(header, *rows)).wavevector[-1]
+    shortest = 2 * np.pi / table_spectrum(table(header, *rows)).wavevector[-1]
     assert ends.startswith(f"spectrum: {shortest:.3g} nm to ")
 
 
@@ -185,7 +186,7 @@ def test_a_contact_that_is_wider_than_the_attraction_is_refused(table):
     path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 1000, 0.8, 20)))
     options = ["--preload", "10mN", "--hardness", "100MPa"]
     message = refusal(predict, predict_arguments([path, *options]))
-    assert_says(message, "--preload: expected less than 880 µN", "found 10mN", "smooth sphere")
+    assert_says(message, "--preload: expected less than 880 µN", "found 10 mN", "smooth sphere")
 
 
 def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
@@ -213,3 +214,126 @@ def test_faults_end_the_command_with_a_line_each(table, monkeypatch, capsys):
     assert new.main() == 1
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) == 2 and all(line.startswith("error: ") for line in lines)
+
+
+def numbers_of(capsys, monkeypatch, *arguments):
+    """Return what the command writes to stdout as JSON."""
+    monkeypatch.setattr(sys, "argv", ["hardcontact", "predict", *arguments, "--json", "-"])
+    assert new.main() == 0
+    return json.loads(capsys.readouterr().out)
+
+
+def test_files_of_numbers_hold_those_of_the_closed_form(table, tmp_path, monkeypatch, capsys):
+    spectrum = rough(17, 1000, 0.8, 20)
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(spectrum))
+    rows = tmp_path / "new/numbers.csv"
+    given = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
+    told = numbers_of(capsys, monkeypatch, path, *given)
+    contact = Contact(250e3, 8.0, 0.05, 400.0)
+    force = closed_form(spectrum, contact).force
+    assert told["pull_off_force"]["value"] == pytest.approx(force, rel=1e-6)
+    assert told["pull_off_force"]["interval"] == pytest.approx([force / ERROR, force * ERROR])
+    assert told["pull_off_force"]["unit"] == "N" and told["pull_off_force"]["status"] == "inside"
+    for name, edge in zip(("short_edge", "long_edge"), edges(spectrum, contact, 0.1), strict=True):
+        assert told[name] == {"value": pytest.approx(edge), "unit": "nm", "status": "found"}
+    assert told["work"] == {"value": 0.05, "unit": "J/m2", "status": "given"}
+    assert told["preload"] == {"value": 1e-5, "unit": "N", "status": "paper"}
+    assert "sentence" not in told and all("value" in one for one in told.values())
+    with rows.open(newline="") as file:
+        in_table = {row["quantity"]: row for row in csv.DictReader(file)}
+    assert list(in_table) == list(told)
+    for name, one in told.items():
+        row = in_table[name]
+        assert float(row["value"]) == one["value"] and row["unit"] == one["unit"]
+        assert row["status"] == one.get("status", "")
+        assert [row["low"], row["high"]] == list(map(repr, one.get("interval", []))) or ["", ""]
+
+
+def test_what_is_unknown_is_no_number(table, monkeypatch, capsys):
+    """Of an all but smooth surface no edge is found; where the error was not measured is said."""
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(0.02, 1000, 0.8, 20)))
+    told = numbers_of(capsys, monkeypatch, path, "--radius", "5um")
+    assert told["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
+    assert told["freezing"]["status"] == "smooth"
+    assert told["pull_off_force"]["status"] == "outside"
+    assert "interval" not in told["pull_off_force"]
+    assert told["tried_radius"] == {
+        "value": 5000.0, "unit": "nm", "interval": [250e3, 250e3], "status": "outside"
+    }  # fmt: skip
+
+
+def test_a_spectrum_too_short_to_tell_what_it_lacks_has_no_error(table):
+    lengths = (100, 90, 80, 70, 60)
+    path = table(HEADER, *[f"{length},nm,{length**4}e-4,nm4" for length in lengths])
+    told = predict(predict_arguments([path]))
+    assert_says(told, "waves longer than 100 nm", "too short to tell", "less sure than a factor")
+
+
+def test_a_spectrum_with_a_wide_gap_has_no_error(table):
+    spectrum = rough(17, 1000, 0.8, 20)
+    kept = np.abs(np.log(spectrum.wavevector * 200 / 2 / np.pi)) > np.log(2.5)
+    cut = type(spectrum)(spectrum.wavevector[kept], spectrum.density[kept])
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(cut))
+    told = predict(predict_arguments([path]))
+    assert_says(told, "a factor of 6.3 apart", "less sure than a factor")
+
+
+def test_two_files_cannot_go_to_stdout(tmp_path):
+    arguments = [str(tmp_path / "none.csv"), "--json", "-", "--csv", "-"]
+    message = refusal(predict, predict_arguments(arguments))
+    assert_says(message, "--csv: expected a file", "none.csv")
+
+
+@pytest.mark.parametrize("kind", ["map", "line"])
+def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, monkeypatch, capsys):
+    one = (map_of if kind == "map" else line_of)(generator(3), 128, PIXEL)
+    path = tmp_path / "scan.nc"
+    size = 128 * PIXEL
+    if kind == "map":
+        scan_files.scan(path, one.heights.T, (size, size))
+    else:
+        path = path.with_suffix(".xyz")
+        scan_files.write_coordinates(scan_files.line(one.heights, size), path)
+    joined = joined_spectrum([measurement(one.heights, PIXEL)], [None])
+    spectrum, (note,) = own_spectrum([path])
+    known = np.isfinite(joined.joined.values)
+    assert spectrum.density == pytest.approx(joined.joined.values[known], rel=1e-4)
+    assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
+    assert_says(note, f"scan{path.suffix}", "reliable from", "a third of the size")
+    told = numbers_of(capsys, monkeypatch, str(path))
+    force = closed_form(spectrum, Contact(250e3, 5.6, 0.0463, 400.0)).force
+    assert told["pull_off_force"]["value"] == pytest.approx(force)
+
+
+def test_members_of_a_container_are_joined_or_chosen(tmp_path):
+    files = {}
+    for number in (1, 2):
+        heights, path = map_of(generator(number), 64, 10.0).heights, tmp_path / f"{number}.nc"
+        files[path.name] = scan_files.scan(path, heights, (640.0, 640.0))
+    entries = [{"name": f"scan {file}", "datafile": {"original": file}} for file in files]
+    path = scan_files.container(tmp_path / "twin.zip", entries, files)
+    both, second = own_spectrum([path]), own_spectrum([path], dataset="scan 2.nc")
+    assert len(both.notes) == 2 and len(second.notes) == 1
+    apart = [own_spectrum([file]).spectrum.density for file in files.values()]
+    assert second.spectrum.density == pytest.approx(apart[1])
+    assert both.spectrum.density == pytest.approx(np.sqrt(apart[0] * apart[1]), rel=0.05)
+
+
+def test_files_that_are_no_spectrum_are_refused_in_a_line(tmp_path):
+    scan = scan_files.scan(tmp_path / "scan.nc")
+    cases = {
+        "none.nc": "expected a scan, found no such file",
+        "none.csv": "expected a table of a power spectral density, found no file",
+        "text.txt": "expected a whole file in a format that SurfaceTopography reads",
+        "flat.nc": "expected a rough surface, found constant height",
+        "empty.csv": "expected the columns",
+    }
+    (tmp_path / "text.txt").write_text("hello\n" * 9)
+    (tmp_path / "empty.csv").write_text("")
+    scan_files.scan(tmp_path / "flat.nc", np.zeros((32, 32)))
+    for name, expected in cases.items():
+        message = refusal(predict, predict_arguments([str(tmp_path / name)]))
+        assert_says(message, name, expected)
+        assert len(message.splitlines()) == 1, message
+    both = refusal(own_spectrum, [scan, tmp_path / "none.csv"])
+    assert_says(both, "none.csv: expected one table, or scans alone")

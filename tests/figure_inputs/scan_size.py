@@ -46,21 +46,12 @@ def _edges() -> xr.Dataset:
         long_edge_bound=(ON_SIZES, np.full((4, 5), np.nan)),
         long_edge_at_least=(ON_SIZES, np.zeros((4, 5), int)),
         long_edge_status=(ON_SIZES, np.full((4, 5), "found", dtype="<U20")),
-        long_edge_text=(
-            ON_SIZES, np.array([[f"{one:g} nm" for one in row] for row in edge], "<U60"),
-        ),
         mirrored=("edge_size", [1, 1, 1, 0, 0]),
         period=("edge_size", [2500.0, 5000.0, 10000.0, 20e3, 40e3]),
     )  # fmt: skip
-    for size, bound, at_least, status, text in (
-        (
-            1250.0,
-            2400.0,
-            1,
-            "beyond the cell",
-            "at least 2.4 µm [above 1.2 µm]: the scans end here",
-        ),
-        (5000.0, 500.0, 0, "beyond the cutoffs", "at most 500 nm: no shorter cutoff was computed"),
+    for size, bound, at_least, status in (
+        (1250.0, 2400.0, 1, "beyond the cell"),
+        (5000.0, 500.0, 0, "beyond the cutoffs"),
     ):
         place = {"surface": "mcd", "edge_size": size}
         data["long_edge"].loc[place] = np.nan
@@ -68,5 +59,4 @@ def _edges() -> xr.Dataset:
         data["long_edge_bound"].loc[place] = bound
         data["long_edge_at_least"].loc[place] = at_least
         data["long_edge_status"].loc[place] = status
-        data["long_edge_text"].loc[place] = text
     return data

@@ -14,7 +14,7 @@ from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.figures.drawing import READERS
 
 ROOT = Path(__file__).parents[2]
-PARTS = {"fig4_curves", "fig4_error"}
+PARTS = {"fig4_error"}
 SHARED = {"__init__", "catalogue", "drawing", "marks", "style", "tables"}
 
 

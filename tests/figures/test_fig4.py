@@ -10,7 +10,7 @@ from figure_inputs.sets import SETS, sets
 from figure_rows import select
 from paper_numbers import MEAN_FORCE
 
-from hardcontact.figures import fig4, fig4_curves
+from hardcontact.figures import fig4
 
 PLASTIC = {"contact_model": "plastic"}
 
@@ -59,7 +59,7 @@ def test_table_holds_the_fit_and_its_minima():
 
 
 def test_reference_surface_has_ratio_one():
-    assert fig4_curves._reference(inference().sel(PLASTIC)) == "uncd"
+    assert fig4._reference(inference().sel(PLASTIC)) == "uncd"
 
 
 def test_every_panel_with_a_range_marks_the_published_one():

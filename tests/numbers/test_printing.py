@@ -2,13 +2,8 @@
 
 import numpy as np
 import pytest
-import xarray as xr
-from intervals import between_multiples
 
 from hardcontact.numbers.printing import (
-    best_unit,
-    print_bounded,
-    print_edge,
     print_formatted,
     print_length,
     print_number,
@@ -46,13 +41,7 @@ def test_an_interval_without_an_end_is_none(ends):
     assert print_quantity(3.0, "nm", *ends) == "3 nm"
 
 
-def test_variables_are_printed_with_their_interval():
-    data = xr.Dataset(between_multiples("force", (), 2e-6, (0.5, 2), 0.95))
-    assert print_bounded(data, "force", "N") == "2 [1, 4] µN"
-
-
-def test_units_have_their_size_in_that_of_the_dataset():
-    assert best_unit(2500.0, "nm") == ("µm", 1000.0)
+def test_zero_has_the_smallest_unit():
     assert print_length(0.0) == "0 nm"
 
 
@@ -71,20 +60,6 @@ def test_intervals_are_printed_where_there_are_any():
     error = {"value": 0.0561, "low": 0.045, "high": 0.0684}
     assert print_formatted(error, ".2g") == "0.056 [0.045, 0.068]"
     assert print_formatted({"value": 1.8, "low": np.nan, "high": np.nan}, ".2f") == "1.80"
-
-
-@pytest.mark.parametrize(
-    ("numbers", "printed"),
-    [
-        ((999.7, 900.0, 1100.0), "1 [0.9, 1.1] µm"),
-        ((999.7, 999.0, 1001.0), "999.7 [999, 1001] nm"),
-        ((999.7, np.nan, np.nan), "1 µm [not bounded]"),
-        ((40.0, 12.3, np.nan), "40 nm [above 12 nm]"),
-        ((1500.0, np.nan, 3000.0), "1.5 µm [below 3 µm]"),
-    ],
-)
-def test_an_edge_has_the_unit_of_its_rounded_number(numbers, printed):
-    assert print_edge(*numbers) == printed
 
 
 def test_numbers_are_printed_without_exponent():

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.printing import is_boundless, print_as_paper
 
 
 @pytest.mark.parametrize(
@@ -43,3 +43,23 @@ def test_an_interval_without_both_ends_is_none(interval):
 
 def test_digits_are_as_asked():
     assert print_as_paper(67.23, "nm", (46.81, 74.11), digits=2) == "67 [47, 74] nm"
+
+
+@pytest.mark.parametrize(
+    ("value", "low", "high", "unit", "boundless"),
+    [
+        (5.9, 2.2, 350, "1", False),
+        (5.9, 1e-9, 1e6, "1", True),
+        (5.9, -4e3, 4e3, "1", True),
+        (5.9, 0.01, 7, "1", True),
+        (0.0, 0.0, 0.0, "1", False),
+        # A number near zero is bounded by an interval that is narrow beside one, a length is not.
+        (0.005, -0.6, 0.6, "1", False),
+        (0.0, -0.6, 0.6, "1", False),
+        (5.0, -1e3, 1e3, "nm", True),
+    ],
+)
+def test_an_interval_that_reaches_far_beyond_its_number_bounds_nothing(
+    value, low, high, unit, boundless
+):
+    assert is_boundless(value, low, high, unit) == boundless

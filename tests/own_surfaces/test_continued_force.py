@@ -39,9 +39,7 @@ def test_the_force_is_the_mean_over_contacts_and_masters_at_the_work():
     mean = given().unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
     np.testing.assert_allclose(found.continued_force, 0.05 * mean)
     assert found.continued_end.values.tolist() == [[1.0, 10e3]]
-    note = str(found.continued_note.values[0, 0])
-    assert note.endswith("from the scatter between 4 quarters and between 3 realizations of the "
-                         "added roughness")  # fmt: skip
+    assert found.continued_source.values.tolist() == [["quarters"] * 2]
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from random_scans import PIXEL, uncd
 from repository import ROOT
-from scipy.ndimage import maximum_filter
+from scipy.ndimage import grey_dilation, grey_erosion, maximum_filter
 from scipy.stats import skew
 
 from hardcontact.adhesion.force_sum import pull_off_force
@@ -16,7 +16,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
-from hardcontact.surfaces.substitute_scans import skewed_surface
+from hardcontact.surfaces.substitute_scans import _opened, skewed_surface
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
 
@@ -104,3 +104,14 @@ def test_the_scan_that_it_was_fitted_to_is_reproduced():
     assert (np.abs(model.mean(axis=0) - real.mean(axis=0)) < 2 * error).all()
     summits = [summit_curvature(replace(one, heights=one.heights)) for one in (scan, made)]
     assert summits[1] == pytest.approx(summits[0], rel=0.2)
+
+
+@pytest.mark.parametrize("reach", [0, 1, 7])
+def test_tops_are_rounded_as_by_grey_morphology(reach):
+    heights = np.random.default_rng(reach).standard_normal((90, 90))
+    depth = np.arange(reach + 1.0) ** 2 / 5
+    opened, parabola = heights, -np.concatenate([depth[:0:-1], depth])
+    for change in (grey_erosion, grey_dilation):
+        for along in (parabola[None], parabola[:, None]):
+            opened = change(opened, structure=along, mode="wrap")
+    np.testing.assert_array_equal(_opened(heights, depth), opened)

@@ -83,4 +83,4 @@ def test_files_that_a_text_names_exist(path):
 
 
 def test_the_readme_is_short():
-    assert len(README.read_text().splitlines()) <= 150
+    assert len(README.read_text().splitlines()) <= 130

@@ -76,11 +76,11 @@ def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished)
 
 
 def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy, results):
-    pair = "R250um/H25GPa-F10uN/uncd/study/scan-2/sphere-scan-1.nc"
-    path = f"results/store-quick/robustness/{pair}"
+    path = "results/store-quick/robustness/R250um/H25GPa-F10uN/uncd/study/forces.nc"
     run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])
     assert run.returncode == 0, run.stdout[-3000:]
-    varied = dataset.read(finished_copy / path).pull_off_force.transpose("load", "rho")
+    varied = dataset.read(finished_copy / path).pull_off_force.sel(scan=2, sphere_scan=1)
+    varied = varied.transpose("load", "rho")
     study = dataset.read(results / "adhesion.nc").pull_off_force
     study = study.sel(surface="uncd", scan=2, sphere_scan=1, contact_model="plastic")
     study = study.mean(["contact_y", "contact_x"])

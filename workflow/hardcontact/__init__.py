@@ -2,5 +2,27 @@
 
 Its rooms, each importing only from those before it: `records`, `numbers`, `surfaces`, `contact`,
 `adhesion`, `scales`, `inference`, `own_surfaces`, `insight`, `claims`, `sets`, `figures`, `answer`,
-`config` and `commands`.
+`config`, `commands` and `api`, whose functions are those of this package, too. They are loaded when
+one is first used: no job of the study depends on them.
 """
+
+import importlib
+from typing import Any
+
+#: What programs use of the library; each is defined in `api` or imported there.
+API = (
+    "HeightMap", "Spectrum", "force_ratios", "measured_psds", "metrics", "predict",
+    "pull_off_forces", "read_scan", "read_spectrum",
+)  # fmt: skip
+
+
+def __getattr__(name: str) -> Any:
+    """Return what programs use of the library, by its name in `API`."""
+    if name not in API:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module("hardcontact.api"), name)
+
+
+def __dir__() -> list[str]:
+    """Return the names of the package, those that are not loaded yet included."""
+    return sorted({*globals(), *API})

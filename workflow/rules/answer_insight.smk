@@ -1,6 +1,17 @@
-# The page on what decides the band: question, answer and figure of each part.
+# The page on what decides the band: question, numbers and figure of each part.
 
 from hardcontact.figures.catalogue import OF_INSIGHT
+
+OF_INSIGHT_PAGE = [
+    "base.html",
+    "macros.html",
+    "style.css",
+    "page.js",
+    "uplot/uPlot.min.css",
+    "uplot/uPlot.iife.min.js",
+    "insight.html",
+    *(f"insight/{name}.html" for name in OF_INSIGHT),
+]
 
 
 rule answer_insight:
@@ -10,6 +21,7 @@ rule answer_insight:
         band=PATTERNS.dataset("band"),
         figures=[PATTERNS.figure(name, "png") for name in OF_INSIGHT],
         captions=[f"workflow/report/{name}.rst" for name in OF_INSIGHT],
+        templates=[f"workflow/report/templates/{name}" for name in OF_INSIGHT_PAGE],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("answer_insight.py"),
     output:

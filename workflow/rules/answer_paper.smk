@@ -13,6 +13,8 @@ rule answer_paper:
         figures=[PATTERNS.figure(name, "png") for name in OF_PAPER],
         captions=[f"workflow/report/{name}.rst" for name in OF_PAPER],
         departures="workflow/report/departures.md",
+        citation="CITATION.cff",
+        templates=template_inputs("paper.html", "verdicts.html"),
         code=code_inputs("answer_paper.py"),
     output:
         page=report(

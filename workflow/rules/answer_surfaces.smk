@@ -9,6 +9,8 @@ rule answer_surfaces:
         **{name: PATTERNS.dataset(name) for name in ("topography", "spectra", "edges", "force")},
         fit=[] if STUDY["forces"] == NONE else PATTERNS.dataset("fit"),
         code=code_inputs("answer_surfaces.py"),
+        templates=template_inputs("own.html", "own_words.html"),
+        citation="CITATION.cff",
     output:
         page=report(
             PATTERNS.result("answer.html"),
@@ -30,6 +32,9 @@ rule answer_surfaces:
                 "contact": contact_words(config),
                 "of_paper": of_paper(config, read_yaml("config/config.yaml")),
                 "left_out": list(left_out(STUDY).items()),
+                "citation": {
+                    name: read_yaml("CITATION.cff")[name] for name in ("title", "version")
+                },
             }
         ),
     script:

@@ -11,6 +11,7 @@ rule describe_study:
         band=PATTERNS.dataset("band"),
         sets=PATTERNS.dataset("sets"),
         environment="environment.txt",
+        templates=template_inputs("claims.html", "chapter.html", "parameters.html", "verdicts.html"),
         code=code_inputs("describe_study.py"),
     output:
         **{

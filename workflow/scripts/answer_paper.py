@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+import yaml
+
 from hardcontact.answer.captions import caption, web_png
 from hardcontact.answer.paper_answer import as_plain, paper_answer
 from hardcontact.answer.paper_page import paper_page
@@ -10,8 +12,6 @@ from hardcontact.claims.verdicts import read_verdicts
 from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
-
-WIDTH = 1400  # pixels of a figure: enough for a phone that has three for each of the page
 
 DATASETS = ("topography", "scales", "band", "sets", "scan_size")
 
@@ -21,14 +21,13 @@ with job(snakemake) as this:
         {name: read(this.input[name]) for name in DATASETS},
         published.constants(this.input.published_constants),
     )
-    figures = {
-        path.stem: web_png(path.read_bytes(), WIDTH) for path in map(Path, this.input.figures)
-    }
+    figures = {path.stem: web_png(path.read_bytes()) for path in map(Path, this.input.figures)}
     captions = {
         path.stem: caption(path.read_text("utf-8"), this.parameters)
         for path in map(Path, this.input.captions)
     }
     departures = Path(this.input.departures).read_text("utf-8")
-    this.write_text(paper_page(answer, figures, captions, departures), "page")
+    citation = yaml.safe_load(Path(this.input.citation).read_text("utf-8"))
+    this.write_text(paper_page(answer, figures, captions, departures, citation), "page")
     this.write_text(json.dumps(as_plain(answer), ensure_ascii=False, indent=1) + "\n", "json")
     this.record("page", "json")

@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from hardcontact.claims.report_pages import pages
+from hardcontact.answer.report_pages import pages
 from hardcontact.claims.verdicts import read_verdicts, with_open_ends
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job

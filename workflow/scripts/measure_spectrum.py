@@ -1,21 +1,14 @@
 """C_iso of a measured surface: all its measurements joined, continued beyond their band."""
 
-from functools import partial
-
 from hardcontact.records.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.scans import flattened, read_measurement
-from hardcontact.surfaces.topography import LEVELLING, flat_map
+from hardcontact.surfaces.prepared_scans import flat_measurement
 
 with job(snakemake) as this:
     given = this.parameters
-    flat = partial(
-        flat_map,
-        sphere_radius=given["sphere_radius"],
-        levelled=LEVELLING[given["levelling"]],
-    )
+    how = {name: given[name] for name in ("undefined_pixels", "levelling", "sphere_radius")}
     measurements = [
-        flattened(read_measurement(path, dataset, given["undefined_pixels"]), flat)
+        flat_measurement(path, dataset, **how)
         for path, dataset in zip(this.input.scans, given["datasets"], strict=True)
     ]
     this.write(

@@ -2,7 +2,7 @@
 
 from hardcontact.adhesion.finite_scan import (
     with_contact_area,
-    with_finite_scan_notes,
+    with_finite_scans,
     with_window_share,
 )
 from hardcontact.own_surfaces.master_forces import Masters
@@ -31,7 +31,7 @@ with job(snakemake) as this:
         given["confidence"],
     )
     force = with_continued_force(force, continued, given["tolerance"])
-    force = with_finite_scan_notes(force, topography, given["radius"])
+    force = with_finite_scans(force, topography, given["radius"])
     force = with_window_share(force, given["contact"]["window"], given["radius"])
     this.write(
         with_contact_area(force, topography, given["contact"]),

@@ -29,43 +29,23 @@ Key = tuple[Any, ...]
 CONTACT_AXES = ["contact_y", "contact_x"]
 
 
-def _numbered(part: xr.Dataset) -> xr.Dataset:
-    """Label contacts by number, because their positions differ between pixel sizes."""
-    return part.assign_coords({axis: range(part.sizes[axis]) for axis in CONTACT_AXES})
-
-
 def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
-    """Return the forces of one scan on all scans of the sphere.
-
-    Parameters
-    ----------
-    pairs : mapping of int to xarray.Dataset
-        Number of the scan of the sphere -> `pull_off_of_pair`.
-
-    Returns
-    -------
-    xarray.Dataset
-        Their variables (sphere_scan, ...), with contacts by number.
-    """
-    return stack({(number,): _numbered(pair) for number, pair in pairs.items()}, ["sphere_scan"])
+    """Return `pull_off_of_pair` of one scan on all scans of the sphere, with contacts by number."""
+    # Positions of contacts differ between pixel sizes.
+    numbered = {
+        (scan,): pair.assign_coords({axis: range(pair.sizes[axis]) for axis in CONTACT_AXES})
+        for scan, pair in pairs.items()
+    }
+    return stack(numbered, ["sphere_scan"])
 
 
 def stacked_pull_off_forces(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    Parameters
-    ----------
-    scans : mapping of tuple to xarray.Dataset
-        (surface, scan) -> `over_sphere_scans` with `window_change`.
-    described : Described
-        Labels and bases.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (surface, scan, sphere_scan, contact_model, rho, contact_y, contact_x),
-        ``closest_approach`` and ``penetration``; ``contact_pixels`` (contact_model), the most of
-        any pair; ``window_change`` (surface, scan).
+    The scans are of `over_sphere_scans` with `window_change`, by (surface, scan).
+    ``pull_off_force`` (surface, scan, sphere_scan, contact_model, rho, contact_y, contact_x) stands
+    beside ``closest_approach`` and ``penetration``; ``contact_pixels`` (contact_model) are the most
+    of any pair; ``window_change`` is over (surface, scan).
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
@@ -82,20 +62,10 @@ def at_load(forces: Forces, load: str) -> Forces:
 
 
 def stacked_elastic_contacts(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
-    """Return the elastic contacts of all surfaces and scans.
+    """Return the `elastic_contacts_of_pair` of all surfaces and scans, by (surface, scan).
 
-    Parameters
-    ----------
-    scans : mapping of tuple to xarray.Dataset
-        (surface, scan) -> `elastic_contacts_of_pair`.
-    described : Described
-        Labels and bases.
-
-    Returns
-    -------
-    xarray.Dataset
-        Their variables (surface, scan, contact), and ``pressure`` (surface, y, x) of one contact
-        on the first scan of each surface.
+    The variables (surface, scan, contact) stand beside ``pressure`` (surface, y, x) of one contact
+    on the first scan of each surface.
     """
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},

@@ -27,15 +27,10 @@ LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.125
 class FiniteScan(NamedTuple):
     """A scan against the contacts that are made on it.
 
-    Attributes
-    ----------
-    draw_size : float
-        Edge of the area within which a contact finds its peaks, 2 sqrt(2 R sigma), in nm.
-    share : float
-        Size of the scan over it.
-    ratio : tuple of float
-        Least and greatest ratio of the force on such a scan to that on a large one, as found on
-        synthetic surfaces; 1 and 1 where the scan is large enough.
+    The draw size is the edge in nm of the area within which a contact finds its peaks, 2 sqrt(2 R
+    sigma), the share is the size of the scan over it. The ratio is the least and greatest of the
+    force on such a scan to that on a large one, as found on synthetic surfaces; 1 and 1 where the
+    scan is large enough.
     """
 
     draw_size: float
@@ -46,19 +41,8 @@ class FiniteScan(NamedTuple):
 def finite_scan(size: float, rms_height: float, radius: float) -> FiniteScan:
     """Return how the size of a scan compares with that from which a contact draws.
 
-    Parameters
-    ----------
-    size : float
-        Edge of the scan in nm.
-    rms_height : float
-        Of the scan in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    FiniteScan
-        Its ratio is that of RATIOS; the range of adhesion hardly matters for it.
+    The edge of the scan, its rms height and the radius of the sphere are in nm. The ratio is that
+    of RATIOS; the range of adhesion hardly matters for it.
     """
     draw_size = 2 * float(np.sqrt(2 * radius * rms_height))
     share = size / draw_size
@@ -66,81 +50,32 @@ def finite_scan(size: float, rms_height: float, radius: float) -> FiniteScan:
     return FiniteScan(draw_size, share, ratio)
 
 
-def finite_scan_warning(size: float, rms_height: float, radius: float) -> str:
-    """Return a sentence that warns of a scan too small, with both sizes and the ratio of forces.
+def with_finite_scans(force: xr.Dataset, topography: xr.Dataset, radius: float) -> xr.Dataset:
+    """Return predicted forces (surface) with how the scans of each surface compare with contacts.
 
-    Lengths are those of `finite_scan`, in nm. A scan that is large enough needs no warning: the
-    text is empty.
-    """
-    found = finite_scan(size, rms_height, radius)
-    least, greatest = found.ratio
-    if greatest == 1:
-        return ""
-    times = f"{least:g} to {greatest:g}" if least > 1 else f"up to {greatest:g}"
-    tried = "such scans"
-    if found.share < LEAST_TRIED / 2:
-        tried = f"scans of {LEAST_TRIED:g}, the smallest that were tried,"
-    return (
-        f"A contact finds its peaks within {found.draw_size / 1e3:.2g} µm, the scan is "
-        f"{size / 1e3:.2g} µm, {found.share:.2g} of that: on synthetic surfaces the mean force on "
-        f"{tried} was {times} times that on large ones."
-    )
-
-
-def with_finite_scan_notes(force: xr.Dataset, topography: xr.Dataset, radius: float) -> xr.Dataset:
-    """Return predicted forces with the warning about the scans of each surface.
-
-    Parameters
-    ----------
-    force : xarray.Dataset
-        Of `predicted_force`, over surface.
-    topography : xarray.Dataset
-        With ``scan_size`` and ``rms_height_mean`` (surface) in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``finite_scan_note`` (surface), empty where scans are large enough, and
-        ``finite_scan_ratio`` (surface, bound), the least and greatest ratio of `finite_scan`.
+    The topography has ``scan_size`` and ``rms_height_mean`` (surface) in nm; so is the radius of
+    the sphere. The forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface,
+    bound), the least and greatest ratio of `finite_scan`.
     """
     of_surfaces = topography[["scan_size", "rms_height_mean"]].sel(surface=force["surface"])
-    pairs = [
-        (float(size), float(rms))
+    found = [
+        finite_scan(float(size), float(rms), radius)
         for size, rms in zip(
             of_surfaces["scan_size"].values, of_surfaces["rms_height_mean"].values, strict=True
         )
     ]
     return force.assign(
-        finite_scan_note=("surface", [finite_scan_warning(*pair, radius) for pair in pairs]),
-        finite_scan_ratio=(
-            ("surface", "bound"),
-            [finite_scan(*pair, radius).ratio for pair in pairs],
-            {"units": "1"},
-        ),
+        draw_size=("surface", [one.draw_size for one in found], {"units": "nm"}),
+        finite_scan_ratio=(("surface", "bound"), [one.ratio for one in found], {"units": "1"}),
     )
 
 
 def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dataset:
-    """Return predicted forces with the share of the force that the window holds.
+    """Return predicted forces, over rho in nm, with the share of the force that the window holds.
 
     A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of the
-    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))².
-
-    Parameters
-    ----------
-    force : xarray.Dataset
-        Of `predicted_force`, over rho in nm.
-    window : float
-        Its edge in nm.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``window_share`` (rho) and the attribute ``window`` in nm.
+    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))². L and R are in nm;
+    the share is ``window_share`` (rho), with the attribute ``window`` in nm.
     """
     from scipy.special import erf
 
@@ -154,19 +89,8 @@ def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dat
 def with_contact_area(force: xr.Dataset, topography: xr.Dataset, load: Load) -> xr.Dataset:
     """Return predicted forces with the area that carries the preload, and that of a pixel.
 
-    Parameters
-    ----------
-    force : xarray.Dataset
-        Of `predicted_force`, over surface.
-    topography : xarray.Dataset
-        With ``pixel_size`` (surface) in nm.
-    load : Load
-        Preload in N and hardness in Pa.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``pixel_area`` (surface) and the attribute ``contact_area`` in nm².
+    The topography has ``pixel_size`` (surface) in nm. The forces gain ``pixel_area`` (surface) and
+    the attribute ``contact_area``, both in nm².
     """
     area = load["preload"] / load["hardness"] * 1e18
     pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2

@@ -21,17 +21,10 @@ CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
 
 
 def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
-    """Return the mean force of each scan, over its contacts and the scans of the sphere.
+    """Return the mean force (surface, scan, rho) of each scan, over contacts and sphere scans.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x)
-        In N, NaN where a scan is missing.
-
-    Returns
-    -------
-    xarray.DataArray (surface, scan, rho)
-        In N.
+    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is
+    missing.
     """
     return forces.mean(CONTACTS).transpose("surface", "scan", "rho")
 
@@ -59,21 +52,11 @@ def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, n
 def means_over_scans(
     scans: xr.DataArray, purpose: str, sampling: Sampling
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Average the forces of scans of each surface, and sample this mean.
+    """Average the forces of scans of each surface, and sample this mean, as `mean_forces` does.
 
-    Parameters
-    ----------
-    scans : xarray.DataArray (surface, scan, rho)
-        Mean force of each in N, NaN where a scan is missing.
-    purpose : str
-        What the random numbers are for, before the name of the surface.
-    sampling : Sampling
-        Of the means.
-
-    Returns
-    -------
-    means, sampled : ndarray (surface, rho) and (sample, surface, rho)
-        As `mean_forces` returns them.
+    The mean force (surface, scan, rho) of each scan is in N, NaN where a scan is missing; the
+    purpose is what the random numbers are for, before the name of the surface. Means (surface, rho)
+    and samples (sample, surface, rho) are in N.
     """
     drawn = [
         student_log_samples(
@@ -87,11 +70,7 @@ def means_over_scans(
 
 
 def force_curves(
-    forces: xr.DataArray,
-    means: np.ndarray,
-    sampled: np.ndarray,
-    reference: int,
-    sampling: Sampling,
+    forces: xr.DataArray, means: np.ndarray, sampled: np.ndarray, reference: int, sampling: Sampling
 ) -> dict[str, Any]:
     """Return mean forces, their ratios to a reference surface, and the spread over contacts.
 

@@ -19,27 +19,10 @@ def pull_off_force(
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
-    Parameters
-    ----------
-    total : array_like
-        Sums at closest approach, of any shape.
-    rho : array_like
-        Range of adhesion in nm, of a shape that goes with `total`.
-    pixel_size : float
-        Edge of a pixel in nm.
-    work_of_adhesion : float
-        W, in J/m².
-
-    Returns
-    -------
-    numpy.ndarray
-        Of the shape of `total`.
-
-    Raises
-    ------
-    ValueError
-        If a sum exceeds the range of floats, as it does where the highest point outside the
-        window stands many hundred rho above the contact.
+    The sums at closest approach and the ranges of adhesion rho, in nm, broadcast; the pixel size is
+    in nm and W, the work of adhesion, in J/m². A ValueError tells that a sum exceeds the range of
+    floats, as it does where the highest point outside the window stands many hundred rho above the
+    contact.
     """
     if not np.isfinite(total).all():
         raise ValueError(
@@ -51,26 +34,12 @@ def pull_off_force(
 
 
 def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
-    """Return the sum of exp(-gap/rho) at the approach where some pixels touch.
+    """Return the sum (...) of exp(-gap/rho) at the approach where some pixels touch.
 
-    At this approach every gap is larger than at that of `outside` by the same length; pixels that
-    are no longer in contact add to the sum with the gap that has opened there.
-
-    Parameters
-    ----------
-    outside : array_like
-        (...) from `outside_sums`, at the approach where the pixels of all `gaps` touch.
-    gaps : numpy.ndarray
-        (..., k) nm, ascending.
-    contact_pixels : int
-        From 1 (rigid contact) to k.
-    rho : float
-        Range of adhesion in nm.
-
-    Returns
-    -------
-    numpy.ndarray
-        (...)
+    At this approach every gap is larger by the same length than at that of `outside` (...), of
+    `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch; pixels that
+    are no longer in contact add to the sum with the gap that has opened there. The contact pixels
+    are 1 (rigid contact) to k, rho is in nm.
     """
     approach = gaps[..., contact_pixels - 1]
     opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)

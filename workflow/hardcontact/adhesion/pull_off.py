@@ -51,23 +51,10 @@ def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
 def plastic_totals(
     bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
 ) -> Floats:
-    """Return the sums of exp(-gap/rho) of an array of plastic contacts at several loads.
+    """Return the sums (load, contact, contact) of exp(-gap/rho) of an array of plastic contacts.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        With a smooth or a rough sphere.
-    contact_pixels : sequence of int
-        At each load.
-    rho : float
-        Range of adhesion in nm.
-    threads : int
-        Used for a smooth sphere; the result does not depend on it.
-
-    Returns
-    -------
-    numpy.ndarray
-        (load, contact, contact)
+    The sphere is smooth or rough; the contact pixels are those at each load, and rho, the range of
+    adhesion, is in nm. Threads are used for a smooth sphere; the result does not depend on them.
     """
     contacts = all_lowest_gaps(bodies, max(contact_pixels))
     gaps = stacked_gaps(contacts, bodies.geometry)
@@ -78,21 +65,9 @@ def plastic_totals(
 def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        With a smooth or a rough sphere.
-    load : Load
-        Preload and hardness.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (contact_model, rho, contact_y, contact_x), ``closest_approach``
-        (contact_model, contact_y, contact_x), ``penetration`` (contact_y, contact_x) and
-        ``contact_pixels`` (contact_model).
+    The ranges of adhesion are in nm. The variables are ``pull_off_force`` (contact_model, rho,
+    contact_y, contact_x), ``closest_approach`` (contact_model, contact_y, contact_x),
+    ``penetration`` (contact_y, contact_x) and ``contact_pixels`` (contact_model).
     """
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
     contact_pixels = contact_pixel_count(load, pixel_size)
@@ -133,21 +108,9 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.
 def mean_pull_off_of_pair(
     bodies: Bodies, loads: Sequence[NamedLoad], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the plastic pull-off of one pair of scans, averaged over contacts, at several loads.
+    """Return ``pull_off_force`` (load, rho) of one pair of scans: plastic, averaged over contacts.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        With a smooth or a rough sphere.
-    loads : sequence of NamedLoad
-        Preloads and hardnesses.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (load, rho).
+    The ranges of adhesion are in nm.
     """
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
     contact_pixels = [contact_pixel_count(load, pixel_size) for load in loads]
@@ -172,19 +135,8 @@ def mean_pull_off_of_pair(
 def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> xr.Dataset:
     """Return the largest change of the plastic force in a window larger by a period on each side.
 
-    Parameters
-    ----------
-    pairs : iterable of Bodies
-        One substrate with several rough spheres.
-    load : Load
-        Preload and hardness.
-    rho : float
-        Range of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``window_change``, over all contacts of all pairs.
+    The pairs are one substrate with several rough spheres, rho is in nm; ``window_change`` is that
+    over all contacts of all pairs.
     """
     change = max(_window_change(bodies, load, rho) for bodies in pairs)
     attributes: dict[str, Any] = {

@@ -28,18 +28,7 @@ class ContactPixels:
     """The substrate's pixels that are contact pixels of any contact of an array, each once.
 
     They are left out of the sum of every contact; those of the other contacts are then added again.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        The substrate and a smooth or a rough sphere.
-    contacts : dict
-        Place (i, j) -> `LowestGaps` of each contact of the array.
-
-    Attributes
-    ----------
-    row, column : numpy.ndarray
-        (pixels,) of each on the substrate, by rows.
+    `row` and `column` (pixels,) are their places on the substrate, by rows.
     """
 
     def __init__(self, bodies: Bodies, contacts: Contacts) -> None:
@@ -64,30 +53,14 @@ class ContactPixels:
         terms[self.row[part] - first_row, self.column[part]] = 0.0
 
     def outside(
-        self,
-        place: tuple[int, int],
-        total: float,
-        others: Floats,
-        highest: float,
-        rho: float,
+        self, place: tuple[int, int], total: float, others: Floats, highest: float, rho: float
     ) -> float:
-        """Return the sum of exp(-(g + d)/rho) over pixels outside the contact at a place.
+        """Return the sum of exp(-(g + d)/rho) over pixels outside the contact at a place (i, j).
 
-        d is the separation of closest approach.
-
-        Parameters
-        ----------
-        place : tuple of int
-            (i, j) of the contact.
-        total : float
-            Sum over all pixels but these, at the approach where the highest points would meet.
-        others : numpy.ndarray
-            (pixels,) terms of these pixels at that approach; overwritten where they are contact
-            pixels of this contact.
-        highest : float
-            Sum of the highest points of both bodies in nm.
-        rho : float
-            Range of adhesion in nm.
+        d is the separation of closest approach. `total` is the sum over all pixels but these, and
+        `others` (pixels,) are the terms of these, at the approach where the highest points would
+        meet; contact pixels of this contact are overwritten. `highest` is the sum of the highest
+        points of both bodies; it and rho are in nm.
         """
         others[self._own[place]] = 0.0
         approach = self._gaps[place][-1]
@@ -96,10 +69,9 @@ class ContactPixels:
 
 
 def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (k,) in nm of the periodic images, inside the window, of contact pixels.
+    """Return the gaps (k,) in nm of periodic images, in the window, of contact pixels at offsets.
 
-    Images that are contact pixels themselves are left out. offsets: (contact_pixels, 2) from the
-    apex.
+    Images that are contact pixels themselves are left out. The offsets (k, 2) are from the apex.
     """
     pixels, geometry = bodies.substrate.pixels, bodies.geometry
     reach = -(-geometry.window // (2 * pixels))
@@ -153,10 +125,7 @@ def _products(
 def _attractions(
     heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
 ) -> dict[float, Floats]:
-    """Return `_attraction` at every range.
-
-    At half of another range it is the square of that one, which takes far less than exponentials.
-    """
+    """Return `_attraction` at every range: at half of another one it is the square of that."""
     found: dict[float, Floats] = {}
     for rho in sorted(rhos, reverse=True):
         longer = found.get(2 * rho)
@@ -187,28 +156,12 @@ def _attraction(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
 def outside_sums(
     bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats, threads: int = 1
 ) -> Floats:
-    """Return the sum of exp(-(g + d)/rho) over pixels outside plastic contact.
+    """Return the sum (rho, contact, contact) of exp(-(g + d)/rho) outside plastic contact.
 
-    d is the separation of closest approach. exp(h/rho) and what the sphere adds, folded over the
-    periodic images in the window, are computed once for each rho; the sums of all contacts are
-    then products of matrices. All terms are positive: contact pixels are left out beforehand,
-    because their subtraction would cost digits where rho is small.
-
-    Parameters
-    ----------
-    bodies : Bodies
-        The substrate and a smooth or a rough sphere.
-    contacts : dict
-        Place (i, j) -> `LowestGaps` of each contact of the array.
-    rhos : array_like
-        (rho,) ranges of adhesion in nm.
-    threads : int
-        Used for a smooth sphere; the result does not depend on it.
-
-    Returns
-    -------
-    numpy.ndarray
-        (rho, contact, contact)
+    d is the separation of closest approach. exp(h/rho) and what the sphere, smooth or rough, adds,
+    folded over the periodic images in the window, are computed once for each range of adhesion in
+    nm. The contacts are `LowestGaps` by place (i, j) of the array. Threads are used for a smooth
+    sphere; the result does not depend on them.
     """
     substrate, roughness = bodies.substrate, bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)

@@ -11,32 +11,13 @@ from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
 
 
 def traced_contact(
-    bodies: Bodies,
-    place: tuple[int, int],
-    load: Load,
-    rho: float,
-    work_of_adhesion: float,
+    bodies: Bodies, place: tuple[int, int], load: Load, rho: float, work_of_adhesion: float
 ) -> xr.Dataset:
-    """Return the gap, the adhesive pressure and the force of one plastic contact.
+    """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere.
-    place : tuple of int
-        Of the contact in the array.
-    load : Load
-        Preload and hardness.
-    rho : float
-        Range of adhesion in nm.
-    work_of_adhesion : float
-        In J/m².
-
-    Returns
-    -------
-    xarray.Dataset
-        ``gap`` (y, x) in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
-        (separation) in N, and the pull-off force as an attribute.
+    rho, the range of adhesion, is in nm and the work of adhesion in J/m². ``gap`` (y, x) is in nm
+    before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force`` (separation) in N, with the
+    pull-off force as an attribute.
     """
     geometry = bodies.geometry
     contact_pixels = contact_pixel_count(load, geometry.pixel_size)

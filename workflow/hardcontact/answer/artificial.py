@@ -5,11 +5,11 @@ from collections.abc import Iterable
 import numpy as np
 import xarray as xr
 
-from hardcontact.numbers.printing import print_length
-
 #: Kinds of measurement, and the description of a substitute in the place of one; where a surface
 #: has fewer than another its datasets are padded.
 KINDS = ("map", "profile", "description")
+#: What is known of each measurement in nm.
+LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
 
 def measurements(of_surface: xr.Dataset) -> xr.Dataset:
@@ -49,21 +49,6 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
     return [*bands, (float(of_surface["longest_measured"]), np.inf)]
 
 
-def artificial_words(bands: Iterable[tuple[float, float]]) -> str:
-    """Return bands of wavelengths (nm) in words: "below 13 nm, between 77 nm and 0.2 µm"."""
-    *others, last = [_band_words(*ends) for ends in bands]
-    return f"{', '.join(others)} or {last}" if others else last
-
-
-def _band_words(low: float, high: float) -> str:
-    """Return a band of wavelengths (nm) in words."""
-    if low == 0:
-        return f"below {print_length(high)}"
-    if np.isinf(high):
-        return f"above {print_length(low)}"
-    return f"between {print_length(low)} and {print_length(high)}"
-
-
 def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) -> float:
     """Return how much of an interval of wavelengths lies in any of the bands, in the logarithm.
 
@@ -88,3 +73,23 @@ def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) 
         if min(high, last) > max(low, first)
     )
     return float(sum(overlaps) / np.log(high / low))
+
+
+def place_of_edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> str:
+    """Return whether an edge or its bound lies inside artificial bands, its interval partly."""
+    edge = float(of_side["edge"].fillna(of_side["edge_bound"]))
+    if share_inside(edge, edge, bands):
+        return "inside"
+    low, high = of_side["edge_interval"].fillna(edge).values
+    return "partly" if share_inside(low, high, bands) else "outside"
+
+
+def measurement_name(one: xr.Dataset) -> str:
+    """Return the file of a measurement and, if it is a container, the dataset in it."""
+    path, dataset = (str(one[name].item()) for name in ("path", "dataset"))
+    return f"{path}: {dataset}" if dataset else path
+
+
+def single(known: xr.Dataset) -> list[xr.Dataset]:
+    """Return each of several measurements by itself."""
+    return [known.isel(measurement=place) for place in range(known.sizes["measurement"])]

@@ -21,12 +21,20 @@ class Caption(NamedTuple):
     ----------
     title : str
         What stands in bold before it, without the full stop.
-    text : str
-        The rest, in one line.
+    short : str
+        The rest of the first paragraph, in one line.
+    more : str
+        The other paragraphs, in one line.
     """
 
     title: str
-    text: str
+    short: str
+    more: str = ""
+
+    @property
+    def text(self) -> str:
+        """All but the title."""
+        return f"{self.short} {self.more}".strip()
 
 
 def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
@@ -43,7 +51,7 @@ def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
     Returns
     -------
     Caption
-        Title and text.
+        Title, first paragraph and the others.
 
     Raises
     ------
@@ -51,24 +59,31 @@ def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
         If the caption does not begin with a title.
     """
     from docutils.core import publish_doctree
-    from docutils.nodes import strong
+    from docutils.nodes import paragraph, strong
     from jinja2 import Environment, StrictUndefined
 
     environment = Environment(trim_blocks=True, lstrip_blocks=True, undefined=StrictUndefined)
     study = SimpleNamespace(config=configuration)
     filled = environment.from_string(template).render(snakemake=study)
     document = publish_doctree(filled, settings_overrides=SETTINGS)
-    whole = " ".join(document.astext().split())
+    first, *others = [" ".join(node.astext().split()) for node in document.findall(paragraph)] or [
+        ""
+    ]
     bold = [" ".join(node.astext().split()) for node in document.findall(strong)]
-    if not bold or not whole.startswith(bold[0]):
-        raise ValueError(f"expected a caption that begins with its title in bold, found {whole!r}")
-    return Caption(bold[0].removesuffix("."), whole.removeprefix(bold[0]).strip())
+    if not bold or not first.startswith(bold[0]):
+        raise ValueError(f"expected a caption that begins with its title in bold, found {first!r}")
+    title, short = bold[0].removesuffix("."), first.removeprefix(bold[0]).strip()
+    return Caption(title, short, " ".join(others))
 
 
 COLOURS = 256  # of the palette, which PNG keeps in one byte a pixel
 
 
-def web_png(png_bytes: bytes, width: int) -> bytes:
+#: Pixels of a figure: enough for a phone that has three for each of the page.
+WIDTH = 1400
+
+
+def web_png(png_bytes: bytes, width: int = WIDTH) -> bytes:
     """Return an image that is at most so wide, in the colours that suit it best.
 
     Parameters

@@ -57,6 +57,8 @@ class Setting(NamedTuple):
         What of these is the paper's: of its sphere, not of the user's bodies.
     left_out : sequence of (str, str)
         Parts that these data do not allow, and why.
+    citation : mapping of str to str
+        Title and version of the software, as in CITATION.cff.
     """
 
     study: str
@@ -64,6 +66,7 @@ class Setting(NamedTuple):
     contact: Mapping[str, str]
     of_paper: Sequence[str]
     left_out: Sequence[tuple[str, str]]
+    citation: Mapping[str, str]
 
 
 def model_of(force: xr.Dataset) -> str:

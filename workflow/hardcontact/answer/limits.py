@@ -1,315 +1,269 @@
-"""What limits the answer of a surface, in words: its edges, scans, pixels, window, intervals."""
+"""What limits the answer of a surface, as codes with values: edges, scans, pixels, intervals.
+
+Each limit is a mapping with its `code`; the words for it stand in the template of the page.
+"""
+
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
 
+from hardcontact.adhesion.finite_scan import LEAST_TRIED
 from hardcontact.answer.artificial import (
     artificial_bands,
+    measurement_name,
     measurements,
+    place_of_edge,
     reliable_measurements,
-    share_inside,
+    single,
 )
-from hardcontact.answer.datasets import at_range
-from hardcontact.answer.sentences import (
-    continued_words,
+from hardcontact.answer.datasets import Datasets, at_range
+from hardcontact.answer.facts import Fact, fact_of, known, number
+from hardcontact.answer.surface_facts import (
+    EDGES,
+    continuation,
+    continued_fact,
     differing_sides,
-    edge_words,
-    is_open,
-    printed_continued_force,
+    edge_fact,
 )
-from hardcontact.numbers.printing import print_length, print_share
 from hardcontact.scales.critical_band import computed_cutoffs
+
+Limit = Mapping[str, Any]
 
 #: Neighbouring cutoffs of a larger ratio leave edges between them uncertain: forces change as much.
 SPARSE = 2.0
-
-EDGES = {"small": "The short edge of the band", "large": "The long edge of the band"}
-
-
-def sparse_cutoffs(edges: xr.Dataset) -> list[str]:
-    """Return which edges of a surface were found between cutoffs that lie far apart."""
-    texts = []
-    for side in EDGES:
-        shorter, longer = _neighbours(edges.sel(side=side))
-        if longer > SPARSE * shorter:
-            texts.append(
-                f"{EDGES[side]} is read off between the two cutoffs computed beside it, "
-                f"{print_length(shorter)} and {print_length(longer)}; where between them it lies "
-                f"is interpolated.{_interval(edges.sel(side=side))}"
-            )
-    return texts
-
-
-def _interval(of_side: xr.Dataset) -> str:
-    """Return what the interval of an edge is, if it has one: not the cutoffs beside it."""
-    ends = of_side["edge_interval"].values
-    if not np.isfinite(ends).any():
-        return ""
-    low, high = (print_length(end) if np.isfinite(end) else "an open end" for end in ends)
-    return (
-        f" Its {print_share(of_side.attrs['confidence'])} interval is another thing: from {low} "
-        f"to {high}, as far as the scatter of forces may move it."
-    )
-
-
-def _neighbours(of_side: xr.Dataset) -> tuple[float, float]:
-    """Return the cutoffs (nm) between which the edge of one side was found, NaN of an open one."""
-    edge = of_side["edge"].item()
-    known = computed_cutoffs(of_side["scale_ratio"])
-    if np.isnan(edge):
-        return np.nan, np.nan
-    return float(known[known <= edge].max()), float(known[known >= edge].min())
-
-
 #: Share of the force on a smooth sphere that a window holds as good as whole.
 WHOLE = 0.99
-
 #: Pixels in contact below which their area, a whole number of them, may be off by more than 5 %.
 FEW_PIXELS = 10
-
-#: What errors of both signs leave of a force.
-OPPOSITE = (
-    "The window makes the force too low, the small scan too high; neither error is known well "
-    "enough to correct it, so the force is a rough guess."
-)
-
-
-def of_blind_scans(spectra: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
-    known = measurements(spectra)
-    of_contact = (known["kind"].values.astype(str) == "map") & np.isclose(
-        known["pixel_size"].values ** 2, force["pixel_area"].item()
-    )
-    reliable = (known["reliable"].values == 1).any(axis=1)
-    if reliable[of_contact].any() or not of_contact.any():
-        return []
-    return [
-        "The scans that contacts are made on are reliable at no wavelength: the force on them says "
-        "little of that on the surface."
-    ]
-
-
-def of_window(force: xr.Dataset) -> list[str]:
-    """Return that the window holds too little of the force, at the range asked for or others."""
-    rho, share = force["rho"].values, force["window_share"].values
-    here = at_range(force)
-    if here["window_share"] < WHOLE:
-        place, where = here["rho"].item(), "Forces"
-        held = here["window_share"].item()
-    elif (share < WHOLE).any():
-        place, held = rho.max(), share.min()
-        where = f"From a range of adhesion of {print_length(rho[share < WHOLE].min())} on forces"
-    else:
-        return []
-    return [
-        f"{where} come out too low: the window of {print_length(force.attrs['window'])} holds "
-        f"{held:.0%} of the force on a smooth sphere at a range of {print_length(place)}."
-    ]
-
-
-def of_scan_size(force: xr.Dataset) -> list[str]:
-    """Return that scans are smaller than contacts need, by how much that raises forces."""
-    note = str(force["finite_scan_note"].item())
-    return [note] if note else []
-
-
-def of_pixels(force: xr.Dataset) -> list[str]:
-    """Return that few pixels carry the preload, or one that is larger than need be."""
-    area, pixel = force.attrs["contact_area"], force["pixel_area"].item()
-    if area >= FEW_PIXELS * pixel:
-        return []
-    if area >= pixel:
-        return [
-            f"The preload is carried by {area:.3g} nm², {area / pixel:.3g} pixels of the scans "
-            f"({pixel:.3g} nm²): the area in contact is known to half a pixel at best."
-        ]
-    return [
-        f"The preload is carried by {area:.3g} nm², less than a pixel of the scans "
-        f"({pixel:.3g} nm²): one pixel touches, hardness and preload do not matter, and the "
-        "shorter the range of adhesion, the more of the force is that of this pixel."
-    ]
-
-
-#: Measurements that a sentence names.
-NAMED = 4
-
 #: Kind of what stands for the measurements of a substitute.
 DESCRIPTION = "description"
 
 
-def limits(basis: str, spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return what limits the answer of a surface, the gravest first."""
-    return [
-        *_of_basis(basis),
-        *(text for side in EDGES for text in _of_edge(side, edges)),
-        *artificial_edges(spectra, edges),
-        *of_blind_scans(spectra, force),
-        *of_window(force),
-        *of_scan_size(force),
-        *_of_continued_roughness(force),
-        *of_pixels(force),
-        *_of_intervals(edges, force),
-        *sparse_cutoffs(edges),
-        *_of_spectrum(spectra),
-    ]
+def limits(of: Datasets) -> list[Limit]:
+    """Return what limits the answer of one surface, the gravest first.
 
+    Parameters
+    ----------
+    of : Datasets
+        Parts of one surface.
 
-def grave_limits(spectra: xr.Dataset, edges: xr.Dataset, force: xr.Dataset) -> list[str]:
-    """Return the limits that change what the answer of a surface says, for its first screen.
-
-    Edges in artificial roughness, contacts on scans that are reliable nowhere or on a single pixel,
-    and what changes the force by more than the tolerance of the band.
+    Returns
+    -------
+    list of mapping
+        Each with its `code` and what it names, numbers as `Fact`.
     """
-    tolerance = edges.attrs["tolerance"]
-    too_small = force["finite_scan_ratio"].values[0] > 1 + tolerance
-    cut = at_range(force)["window_share"].item() < 1 - tolerance
+    substitute = of.topography["basis"].item() == "substitute"
     return [
-        *artificial_edges(spectra, edges),
-        *of_blind_scans(spectra, force),
-        *(of_window(force) if cut else []),
-        *(of_scan_size(force) if too_small else []),
-        *([OPPOSITE] if cut and too_small else []),
-        *(of_pixels(force) if force.attrs["contact_area"] < force["pixel_area"] else []),
+        *([{"code": "substitute"}] if substitute else []),
+        *(limit for side in EDGES for limit in _of_edge(side, of.edges)),
+        *_artificial_edges(of),
+        *_of_blind_scans(of),
+        *_of_window(of.force),
+        *_of_scan_size(of),
+        *_of_continued_roughness(of.force),
+        *_of_pixels(of.force),
+        *_of_intervals(of.edges, of.force),
+        *_sparse_cutoffs(of.edges),
+        *_of_spectrum(of.spectra),
     ]
 
 
-def artificial_edges(spectra: xr.Dataset, edges: xr.Dataset) -> list[str]:
-    """Return which edges of a surface, or their intervals, lie where no scan reaches."""
-    bands = artificial_bands(spectra)
-    places = {side: place_of_edge(edges.sel(side=side), bands) for side in EDGES}
-    inside, partly = (
-        [EDGES[side] for side, found in places.items() if found == place]
-        for place in ("inside", "partly")
-    )
-    texts = []
-    if inside:
-        names, verb = (inside[0], "lies") if len(inside) == 1 else ("Both edges of the band", "lie")
-        texts.append(
-            f"{names} {verb} at wavelengths where no scan is reliable: roughness there is "
-            "uncertain or artificial."
-        )
-    texts += [
-        f"The interval of {name[0].lower()}{name[1:]} reaches wavelengths where no scan is "
-        "reliable: roughness there is uncertain or artificial."
-        for name in partly
-    ]
-    return texts
+def grave_limits(of: Datasets) -> list[Limit]:
+    """Return the limits that change the force of a surface by more than the tolerance of the band.
 
-
-def place_of_edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> str:
-    """Return whether an edge or its bound lies inside artificial bands, its interval partly."""
-    edge = float(of_side["edge"].fillna(of_side["edge_bound"]))
-    if share_inside(edge, edge, bands):
-        return "inside"
-    low, high = of_side["edge_interval"].fillna(edge).values
-    return "partly" if share_inside(low, high, bands) else "outside"
-
-
-def _of_basis(basis: str) -> list[str]:
-    if basis != "substitute":
-        return []
+    Where edges lie the table of the answer says itself.
+    """
+    tolerance = of.edges.attrs["tolerance"]
+    too_small = of.force["finite_scan_ratio"].values[0] > 1 + tolerance
+    cut = at_range(of.force)["window_share"].item() < 1 - tolerance
+    one_pixel = of.force.attrs["contact_area"] < of.force["pixel_area"].item()
     return [
-        "The surface is a substitute: its scans are synthesised from published statistics, not "
-        "measured."
+        *_of_blind_scans(of),
+        *(_of_window(of.force) if cut else []),
+        *(_of_scan_size(of) if too_small else []),
+        *([{"code": "window_and_small_scan"}] if cut and too_small else []),
+        *(_of_pixels(of.force) if one_pixel else []),
     ]
 
 
-def _of_edge(side: str, edges: xr.Dataset) -> list[str]:
+def _of_edge(side: str, edges: xr.Dataset) -> list[Limit]:
     """Return that an edge, or an end of its interval, lies beyond what was computed."""
-    name, of_side = EDGES[side], edges.sel(side=side)
-    if is_open(edges, side):
-        return [f"{name} is open: {edge_words(edges, side)}."]
-    ends = {"low": "shorter", "high": "longer"}
-    status = of_side["interval_status"]
+    of_side = edges.sel(side=side)
+    edge = edge_fact(of_side, EDGES[side], "computed")
+    if edge.status in ("open_above", "open_below"):
+        reason = str(of_side["edge_status"].item())
+        return [{"code": "open_edge", "side": side, "edge": edge, "reason": reason}]
+    if edge.low is None and edge.high is None:
+        return []
+    ends = {"low": edge.low, "high": edge.high}
     return [
-        f"{name} may lie at {words} wavelengths than were computed: its interval is open there."
-        for bound, words in ends.items()
-        if status.sel(bound=bound).item() == "open" and np.isfinite(of_side["edge_interval"]).any()
+        {"code": "open_interval", "side": side, "end": end}
+        for end, value in ends.items()
+        if value is None
     ]
 
 
-def _of_continued_roughness(force: xr.Dataset) -> list[str]:
+def _artificial_edges(of: Datasets) -> list[Limit]:
+    """Return which edges of a surface, or their intervals, lie where no scan reaches."""
+    bands = artificial_bands(of.spectra)
+    places = {side: place_of_edge(of.edges.sel(side=side), bands) for side in EDGES}
+    return [
+        {"code": "artificial_edge", "side": side, "place": place}
+        for side, place in places.items()
+        if place != "outside"
+    ]
+
+
+def _of_blind_scans(of: Datasets) -> list[Limit]:
+    """Return that the scans of the contacts, which their pixels tell, are reliable nowhere."""
+    all_scans = measurements(of.spectra)
+    of_contact = (all_scans["kind"].values.astype(str) == "map") & np.isclose(
+        all_scans["pixel_size"].values ** 2, of.force["pixel_area"].item()
+    )
+    reliable = (all_scans["reliable"].values == 1).any(axis=1)
+    blind = of_contact.any() and not reliable[of_contact].any()
+    return [{"code": "blind_scans"}] if blind else []
+
+
+def _of_window(force: xr.Dataset) -> list[Limit]:
+    """Return that the window holds too little of the force, at the range asked for or others."""
+    rho, share, here = force["rho"].values, force["window_share"].values, at_range(force)
+    if here["window_share"] < WHOLE:
+        first, place, held = None, here["rho"].item(), here["window_share"].item()
+    elif (share < WHOLE).any():
+        first, place, held = float(rho[share < WHOLE].min()), rho.max(), share.min()
+    else:
+        return []
+    lengths = {"window": force.attrs["window"], "at": place, "from": first}
+    return [
+        {"code": "window", "share": Fact("share", float(held), "1")}
+        | {
+            name: None if value is None else number(name, value, "nm")
+            for name, value in lengths.items()
+        }
+    ]
+
+
+def _of_scan_size(of: Datasets) -> list[Limit]:
+    """Return that scans are smaller than contacts need, and by how much that raises forces."""
+    least, most = map(float, of.force["finite_scan_ratio"].values)
+    if most == 1:
+        return []
+    size, draw_size = of.topography["scan_size"].item(), of.force["draw_size"].item()
+    share = size / draw_size
+    return [
+        {
+            "code": "small_scan",
+            "size": number("size", size, "nm"),
+            "draw_size": number("draw_size", draw_size, "nm"),
+            "share": Fact("share", share, "1"),
+            "ratio": Fact("ratio", None, "1", least, most, "between"),
+            "tried": Fact("tried", LEAST_TRIED, "1") if share < LEAST_TRIED / 2 else None,
+        }
+    ]
+
+
+def _of_continued_roughness(force: xr.Dataset) -> list[Limit]:
     """Return where the force hangs on roughness that the scans do not show."""
-    resting = [
-        f"{printed_continued_force(force, side)} rests on roughness {continued_words(force, side)}"
+    return [
+        {"code": "continued", "force": continued_fact(force, side)} | continuation(force, side)
         for side in differing_sides(force)
     ]
-    if not resting:
+
+
+def _of_pixels(force: xr.Dataset) -> list[Limit]:
+    """Return that few pixels carry the preload, or one that is larger than need be."""
+    area, pixel = float(force.attrs["contact_area"]), force["pixel_area"].item()
+    if area >= FEW_PIXELS * pixel:
         return []
     return [
-        f"The force of {' and that of '.join(resting)}, which the scans of contacts do not show. "
-        "No interval counts how uncertain the spectrum of this roughness is."
+        {
+            "code": "few_pixels" if area >= pixel else "one_pixel",
+            "area": Fact("area", area, "nm2"),
+            "pixel_area": Fact("pixel_area", pixel, "nm2"),
+            "pixels": Fact("pixels", area / pixel, "1"),
+        }
     ]
 
 
-def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[str]:
+def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[Limit]:
     """Return that intervals are conditional on the scans at hand, or that there are none."""
-    texts = [
-        f"{name}: {part['interval_note'].item()}."
-        for name, part, interval in (
-            ("Intervals of the band", edges, "scale_ratio_interval"),
-            ("Interval of the mean force", force, "force_interval"),
-        )
+    parts = {"band": (edges, "scale_ratio_interval"), "force": (force, "force_interval")}
+    missing: list[Limit] = [
+        {"code": "no_interval", "of": name, "source": str(part["interval_source"].item())}
+        for name, (part, interval) in parts.items()
         if not (part[interval] >= 0).any()
     ]
-    if force["conditional"].item() and len(texts) < 2:
-        texts.append(
-            "Intervals are conditional on the scans at hand: they follow from quarters of these "
-            "scans, and other scans of the same surface may differ by more. The contacts of "
-            "different quarters feel the same peaks; that the mean forces of quarters correlate by "
-            f"{force['correlation_of_parts'].item():.2f} for this reason is taken into account."
-        )
-    return texts
+    if not force["conditional"].item() or len(missing) == len(parts):
+        return missing
+    shared = fact_of(force, "correlation_of_parts", "correlation")
+    scans = int(force["interval_scans"].item())
+    return [*missing, {"code": "conditional", "scans": scans, "correlation": shared}]
 
 
-def _of_spectrum(spectra: xr.Dataset) -> list[str]:
-    """Return what bounds the reliable wavelengths, what lies beyond, and which tips are unknown."""
-    known = reliable_measurements(spectra)
-    finest = known.isel(measurement=int(known["shortest_reliable"].values.argmin()))
-    widest = known.isel(measurement=int(known["longest_reliable"].values.argmax()))
-    found = [
-        f"{_nothing(finest)} below {print_length(finest['shortest_reliable'].item())}: "
-        f"{finest['shortest_reason'].item()} ({measurement_name(finest)}).",
-        f"{_nothing(widest)} above {print_length(widest['longest_reliable'].item())}: "
-        f"{widest['longest_reason'].item()} ({measurement_name(widest)}).",
-    ]
-    note = str(spectra["tail_note"].item())
-    found += [f"How the spectrum is continued where no scan is reliable: {note}."] if note else []
-    blind = [
-        f"{measurement_name(one)} ({one['shortest_reason'].item()})"
-        for one in _single(measurements(spectra))
-        if not (one["reliable"].values == 1).any()
-    ]
-    if blind:
-        found.append(f"Reliable at no wavelength, and not in the spectrum: {_listed(blind)}.")
-    scans = known.isel(measurement=known["kind"].values.astype(str) != DESCRIPTION)
-    unknown = [measurement_name(one) for one in _single(scans) if np.isnan(one["tip_radius"])]
-    if unknown:
-        found.append(
-            "What a blunt tip hides is not known where no tip radius is stated: "
-            f"{_listed(unknown)}."
-        )
+def _sparse_cutoffs(edges: xr.Dataset) -> list[Limit]:
+    """Return which edges of a surface were found between cutoffs that lie far apart."""
+    found: list[Limit] = []
+    for side, of_side in ((side, edges.sel(side=side)) for side in EDGES):
+        edge, cutoffs = of_side["edge"].item(), computed_cutoffs(of_side["scale_ratio"])
+        if np.isnan(edge):
+            continue
+        shorter, longer = cutoffs[cutoffs <= edge].max(), cutoffs[cutoffs >= edge].min()
+        if longer > SPARSE * shorter:
+            between = Fact("cutoffs", None, "nm", float(shorter), float(longer), "between")
+            found.append({"code": "sparse_cutoffs", "side": side, "between": between})
     return found
 
 
-def _nothing(one: xr.Dataset) -> str:
-    """Return what there is not beyond the band of a measurement, or of a description."""
-    described = one["kind"].item() == DESCRIPTION
-    return "The description has no source" if described else "No scan is reliable"
+def _of_spectrum(spectra: xr.Dataset) -> list[Limit]:
+    """Return what bounds the reliable wavelengths, what lies beyond, and which tips are unknown."""
+    seen = reliable_measurements(spectra)
+    finest = seen.isel(measurement=int(seen["shortest_reliable"].values.argmin()))
+    widest = seen.isel(measurement=int(seen["longest_reliable"].values.argmax()))
+    ends = {"small": (finest, "shortest"), "large": (widest, "longest")}
+    found: list[Limit] = [
+        {
+            "code": "spectrum_end",
+            "side": side,
+            "at": number("at", one[f"{end}_reliable"].item(), "nm"),
+            "reason": str(one[f"{end}_reason"].item()),
+            "measurement": measurement_name(one),
+            "described": one["kind"].item() == DESCRIPTION,
+        }
+        for side, (one, end) in ends.items()
+    ]
+    found.append({"code": "tail"} | tail(spectra))
+    blind = [
+        measurement_name(one)
+        for one in single(measurements(spectra))
+        if not (one["reliable"].values == 1).any()
+    ]
+    unknown = [measurement_name(one) for one in scans_without_tip(spectra)]
+    codes = {"blind_measurements": blind, "unknown_tips": unknown}
+    return found + [{"code": code, "measurements": names} for code, names in codes.items() if names]
 
 
-def _single(known: xr.Dataset) -> list[xr.Dataset]:
-    """Return each of several measurements by itself."""
-    return [known.isel(measurement=place) for place in range(known.sizes["measurement"])]
+def scans_without_tip(spectra: xr.Dataset) -> list[xr.Dataset]:
+    """Return the reliable measurements whose tip radius is not known; a description has none."""
+    return [
+        one
+        for one in single(reliable_measurements(spectra))
+        if one["kind"].item() != DESCRIPTION and np.isnan(one["tip_radius"].item())
+    ]
 
 
-def _listed(names: list[str]) -> str:
-    """Return some names, and how many more there are."""
-    more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
-    return f"{', '.join(names[:NAMED])}{more}"
-
-
-def measurement_name(one: xr.Dataset) -> str:
-    """Return the file of a measurement and, if it is a container, the dataset in it."""
-    path, dataset = (str(one[name].item()) for name in ("path", "dataset"))
-    return f"{path}: {dataset}" if dataset else path
+def tail(spectra: xr.Dataset) -> dict[str, Any]:
+    """Return how the spectrum goes on below the wavelengths measured: to where, with what H."""
+    wavelength = 2 * np.pi / spectra["wavevector"].values
+    used = spectra["spectrum"].values
+    added = (used > 0) & (wavelength < spectra["shortest_measured"].item() * (1 - 1e-9))
+    # The first and the last step lead from and to what is no power law.
+    slopes = np.diff(np.log(used[added])) / np.diff(-np.log(wavelength[added]))
+    hurst = known(-1 - float(np.median(slopes)) / 2) if slopes.size else None
+    return {
+        "hurst": Fact("hurst", hurst, "1", source="extrapolated"),
+        "ends_at": number("ends_at", float(wavelength[used > 0].min()), "nm"),
+        "note": str(spectra["tail_note"].item()),
+    }

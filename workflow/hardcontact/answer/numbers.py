@@ -1,16 +1,22 @@
 """The numbers of an answer for machines: answer.json."""
 
-import math
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.artificial import artificial_bands, measurements
+from hardcontact.answer.artificial import (
+    LENGTHS,
+    artificial_bands,
+    measurements,
+    place_of_edge,
+    single,
+)
 from hardcontact.answer.datasets import Datasets, Setting, at_range
-from hardcontact.answer.first_sentences import first_sentences
-from hardcontact.answer.limits import limits
+from hardcontact.answer.facts import Fact, known
+from hardcontact.answer.limits import limits, tail
 from hardcontact.answer.next_measurements import next_measurements
+from hardcontact.answer.surface_facts import SOURCES, answer_rows
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
@@ -25,8 +31,7 @@ METRICS = {
     "kurtosis": "1",
 }
 
-#: What answer.json says of each measurement, numbers with their units and texts.
-MEASUREMENT_NUMBERS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
+#: Texts that answer.json has of each measurement, beside its lengths.
 MEASUREMENT_TEXTS = ("path", "dataset", "kind", "shortest_reason", "longest_reason", "notes")
 
 
@@ -43,8 +48,8 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
         "tolerance": _number(given.edges.attrs["tolerance"], "1"),
         "confidence": _number(given.edges.attrs["confidence"], "1"),
         "surfaces": {
-            surface: {"answer": text} | _of_surface(given.of_surface(surface))
-            for surface, text in first_sentences(given).items()
+            surface: _of_surface(label, given.of_surface(surface), given.fit)
+            for surface, label in given.labels().items()
         },
         "pooled_band": _pooled(given.edges),
         "fit": None if given.fit is None else _fit(given.fit),
@@ -52,65 +57,76 @@ def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
     }
 
 
-def _of_surface(given: Datasets) -> dict[str, Any]:
-    """Return the numbers of one surface from its parts of the datasets."""
-    basis = str(given.topography["basis"].item())
+def _of_surface(label: str, given: Datasets, fit: xr.Dataset | None) -> dict[str, Any]:
+    """Return the numbers of one surface from its parts of the datasets, and the fit of all."""
+    bands = artificial_bands(given.spectra)
     return {
+        "answer": [
+            row.fact._asdict() | {"about": plain(row.about)}
+            for row in answer_rows(label, given, fit)
+        ],
         "label": str(given.topography["label"].item()),
-        "basis": basis,
+        "basis": str(given.topography["basis"].item()),
         "scan_size": _of(given.topography, "scan_size", "nm"),
         "pixel_size": _of(given.topography, "pixel_size", "nm"),
         "scans": _scans(given.topography),
         "spectrum": _spectrum(given.spectra),
-        "band": {side: _edge(given.edges.sel(side=side)) for side in SIDES},
+        "band": {side: _edge(given.edges.sel(side=side), bands) for side in SIDES},
         "force": _force(given.force),
-        "limits": limits(basis, given.spectra, given.edges, given.force),
-        "next_measurements": next_measurements(given),
+        "limits": plain(limits(given)),
+        "next_measurements": plain(next_measurements(given._replace(fit=fit))),
     }
+
+
+def plain(value: Any) -> Any:
+    """Return codes with values ready for JSON: facts as mappings."""
+    if isinstance(value, Fact):
+        return value._asdict()
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    return [plain(one) for one in value] if isinstance(value, list) else value
 
 
 def _scans(of_surface: xr.Dataset) -> list[dict[str, Any]]:
     """Return the metrics of each scan of a surface."""
-    known = of_surface.dropna("scan", subset=["rms_height"])
+    seen = of_surface.dropna("scan", subset=["rms_height"])
     return [
         {"scan": int(number)} | {name: _of(one, name, unit) for name, unit in METRICS.items()}
-        for number, one in ((n, known.sel(scan=n)) for n in known["scan"].values)
+        for number, one in ((n, seen.sel(scan=n)) for n in seen["scan"].values)
     ]
 
 
 def _spectrum(of_surface: xr.Dataset) -> dict[str, Any]:
     """Return the joined spectrum, its measurements, and the wavelengths that are artificial."""
-    known = measurements(of_surface)
-    singles = (known.isel(measurement=one) for one in range(known.sizes["measurement"]))
     joined = of_surface["joined"].dropna("bin_wavevector")
     return {
         "measurements": [
             {name: str(one[name].item()) for name in MEASUREMENT_TEXTS}
-            | {name: _of(one, name, "nm") for name in MEASUREMENT_NUMBERS}
-            for one in singles
+            | {name: _of(one, name, "nm") for name in LENGTHS}
+            for one in single(measurements(of_surface))
         ],
         "artificial": [
             {"from": _number(low, "nm"), "to": _number(high, "nm")}
             for low, high in artificial_bands(of_surface)
         ],
-        "tail": str(of_surface["tail_note"].item()),
+        "tail": plain(tail(of_surface)),
         "wavevector": _numbers(joined["bin_wavevector"], "rad nm-1"),
         "joined_psd": _numbers(joined, "nm4"),
     }
 
 
-def _edge(of_side: xr.Dataset) -> dict[str, Any]:
+def _edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> dict[str, Any]:
     """Return one edge of a band, and the ratio curve that it follows from."""
     ends = (of_side["interval_status"].sel(bound=bound).item() for bound in ("low", "high"))
     curve = of_side.sel(cutoff_wavelength=computed_cutoffs(of_side["scale_ratio"]))
     return {
-        "text": str(of_side["edge_text"].item()),
+        "source": SOURCES[place_of_edge(of_side, bands)],
         "status": str(of_side["edge_status"].item()),
         "edge": _of(of_side, "edge", "nm"),
         "bound": _of(of_side, "edge_bound", "nm"),
         "edge_at_least": bool(of_side["edge_at_least"].item()),
         "interval_status": [str(end) for end in ends],
-        "interval_note": str(of_side["interval_note"].item()),
+        "interval_source": str(of_side["interval_source"].item()),
         "conditional": bool(of_side["conditional"].item()),
         "cutoff_wavelength": _numbers(curve["cutoff_wavelength"], "nm"),
         "force_ratio": _bounded_numbers(curve, "scale_ratio", "1"),
@@ -124,7 +140,7 @@ def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
     return {
         side: _of(of_side, "pooled_edge", "nm")
         | {
-            "text": str(of_side["pooled_edge_text"].item()),
+            "status": str(of_side["pooled_edge_status"].item()),
             "bound": _of(of_side, "pooled_edge_bound", "nm"),
             "edge_at_least": bool(of_side["pooled_edge_at_least"].item()),
         }
@@ -139,7 +155,7 @@ def _force(force: xr.Dataset) -> dict[str, Any]:
         **_of(here, "force", "N"),
         "with_continued_roughness": {side: _continued(force.sel(side=side)) for side in SIDES},
         "contact_model": str(here["contact_model"].item()),
-        "interval_note": str(force["interval_note"].item()),
+        "interval_source": str(force["interval_source"].item()),
         "quantiles_of_contacts": {
             f"{share:g}": _number(value, "N")
             for share, value in zip(
@@ -160,7 +176,7 @@ def _continued(of_side: xr.Dataset) -> dict[str, Any]:
         "differs": bool(of_side["continued_differs"].item()),
         "from": _of(of_side, "transition", "nm"),
         "to": _of(of_side, "continued_end", "nm"),
-        "interval_note": str(of_side["continued_note"].item()),
+        "interval_source": str(of_side["continued_source"].item()),
     }
 
 
@@ -188,11 +204,11 @@ def _of(dataset: xr.Dataset, name: str, unit: str) -> dict[str, Any]:
     number = _number(dataset[name].item(), unit)
     if f"{name}_interval" not in dataset:
         return number
-    return number | {"interval": [_known(end.item()) for end in bounds(dataset, name)]}
+    return number | {"interval": [known(end.item()) for end in bounds(dataset, name)]}
 
 
 def _number(value: float, unit: str) -> dict[str, Any]:
-    return {"value": _known(value), "unit": unit}
+    return {"value": known(value), "unit": unit}
 
 
 def _numbers(values: xr.DataArray, unit: str) -> dict[str, Any]:
@@ -207,9 +223,4 @@ def _bounded_numbers(dataset: xr.Dataset, name: str, unit: str) -> dict[str, Any
 
 def _listed(values: np.ndarray) -> Any:
     """Return an array as nested lists."""
-    return [_listed(part) for part in values] if values.ndim else _known(values.item())
-
-
-def _known(value: float) -> float | None:
-    """Return a number, or None for what JSON cannot say and data cannot give."""
-    return float(value) if math.isfinite(value) else None
+    return [_listed(part) for part in values] if values.ndim else known(values.item())

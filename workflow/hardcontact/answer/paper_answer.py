@@ -8,8 +8,10 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.answer.facts import Fact, bounded, known, on_scans
 from hardcontact.claims.verdicts import summary, with_open_ends
-from hardcontact.scales.critical_band import POOLED, last_cutoff
+from hardcontact.numbers.statistics import bounds
+from hardcontact.scales.critical_band import POOLED
 
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
@@ -21,6 +23,19 @@ ANSWERS = {
     "rigid_over_plastic_error": "plasticity_is_crucial",
     "range_exceeds": "range_exceeds_5_nm",
 }
+#: The findings that matter most, by their claims, in the order of the page.
+MAIN_FINDINGS = (
+    "critical_wavelength_small_pooled",
+    "critical_wavelength_large_pooled",
+    "interaction_radius_is_critical",
+    "range_of_adhesion",
+    "work_of_adhesion",
+    "plastic_fits",
+    "plasticity_is_crucial",
+    "elastic_pressure_exceeds_hardness",
+    "numerical_beats_classical",
+    "few_asperities_ncd",
+)
 #: Side of each edge of the band in the datasets, and what is known of one beyond the cutoffs.
 EDGES = {
     "shortest_wavelength": ("small", "at least"),
@@ -40,20 +55,19 @@ class PaperAnswer(NamedTuple):
     Attributes
     ----------
     claims : pandas.DataFrame
-        As from `open_ends.with_open_ends`.
+        As from `verdicts.with_open_ends`.
     open_edges : dict of str to str
         What the number of an edge is, "at least" or "at most", where the edge of the band lies
         beyond the cutoffs; by its name in `ANSWERS`.
-    edges : pandas.DataFrame
-        Edges of the band of each substrate by itself (nm), NaN where they lie beyond the cutoffs;
-        columns are the same names, the index is the label.
-    last_cutoffs : dict of str to float
-        The cutoff of each side that removes most (nm), by the same names.
     fits : pandas.DataFrame
         Best `range_of_adhesion` (nm) and `work_of_adhesion` (J/m2) of each set of scans, with
         plastic contact.
-    scan_size : xarray.Dataset
-        As `fig_scan_size.draw` takes it.
+    forces_on_scans : dict of str to Fact
+        Mean force on mirrored scans over that on the largest surfaces, by substrate.
+    size_of_scans, size_of_surfaces : float
+        Sides (nm) of these scans and surfaces.
+    curves : dict
+        As from `cutoff_curves`.
     surfaces : pandas.DataFrame
         Columns label and basis, indexed by name: the substrates, then the sphere.
     settings : dict of str to float
@@ -66,10 +80,11 @@ class PaperAnswer(NamedTuple):
 
     claims: pd.DataFrame
     open_edges: dict[str, str]
-    edges: pd.DataFrame
-    last_cutoffs: dict[str, float]
     fits: pd.DataFrame
-    scan_size: xr.Dataset
+    forces_on_scans: dict[str, Fact]
+    size_of_scans: float
+    size_of_surfaces: float
+    curves: dict[str, Any]
     surfaces: pd.DataFrame
     settings: dict[str, float]
     printed: dict[str, float]
@@ -77,9 +92,15 @@ class PaperAnswer(NamedTuple):
     @property
     def numbers(self) -> dict[str, Any]:
         """Rows of those claims of `ANSWERS` that have a number, by what the answer calls them."""
-        known = self.claims.dropna(subset="computed")
-        rows: dict[Any, Any] = {row.id: row for row in known.itertuples()}
+        computed = self.claims.dropna(subset="computed")
+        rows: dict[Any, Any] = {row.id: row for row in computed.itertuples()}
         return {name: rows[claim] for name, claim in ANSWERS.items() if claim in rows}
+
+    @property
+    def coarse(self) -> bool:
+        """Whether the study has fewer pixels or contacts than the paper."""
+        sizes = ("scan_pixels", "contacts_per_side")
+        return any(self.settings[name] < self.printed[name] for name in sizes)
 
     @property
     def fit_groups(self) -> dict[bool, dict[str, dict[str, float]]]:
@@ -121,7 +142,8 @@ def paper_answer(
     """
     topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
     critical = band["critical_wavelength"]
-    single = critical.sel(group=band["surface"].values)
+    scan_size = datasets["scan_size"]
+    of_scans = on_scans(scan_size)
     sphere = topography.attrs["sphere_surface"]
     fits = datasets["sets"].sel(contact_model="plastic", drop=True)
     surfaces = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
@@ -132,16 +154,14 @@ def paper_answer(
             for name, (side, bound) in EDGES.items()
             if np.isnan(critical.sel(side=side, group=POOLED).item())
         },
-        pd.DataFrame(
-            {name: single.sel(side=side).values for name, (side, _) in EDGES.items()},
-            index=band["label"].values,
-        ),
-        {
-            name: last_cutoff(band["scale_change"].sel(side=side), side)
-            for name, (side, _) in EDGES.items()
-        },
         fits[list(FITTED)].to_dataframe()[list(FITTED)],
-        datasets["scan_size"],
+        {
+            name: bounded(of_scans.sel(surface=name), "force_over_largest")._replace(name=name)
+            for name in of_scans["surface"].values.tolist()
+        },
+        float(of_scans["edge_size"]),
+        float(scan_size["edge_size"][-1]),
+        cutoff_curves(band),
         surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
         {
             "rho": float(scales.attrs["rho"]),
@@ -155,6 +175,55 @@ def paper_answer(
         },
         {name: float(constants["value"][name]) for name in GRIDS},
     )
+
+
+def cutoff_curves(band: xr.Dataset) -> dict[str, Any]:
+    """Return the mean force ratio against the cutoff, for curves that show their values.
+
+    Parameters
+    ----------
+    band : xarray.Dataset
+        As in band.nc.
+
+    Returns
+    -------
+    dict
+        By side: `cutoffs` (nm), `limits` of the axis of ratios, and `surfaces`, each with `name`,
+        `label`, `basis`, `colour`, and at every cutoff `ratios`, `low` and `high`, None of what is
+        unknown.
+    """
+    # Imported here: matplotlib is loaded where colours are needed, and not by the rules.
+    from hardcontact.figures.style import BEYOND, colours
+
+    curves = {}
+    names = band["surface"].values
+    for side in band["side"].values.tolist():
+        of_side = band.sel(side=side).dropna("cutoff_wavelength", how="all", subset=["scale_ratio"])
+        ratio = of_side["scale_ratio"]
+        ends = bounds(of_side, "scale_ratio")
+        low, high = ends[0].min().item(), ends[1].max().item()
+        curves[side] = {
+            "cutoffs": of_side["cutoff_wavelength"].values.tolist(),
+            # An interval of few realizations spans many decades, and curves would be flat lines.
+            "limits": [
+                float(np.fmax(low, ratio.min().item() / BEYOND)),
+                float(np.fmin(high, ratio.max().item() * BEYOND)),
+            ],
+            "surfaces": [
+                {
+                    "name": str(name),
+                    "label": str(of_side["label"].sel(surface=name).item()),
+                    "basis": str(of_side["basis"].sel(surface=name).item()),
+                    "colour": colour,
+                }
+                | {
+                    key: [known(one) for one in values.sel(surface=name).values]
+                    for key, values in zip(("ratios", "low", "high"), (ratio, *ends), strict=True)
+                }
+                for name, colour in colours(names).items()
+            ],
+        }
+    return curves
 
 
 def as_plain(answer: PaperAnswer) -> dict[str, Any]:
@@ -174,7 +243,7 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
         findings and all statements by verdict; `claims`: every row of claims.csv;
         `open_ends` of their intervals by id; `surfaces`; `settings`.
     """
-    rows = [_plain(row) for row in answer.claims.drop(columns="open_end").to_dict("records")]
+    rows = plain_rows(answer.claims.drop(columns="open_end"))
     is_open = answer.claims["open_end"] != ""
     by_claim = {row["id"]: row for row in rows}
     return {
@@ -194,9 +263,12 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     }
 
 
-def _plain(row: Mapping[Any, Any]) -> dict[str, Any]:
-    """Return a row without NaN, which JSON does not have."""
-    return {
-        str(name): None if isinstance(value, float) and math.isnan(value) else value
-        for name, value in row.items()
-    }
+def plain_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
+    """Return the rows of a table as plain values, None for NaN, which JSON lacks."""
+    return [
+        {
+            str(name): None if isinstance(value, float) and math.isnan(value) else value
+            for name, value in row.items()
+        }
+        for row in table.to_dict("records")
+    ]

@@ -5,80 +5,68 @@ it, described by both quartiles of the same source. How far these lie apart is h
 of one surface differ between laboratories, which no number of realizations shows.
 """
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 import numpy as np
 import xarray as xr
 
 from hardcontact.answer.datasets import Datasets, at_range
-from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.answer.facts import Fact, fact_of, known
+from hardcontact.answer.surface_facts import EDGES, edge_fact
 
 ENDINGS = ("_lower", "_upper")
+#: What a span is called, by whether its low and its high end are known.
+STATUS = {
+    (True, True): "between", (True, False): "more_than", (False, True): "at_most",
+    (False, False): "not_bounded",
+}  # fmt: skip
+
+
+class Span(NamedTuple):
+    """A quantity of a surface and how far it differs over the quartiles of its source."""
+
+    surface: str  #: Its label.
+    fact: Fact  #: Of the median, without an interval.
+    least: Fact  #: Of the median and both quartiles.
+    most: Fact  #: The same.
+    intervals: Fact  #: The span of all their intervals; an end is None if one of them is not known.
 
 
 def surfaces_with_quartiles(given: Datasets) -> dict[str, list[str]]:
     """Return, by surface, itself and both quartiles; only substitutes have quartiles."""
     ids = given.topography["surface"].values[given.topography["basis"].values == "substitute"]
-    known = set(map(str, ids))
+    known_ids = set(map(str, ids))
     groups = {name: [name, *(name + ending for ending in ENDINGS)] for name in map(str, ids)}
-    return {name: group for name, group in groups.items() if known.issuperset(group)}
+    return {name: group for name, group in groups.items() if known_ids.issuperset(group)}
 
 
-def over_quartiles(values: xr.DataArray) -> tuple[float, float]:
-    """Return the least and the greatest of values of any dimensions, NaN where none is known."""
-    known = values.values[np.isfinite(values.values)]
-    return (float(known.min()), float(known.max())) if known.size else (np.nan, np.nan)
+def quartile_spans(given: Datasets) -> list[Span]:
+    """Return the spans of both edges and of the force of each surface with quartiles."""
+    labels, spans = given.labels(), []
+    for name, group in surfaces_with_quartiles(given).items():
+        edges = given.edges.sel(surface=group)
+        for side, of_side in ((side, edges.sel(side=side)) for side in EDGES):
+            facts = [edge_fact(of_side.sel(surface=one), EDGES[side], "computed") for one in group]
+            spans.append(_span(labels[name], facts, of_side["edge_interval"]))
+        here = at_range(given.force.sel(surface=group))
+        forces = [fact_of(here.sel(surface=one), "force", "force_mean") for one in group]
+        spans.append(_span(labels[name], forces, here["force_interval"]))
+    return spans
 
 
-def quartile_sentences(given: Datasets) -> list[str]:
-    """Return a sentence for each surface with quartiles: its edges, its force and their spans."""
-    labels = given.labels()
-    return [
-        f"{labels[name]}, with the span over the quartiles of its source and that of all their "
-        f"intervals: short edge of the band {_edge(given.edges.sel(surface=group), 'small')}; "
-        f"long edge {_edge(given.edges.sel(surface=group), 'large')}; "
-        f"mean force {_force(given.force.sel(surface=group))}."
-        for name, group in surfaces_with_quartiles(given).items()
-    ]
-
-
-def _edge(edges: xr.Dataset, side: str) -> str:
-    """Return the edge of the first surface at one side, its span, and that of the intervals."""
-    of_side = edges.sel(side=side)
-    known = of_side["edge"].fillna(of_side["edge_bound"]).values
-    texts = [
-        _open(str(text), status != "found") + print_length(value)
-        for value, text, status in zip(
-            known, of_side["edge_text"].values, of_side["edge_status"].values, strict=True
-        )
-    ]
-    least, most = texts[int(np.nanargmin(known))], texts[int(np.nanargmax(known))]
-    return _with_spans(texts[0], least, most, of_side["edge_interval"], "nm")
-
-
-def _open(text: str, is_open: bool) -> str:
-    """Return the words before the bound of an open edge, as its own text has them."""
-    return "" if not is_open else "at least " if text.startswith("at least") else "at most "
-
-
-def _force(force: xr.Dataset) -> str:
-    here = at_range(force)
-    values = here["force"]
-    least, most = (print_quantity(end, "N") for end in over_quartiles(values))
-    first = print_quantity(values.isel(surface=0).item(), "N")
-    return _with_spans(first, least, most, here["force_interval"], "N")
-
-
-def _with_spans(first: str, least: str, most: str, intervals: xr.DataArray, unit: str) -> str:
-    """Return a value, the span of all, and that of their intervals (surface, bound).
+def _span(label: str, facts: Sequence[Fact], intervals: xr.DataArray) -> Span:
+    """Return the span of facts, and that of their intervals (surface, bound).
 
     An end of the latter is bounded if that of every interval is: zero and infinity bound nothing.
     """
-    span = f"{first} ({least} to {most}" if least != most else f"{first} (all three alike"
-    known = intervals.where((intervals > 0) & np.isfinite(intervals))
-    ends = known.transpose("surface", "bound").values
-    low, high = ends[:, 0].min(), ends[:, 1].max()
-    low_text, high_text = (print_quantity(float(end), unit) for end in (low, high))
-    if np.isnan(low) and np.isnan(high):
-        return f"{span}; intervals not bounded)"
-    if np.isnan(low) or np.isnan(high):
-        return f"{span}; {f'below {high_text}' if np.isnan(low) else f'above {low_text}'})"
-    return f"{span}; {low_text} to {high_text})"
+    bare = [
+        one._replace(low=None, high=None, status=one.status if "open" in one.status else "known")
+        for one in facts
+    ]
+    ends = intervals.where((intervals > 0) & np.isfinite(intervals)).transpose("surface", "bound")
+    low, high = known(ends.values[:, 0].min()), known(ends.values[:, 1].max())
+    ends_known = (low is not None, high is not None)
+    ordered = sorted(bare, key=lambda fact: fact.value or 0.0)
+    span = Fact("intervals", None, facts[0].unit, low, high, STATUS[ends_known])
+    return Span(label, bare[0], ordered[0], ordered[-1], span)

@@ -50,9 +50,6 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
 NM2 = 1e-18  # in m²
 
 
-# --- plastic contact --------------------------------------------------------------------------
-
-
 def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
     """Return the height of the sphere's apex in contact over the mean plane.
 
@@ -82,9 +79,6 @@ def contact_pixel_share(adhesion: xr.Dataset) -> xr.Dataset:
 def _contact_area(adhesion: xr.Dataset) -> xr.DataArray:
     pixel_area: float = adhesion.attrs["pixel_size"] ** 2
     return adhesion["contact_pixels"] * pixel_area
-
-
-# --- elastic contact --------------------------------------------------------------------------
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:

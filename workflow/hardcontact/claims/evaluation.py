@@ -34,35 +34,17 @@ from hardcontact.numbers.statistics import bounds
 #: Functions of one dataset or several, by the name that a claim gives the quantity.
 DERIVED = {
     name: getattr(module, name)
-    for module in (
-        contact_quantities,
-        force_quantities,
-        inference_quantities,
-    )
+    for module in (contact_quantities, force_quantities, inference_quantities)
     for name in module.__all__
 }
 
 
 def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Dataset:
-    """Return a derived quantity of one dataset or several, or a variable of one.
+    """Return a derived quantity of one dataset or several, or a variable of one, with its interval.
 
-    Parameters
-    ----------
-    quantity : str
-        A key of `DERIVED`, a variable, or a row of Table 1: the variable that the attribute
-        `table1_variables` of the dataset names.
-    dataset, *others : xarray.Dataset
-        What the quantity is computed from, in its order.
-
-    Returns
-    -------
-    xarray.Dataset
-        `value` and `value_interval`.
-
-    Raises
-    ------
-    KeyError
-        If a variable or an attribute that is needed does not exist.
+    The quantity is a key of `DERIVED`, a variable, or a row of Table 1: the variable that the
+    attribute `table1_variables` of the dataset names. A variable or an attribute that is needed and
+    does not exist is a KeyError.
     """
     if quantity in DERIVED:
         result: xr.Dataset = DERIVED[quantity](dataset, *others)
@@ -86,17 +68,9 @@ FIXED = (BY_CONSTRUCTION, UNTESTABLE)
 
 
 def read_statements(path: str | Path) -> pd.DataFrame:
-    """Read the statements of the paper.
+    """Read the statements of the paper from the table resources/paper/claims.csv.
 
-    Parameters
-    ----------
-    path : str or Path
-        The table resources/paper/claims.csv.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Published numbers as float (NaN where blank), everything else as text.
+    Published numbers are floats (NaN where blank), everything else is text.
     """
     table = pd.read_csv(path, dtype=str, keep_default_na=False)
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBERS})
@@ -105,26 +79,12 @@ def read_statements(path: str | Path) -> pd.DataFrame:
 def values(
     statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:
-    """Compute the number of every claim, without its interval.
+    """Compute the number of every claim, without its interval: a float by `id`.
 
-    Parameters
-    ----------
-    statements : pandas.DataFrame
-        As from `read_statements`.
-    datasets : mapping of str to xarray.Dataset
-        Those that the claims name, each as in the final netCDF files.
-    constants : pandas.DataFrame
-        As from `published.constants`: the dataset `paper` of the claims.
-
-    Returns
-    -------
-    pandas.Series
-        float by `id`; NaN where no number exists or the datasets lack a label.
-
-    Raises
-    ------
-    ValueError
-        With the name of the claim and what is missing.
+    It is NaN where no number exists or the datasets lack a label. Statements and constants are
+    those of `read_statements` and `published.constants`, the dataset `paper` of the claims; the
+    datasets that they name are as in the final netCDF files. A ValueError names the claim and what
+    is missing.
     """
     found = {
         claim.id: np.nan if computed is None else float(computed.number["value"])
@@ -179,9 +139,6 @@ def evaluate(
                 row = _row(claim, computed, datasets["topography"], sets, confidence)
                 rows.append(row | {"stability": _stability(claim, row, sets, confidence, seed)})
     return pd.DataFrame(rows, columns=list(COLUMNS))
-
-
-# --- the numbers of claims --------------------------------------------------------------------
 
 
 class _Computed(NamedTuple):
@@ -245,9 +202,6 @@ def _named(claim: Any) -> Iterator[None]:
         message = str(error.args[0]).partition(". ")[0].splitlines()[0]
         reason = message if " " in message else f"expected {message}, found none"
         raise ValueError(f"claim {claim.id}: {reason}") from error
-
-
-# --- the row of one claim ---------------------------------------------------------------------
 
 
 def _row(

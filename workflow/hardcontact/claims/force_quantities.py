@@ -66,9 +66,6 @@ def mean_over_median(inference: xr.Dataset) -> xr.Dataset:
     )
 
 
-# --- dependence on the range of adhesion ------------------------------------------------------
-
-
 def plastic_over_rigid(adhesion: xr.Dataset) -> xr.Dataset:
     """Return plastic over rigid mean force at the reference range, scan by scan (surface)."""
     mean = mean_over_contacts(_at_reference(adhesion["pull_off_force"], adhesion))
@@ -115,9 +112,6 @@ def smooth_sphere_change(adhesion: xr.Dataset) -> xr.Dataset:
     position = xr.DataArray(pixel * np.arange(-reach, reach + 1), dims="position")
     force = np.exp(-(position**2) / (2 * radius * rho)).sum("position") ** 2 / rho
     return number(force.max() / force.min() - 1)
-
-
-# --- distribution of single forces ------------------------------------------------------------
 
 
 def lognormal_misfit(adhesion: xr.Dataset) -> xr.Dataset:

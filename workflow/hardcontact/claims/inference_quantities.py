@@ -53,9 +53,6 @@ def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     return paper["work_of_adhesion"] * at_range
 
 
-# --- errors of the fit ------------------------------------------------------------------------
-
-
 def only_plastic_fits(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return by how much plastic contact fits and rigid contact does not ().
 
@@ -112,9 +109,6 @@ def half_width_of_work(inference: xr.Dataset) -> xr.Dataset:
 def _half_width(region: xr.DataArray) -> xr.Dataset:
     low, high = (region.sel(bound=end, drop=True) for end in ("low", "high"))
     return number((high - low) / 2)
-
-
-# --- what a range of adhesion means -----------------------------------------------------------
 
 
 def interaction_radius(paper: xr.Dataset) -> xr.Dataset:

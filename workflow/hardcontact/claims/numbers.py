@@ -28,22 +28,9 @@ def number(
 def variable_as_number(dataset: xr.Dataset, name: str) -> xr.Dataset:
     """Return a variable as a number, with its own interval, or that over scans, or none.
 
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Of a variable of single contacts it has the attribute `confidence`.
-    name : str
-        The variable. One of single contacts becomes its mean over contacts and scans.
-
-    Returns
-    -------
-    xarray.Dataset
-        `value` and `value_interval`.
-
-    Raises
-    ------
-    KeyError
-        If the variable, or the confidence it needs, is not in the dataset.
+    A variable of single contacts becomes its mean over contacts and scans, with the attribute
+    `confidence` of its dataset. It is a KeyError if the variable, or the confidence it needs, is
+    not there.
     """
     value = dataset[name]
     if f"{name}_interval" in dataset:

@@ -16,24 +16,9 @@ Selection = Mapping[str, list[list[Any]]]
 
 
 def selection(number: xr.Dataset, select: str) -> Selection | None:
-    """Return labels of a number by dimension.
+    """Return labels of a number by dimension, as the number has them; None where it lacks one.
 
-    Parameters
-    ----------
-    number : xarray.Dataset
-        As from `numbers.number`.
-    select : str
-        ``a=x;b=y,z>w`` is {a: [[x]], b: [[y, z], [w]]}.
-
-    Returns
-    -------
-    mapping of str to list of list, or None
-        The labels as the number has them; None where it lacks one.
-
-    Raises
-    ------
-    KeyError
-        For a dimension that does not exist.
+    ``a=x;b=y,z>w`` is {a: [[x]], b: [[y, z], [w]]}. A dimension that does not exist is a KeyError.
     """
     pairs = (item.split("=", 1) for item in select.split(";") if item)
     labels = {
@@ -53,34 +38,13 @@ def _label(coordinate: np.ndarray, label: str) -> Any:
     return coordinate[same][0] if same.any() else None
 
 
-def selected_labels(chosen: Selection) -> list[Any]:
-    """Return the labels of all dimensions and groups."""
-    return [label for groups in chosen.values() for label in chain.from_iterable(groups)]
-
-
 def selected_number(number: xr.Dataset, chosen: Selection, rule: str) -> xr.Dataset:
     """Return the one number that is judged, with its interval.
 
-    Parameters
-    ----------
-    number : xarray.Dataset
-        As from `numbers.number`.
-    chosen : Selection
-        As from `selection`. Of an order of groups, `a > b > c`, the number is the least ratio of a
-        member of one group to one of the next.
-    rule : str
-        As in `verdicts.accepted_range`: what the selection leaves open is reduced to the worst
-        value under the rule.
-
-    Returns
-    -------
-    xarray.Dataset
-        `value` and `value_interval` without other dimensions.
-
-    Raises
-    ------
-    ValueError
-        If the rule has two limits and the selection leaves more than one number.
+    Of an order of groups, `a > b > c`, it is the least ratio of a member of one group to one of the
+    next. What the selection leaves open is reduced to the worst value under the rule, as in
+    `verdicts.accepted_range`; a ValueError says if the rule has two limits and more than one number
+    is left.
     """
     for dim, groups in chosen.items():
         members = [number.sel({dim: group}) for group in groups]
@@ -122,7 +86,8 @@ def surfaces_of(
     if claim.needs == NO_SCAN:
         return []
     known = set(topography["surface"].values)
-    surfaces = [label for label in selected_labels(chosen) if label in known]
+    labels = chain.from_iterable(group for groups in chosen.values() for group in groups)
+    surfaces = [label for label in labels if label in known]
     if not surfaces:
         surfaces = list(next(iter(parts.values()))["surface"].values)
     if set(parts) != {"topography"}:

@@ -14,38 +14,20 @@ STABLE = 0.95
 
 
 def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
-    """Return the central interval of the numbers of the sets.
+    """Return the central interval (..., 2) of the numbers (set, ...) of the sets.
 
-    Parameters
-    ----------
-    replicas : ndarray (set, ...)
-        The numbers of the sets, NaN where one has none.
-    confidence : float
-        Share of the sets inside.
-
-    Returns
-    -------
-    ndarray (..., 2)
-        Low and high end; NaN where fewer sets than that share have a number.
+    The confidence is the share of the sets inside. A set without a number has NaN; so has the
+    interval where fewer sets than that share have one.
     """
     enough = np.isfinite(replicas).sum(axis=0) >= confidence * len(replicas)
     return np.where(enough[..., None], percentile_interval(replicas, confidence), np.nan)
 
 
 def stretched(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    """Return an interval that holds its number: what is judged is what is printed.
+    """Return an interval that holds its number, so that what is judged is what is printed.
 
-    Parameters
-    ----------
-    ends : array_like (..., 2)
-        Low and high end, NaN where there is no interval.
-    value : array_like (...)
-        The numbers, NaN where there is none: the interval then stays.
-
-    Returns
-    -------
-    low, high : ndarray (...)
-        NaN where there is no interval.
+    Ends (..., 2) are NaN where there is no interval; it stays where the number (...) is NaN. The
+    low and the high end are returned one by one, (...).
     """
     low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
     none = np.isnan(value)
@@ -61,29 +43,13 @@ def stability(
     confidence: float,
     rng: np.random.Generator,
 ) -> float:
-    """Return how often the verdict stays when all sets are drawn again.
+    """Return the share of `REDRAWS` redraws of all sets in which the verdict stays as given.
 
     Another seed gives other sets, and another set as the study's own. The sets at hand stand for
     both: they are drawn again with replacement, and one of them is the study's own (the bootstrap:
-    B. Efron, The Annals of Statistics 7, 1979, 1).
-
-    Parameters
-    ----------
-    judge : callable
-        Takes a number and the ends of its interval, returns a verdict.
-    given : str
-        The verdict of the sets at hand.
-    replicas : ndarray (set,)
-        The numbers of the sets, NaN where one has none.
-    confidence : float
-        Share of the sets inside the interval.
-    rng : numpy.random.Generator
-        Draws the sets.
-
-    Returns
-    -------
-    float
-        Share of `REDRAWS` redraws with the same verdict.
+    B. Efron, The Annals of Statistics 7, 1979, 1). The judge takes a number and the ends of its
+    interval and returns a verdict; the numbers (set,) of the sets are NaN where one has none, and
+    the confidence is the share of the sets inside the interval.
     """
     drawn = rng.choice(replicas, size=(len(replicas), REDRAWS))
     own = rng.choice(replicas, size=REDRAWS)

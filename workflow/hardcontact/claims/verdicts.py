@@ -21,24 +21,11 @@ ONE_SIDED = ("below", "above", "order")
 
 
 def accepted_range(rule: str, published_low: float, published_high: float) -> tuple[float, float]:
-    """Return the limits between which a number agrees with the paper.
+    """Return the limits between which a number agrees with the paper, in the unit of the published.
 
-    Parameters
-    ----------
-    rule : str
-        `interval`, `factor` and a number, `below`, `above` or `order`.
-    published_low, published_high : float
-        Published limits, NaN where the paper has none.
-
-    Returns
-    -------
-    low, high : float
-        In the unit of the published limits.
-
-    Raises
-    ------
-    ValueError
-        For an unknown rule and for a limit that the rule needs and is missing.
+    The rule is `interval`, `factor` and a number, `below`, `above` or `order`. Published limits are
+    NaN where the paper has none. An unknown rule, or a limit that the rule needs and is missing, is
+    a ValueError.
     """
     name, _, factor = rule.partition(" ")
     if rule == "interval":
@@ -59,27 +46,7 @@ def accepted_range(rule: str, published_low: float, published_high: float) -> tu
 def accepts(
     rule: str, values: ArrayLike, published_low: float, published_high: float
 ) -> np.ndarray:
-    """Return which numbers agree with the paper.
-
-    Parameters
-    ----------
-    rule : str
-        As in `accepted_range`.
-    values : array_like (...)
-        In the unit of the limits; NaN, no number, does not agree.
-    published_low, published_high : float
-        As in `accepted_range`.
-
-    Returns
-    -------
-    ndarray of bool (...)
-        Whether each is in the accepted range.
-
-    Raises
-    ------
-    ValueError
-        As `accepted_range`.
-    """
+    """Return which numbers (...) are in the `accepted_range` of a rule; NaN, no number, is not."""
     lower, upper = accepted_range(rule, published_low, published_high)
     given = np.asarray(values)
     if rule in ONE_SIDED:
@@ -88,12 +55,7 @@ def accepts(
 
 
 def verdict(
-    rule: str,
-    computed: float,
-    low: float,
-    high: float,
-    published_low: float,
-    published_high: float,
+    rule: str, computed: float, low: float, high: float, published_low: float, published_high: float
 ) -> str:
     """Judge one number and its interval, by the same logic whatever the rule.
 
@@ -137,22 +99,9 @@ def verdict(
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:
-    """Read the table of claims with their verdicts.
+    """Read the claims.csv of a study: claims with their verdicts, as from `evaluation.evaluate`.
 
-    Parameters
-    ----------
-    path : str or Path
-        The claims.csv of a study.
-
-    Returns
-    -------
-    pandas.DataFrame
-        As from `evaluation.evaluate`.
-
-    Raises
-    ------
-    ValueError
-        If the file ends within a line.
+    A file that ends within a line is a ValueError.
     """
     if not Path(path).read_bytes().endswith(b"\n"):
         raise ValueError(
@@ -165,16 +114,8 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
     """Count the claims of each verdict, and the independent findings among them.
 
-    Parameters
-    ----------
-    evaluated : pandas.DataFrame
-        As from `evaluation.evaluate`. A claim that follows from another one, or that holds by
-        construction, is no independent finding.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Columns `verdict`, `independent` and `claims`; every verdict is listed.
+    A claim that follows from another one, or that holds by construction, is no independent finding.
+    Every verdict is listed, in the columns `verdict`, `independent` and `claims`.
     """
     verdicts = evaluated["verdict"]
     independent = (evaluated["follows_from"] == "") & (verdicts != BY_CONSTRUCTION)

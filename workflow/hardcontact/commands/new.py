@@ -19,8 +19,14 @@ from hardcontact.commands.inventory import (
     printed_table,
     table_rows,
 )
-from hardcontact.commands.overlay import Choice, nested, overlay_text
-from hardcontact.commands.proposal import Proposal, propose, refuse_unreliable
+from hardcontact.commands.proposal import (
+    Choice,
+    Proposal,
+    nested,
+    overlay_text,
+    propose,
+    refuse_unreliable,
+)
 from hardcontact.commands.proposed_contact import Probe
 from hardcontact.commands.request import (
     QUANTITIES,
@@ -32,6 +38,7 @@ from hardcontact.commands.request import (
     options,
     parsed,
     path_from_root,
+    refuse_another_clone,
     sources,
 )
 from hardcontact.config.configuration import NONE, SMOOTH, configuration, read_yaml, refuse_all
@@ -66,6 +73,7 @@ def new_study(arguments: Namespace) -> str:
 
     All problems are a ValueError, a line each; then nothing is written.
     """
+    refuse_another_clone(Path.cwd())
     given, option_faults = options(arguments)
     files, file_faults = sources(arguments, given["radius"].number)
     tip = given["tip"].text if "tip" in given else ""

@@ -194,7 +194,8 @@ def contact_scans(
     reasons = []
     for surface, of_it in substrates.items():
         together = [group for groups in substrates.values() for group in groups]
-        roughest = max(_rms(group) for group in (together if common else of_it))
+        compared = together if common else of_it
+        roughest = max(entry.rms_height for group in compared for entry in group)
         group = _best(of_it, radius, rho, roughest)
         chosen += group
         reasons.append(_reason(surface, group, of_it, radius, roughest))
@@ -248,11 +249,6 @@ def _common(groups: dict[str, list[Group]]) -> dict[str, list[Group]]:
         for surface, of_it in groups.items()
     }
     return common if all(common.values()) else {}
-
-
-def _rms(group: Group) -> float:
-    """Return the largest rms height of a group in nm."""
-    return max(entry.rms_height for entry in group)
 
 
 def _best(groups: list[Group], radius: float, rho: float, rms_height: float) -> Group:

@@ -15,14 +15,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from hardcontact.config.configuration import (
-    NONE,
-    PAPER,
-    SMOOTH,
-    Limit,
-    refuse_all,
-    refuse_first,
-)
+from hardcontact.config.configuration import NONE, PAPER, SMOOTH, Limit, refuse_all, refuse_first
 from hardcontact.config.grids import MAP_PIXELS, PIXEL_SIZES, Grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.patterns import PUBLISHED

@@ -102,24 +102,10 @@ def refuse_repeated_keys(path: str | Path) -> None:
 
 
 def configuration(config: Any, schema: Schema) -> dict[str, Any]:
-    """Return a configuration with every quantity as a number in the unit that its schema names.
+    """Return a configuration, as read from YAML, with every quantity as a number.
 
-    Parameters
-    ----------
-    config : dict
-        As read from YAML.
-    schema : mapping
-        JSON schema of the configuration.
-
-    Returns
-    -------
-    dict
-        The same keys; lengths in nm, forces in N, pressures in Pa.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the key that is unknown, missing or of the wrong type, unit or size.
+    Lengths are in nm, forces in N, pressures in Pa, as its JSON schema names them. A key that is
+    unknown, missing or of the wrong type, unit or size is a ValueError in one line.
     """
     refuse(config, schema, "config key ")
     numbers: dict[str, Any] = _numbers(config, schema, schema)
@@ -178,16 +164,9 @@ def of_paper(config: Mapping[str, Any], paper: Mapping[str, Any]) -> list[str]:
 
 
 class Limit(NamedTuple):
-    """What is expected of a key of the configuration.
+    """What is expected of a key, or of several with "and" between them, and whether it holds.
 
-    Attributes
-    ----------
-    holds : bool
-        Whether it is so.
-    key : str
-        Of several keys, with "and" between them.
-    expected, found : object
-        In words, in the units of the user.
+    What is expected and what was found are words, in the units of the user.
     """
 
     holds: bool
@@ -205,18 +184,7 @@ def refuse_first(limits: Iterable[Limit]) -> None:
 
 
 def refuse_all(checks: Iterable[Callable[[], object]]) -> None:
-    """Carry out all checks, and tell every fault that they find.
-
-    Parameters
-    ----------
-    checks : iterable of callable
-        Each raises a ValueError of one line a fault.
-
-    Raises
-    ------
-    ValueError
-        With the lines of all, each once.
-    """
+    """Carry out all checks, and raise a ValueError with the lines of all faults, each line once."""
     faults: list[str] = []
     for one in checks:
         try:

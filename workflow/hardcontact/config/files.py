@@ -20,23 +20,9 @@ from hardcontact.surfaces.synthesis import SIDES
 
 
 class SingleFiles:
-    """The files of one study, one by one.
+    """The files of one study, one by one, with its load and its ways to make substitutes, by name.
 
-    Parameters
-    ----------
-    configuration : dict
-        With its quantities as the texts that the user wrote: they stand in paths.
-    selection : Selection
-        Surfaces and scans of the study.
-    patterns : Patterns
-        Paths of the study.
-
-    Attributes
-    ----------
-    load : NamedLoad
-        Of the study.
-    surface_variants : dict of str to SurfaceVariant
-        Ways to make substitutes, by their names.
+    Quantities of the configuration are the texts that the user wrote: they stand in paths.
     """
 
     def __init__(

@@ -27,18 +27,9 @@ BESIDES = 500
 
 
 class Grid(NamedTuple):
-    """What all scans of a surface share.
+    """What all scans of a surface share: pixels along an edge, and lengths in nm.
 
-    Attributes
-    ----------
-    pixels : int
-        Pixels along an edge.
-    pixel_size : float
-        Edge of a pixel in nm.
-    size : float
-        Edge of the scan in nm.
-    relief : float
-        Largest difference in height in nm.
+    These are the edge of a pixel and of the scan, and the relief, the largest difference in height.
     """
 
     pixels: int
@@ -87,19 +78,7 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
 def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:
     """Refuse a master larger than any map that this machine's memory (megabytes) cannot hold.
 
-    Parameters
-    ----------
-    key : str
-        That the pixels come from, for the message.
-    pixels : int
-        Along an edge.
-    available : int
-        Of `machine_megabytes`.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the key.
+    A ValueError of one line names the key that the pixels along an edge come from.
     """
     needed = master_megabytes(pixels, 0)
     if pixels > MAP_PIXELS and needed > available:

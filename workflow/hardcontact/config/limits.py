@@ -39,24 +39,14 @@ PRESSURE_OVER_MODULUS = 0.01
 
 
 def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse what the pixels of scans do not permit.
+    """Refuse what the pixels of scans, a grid for each surface, do not permit.
 
-    Parameters
-    ----------
-    config : dict
-        Numbers, as `configuration.configuration` returns it.
-    grids : mapping
-        Grid of the scans of each surface.
-
-    Raises
-    ------
-    ValueError
-        In one line a fault, naming the key.
+    A ValueError has one line a fault, naming the key of the configuration, which is of numbers.
     """
     name, of_paper = config["sphere"]["surface"], config["published"] == PAPER
     if name in grids:
         refuse_first(_of_sphere(config, grids[name]))
-    on_scan = [_of_scan, _of_elastic_scan] if of_paper else [_of_scan]
+    on_scan = [limits_of_scan, _of_elastic_scan] if of_paper else [limits_of_scan]
     on_pair = [_of_pair, _of_elastic_pair] if of_paper else [_of_pair]
     sections = ("scales", "sets", "insight", "insight.scaling") if of_paper else ("scales",)
     scopes = [table(config, *one) for one, table in product(grids.items(), on_scan)]
@@ -78,7 +68,7 @@ def _of_sphere(config: dict[str, Any], sphere: Grid) -> Iterator[Limit]:
     yield Limit(radius >= sphere.size, "sphere.radius", expected, f"{radius:.6g} nm")
 
 
-def _of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
+def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Give the limits of the scans of a surface: loads, numbers of contacts, ranges."""
     sections, stitched = _sections_of_contacts(config), 2 * grid.pixels
     window = window_pixels(config["contact"]["window"], grid.pixel_size)

@@ -24,16 +24,8 @@ class Patterns:
     """The paths of a study, with wildcards in braces where a rule makes several files.
 
     What people sweep stands in the paths of intermediates, so that files of two values lie side by
-    side.
-
-    Parameters
-    ----------
-    results : str
-        Folder of the final files.
-    store : str
-        Folder of the intermediates, which studies share.
-    sphere : str
-        Name of the surface that is the sphere's.
+    side. `results` is the folder of the final files, `store` that of the intermediates, which
+    studies share, and `sphere` the surface that is the sphere's.
     """
 
     def __init__(self, results: str, store: str, sphere: str) -> None:
@@ -126,13 +118,7 @@ def any_of(names: Iterable[str]) -> str:
 
 
 def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
-    """Return the regular expression that each wildcard must meet.
-
-    Parameters
-    ----------
-    surfaces, variants : iterable of str
-        All names of surfaces and of their variants.
-    """
+    """Return the regular expression that each wildcard must meet, given all names of two kinds."""
     return {
         "surface": any_of(surfaces),
         "variant": any_of(variants),

@@ -50,26 +50,16 @@ Schema = Mapping[str, Any]
 
 
 def refuse(value: object, schema: Schema, where: str) -> None:
-    """Raise an error that says what is wrong with the keys of a value, if anything is.
+    """Raise an error that says what is wrong with the keys of a value of YAML or of a table.
 
-    Parameters
-    ----------
-    value : object
-        As YAML or a table gives it.
-    schema : mapping
-        JSON schema.
-    where : str
-        Text of the message before the key.
-
-    Raises
-    ------
-    ValueError
-        A line each for the first FAULTS keys: the key, what was expected, what was found.
+    A ValueError has, after the text `where`, a line each for the first FAULTS keys at fault in a
+    JSON schema: the key, what was expected, what was found.
     """
     try:
         faults: dict[str, jsonschema.ValidationError] = {}
         for fault in _Validator(schema).iter_errors(value):
-            faults.setdefault(_key(fault), fault)
+            key = ".".join(map(plain, fault.absolute_path)) or "(top level)"
+            faults.setdefault(key, fault)
         lines = [f"{where}{key}: {_sentence(faults[key])}" for key in sorted(faults)[:FAULTS]]
     except RecursionError:
         lines = [f"{where}(top level): expected a few levels of keys and lists, found too many"]
@@ -131,10 +121,6 @@ _Validator = jsonschema.validators.extend(  # type: ignore[no-untyped-call]
     {"pattern": _check_pattern, "unit": _check_unit},
     type_checker=_base.TYPE_CHECKER.redefine_many({"integer": _is_integer, "number": _is_number}),
 )
-
-
-def _key(fault: jsonschema.ValidationError) -> str:
-    return ".".join(map(plain, fault.absolute_path)) or "(top level)"
 
 
 def _shortened(value: object) -> str:

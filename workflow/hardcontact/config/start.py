@@ -39,13 +39,7 @@ def _refuse(message: object) -> NoReturn:
 
 
 def prepare(workflow: Any) -> None:
-    """Refuse a run that could not go well, whatever its configuration.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        The run that is being set up.
-    """
+    """Refuse a run that could not go well, whatever its configuration."""
     min_version("9.27")
     # On a full disk Snakemake's own log cannot be written: what it prints is enough, no tracebacks.
     logging.raiseExceptions = False
@@ -89,10 +83,7 @@ def _schema(name: str) -> Any:
 def kept_configuration(config: Mapping[str, Any]) -> str:
     """Return the path of the configuration of a finished study, or refuse if there is none.
 
-    Parameters
-    ----------
-    config : dict
-        What the command line says: the key `study`, or nothing for the paper.
+    The command line says which: the key `study`, or nothing for the paper.
     """
     kept = f"results/{config.get('study', 'paper')}/configuration.yaml"
     if not os.path.isfile(kept):
@@ -101,13 +92,7 @@ def kept_configuration(config: Mapping[str, Any]) -> str:
 
 
 def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration; with `effort: quick` the keys under `quick` replace others.
-
-    Parameters
-    ----------
-    config : dict
-        As Snakemake merged it.
-    """
+    """Return the configuration; with `effort: quick` the keys under `quick` replace others."""
     merged = deepcopy(dict(config))
     quick = merged.get("quick")
     if merged.get("effort") == "quick" and isinstance(quick, dict):
@@ -122,15 +107,7 @@ def say_left_out(configuration: Mapping[str, Any]) -> None:
 
 
 def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration with quantities as numbers, or refuse it.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        The run that is being set up.
-    config : dict
-        The configuration as Snakemake merged it.
-    """
+    """Return the configuration that Snakemake merged, with quantities as numbers, or refuse it."""
     try:
         if _is_main(workflow):
             refuse_all(
@@ -143,15 +120,7 @@ def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str,
 
 
 def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
-    """Return the surfaces and scans of the study, or refuse what could only fail later.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        The run that is being set up.
-    configuration : dict
-        With quantities as numbers.
-    """
+    """Return the surfaces and scans of the study, or refuse what could only fail later."""
     try:
         rows = selected_scans(
             surface_table(configuration["surfaces"], _schema("surfaces.schema.yaml")),
@@ -165,15 +134,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
 
 
 def say_answer(workflow: Any, page: str) -> None:
-    """Say which page to open at the end of a run that was asked for it.
-
-    Parameters
-    ----------
-    workflow : snakemake.workflow.Workflow
-        The run that ends.
-    page : str
-        Path of the answer.
-    """
+    """Say which page to open at the end of a run that was asked for it."""
     if any(page in job.output for job in workflow.dag.jobs):
         logger.info(f"The answer is made: open {page}")
 

@@ -38,16 +38,9 @@ POINTS = ("wavelength_nm", "c1d_nm3")
 
 
 class UserTable(NamedTuple):
-    """A table that the user wrote.
+    """A table that the user wrote: its header, empty of an empty file, and the cells of other rows.
 
-    Attributes
-    ----------
-    path : str
-        Of the file.
-    header : list of str
-        Names of the columns; empty of an empty file.
-    cells : dict of int to list of str
-        Of every other row that is not empty, by line of the file.
+    Rows that are not empty are by line of the file.
     """
 
     path: str
@@ -63,13 +56,7 @@ class UserTable(NamedTuple):
         }
 
     def problems(self, faults: Callable[[Row], list[str]]) -> list[str]:
-        """Return one line a problem; a fault that many lines have is told of the first.
-
-        Parameters
-        ----------
-        faults : callable
-            Takes a row and returns what is wrong with it.
-        """
+        """Return one line a problem; a fault that many lines have is told of the first."""
         rows = self.rows()
         lines: dict[str, list[int]] = {}
         for line, cells in self.cells.items():

@@ -22,14 +22,8 @@ UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent
 class Asperities(NamedTuple):
     """The asperities that carry a share of the force of one contact.
 
-    Attributes
-    ----------
-    largest_share, two_largest_share : float
-        Of the force, carried by the largest one and two patches.
-    patches : int
-        Number of patches.
-    extent : float
-        Diameter in nm of the circle about the centre of force that holds the share.
+    `largest_share` and `two_largest_share` are of the whole force; `extent` is the diameter in nm
+    of the circle about the centre of force that holds the share.
     """
 
     largest_share: float
@@ -39,23 +33,9 @@ class Asperities(NamedTuple):
 
 
 def asperities(attraction: Floats, share: float, pixel_size: float) -> Asperities:
-    """Return which asperities carry the force of one contact.
+    """Return the patches of the fewest pixels that carry a share of the force of one contact.
 
-    Patches are those of the fewest pixels that carry the share together.
-
-    Parameters
-    ----------
-    attraction : numpy.ndarray
-        (n, n), proportional to the force on each pixel.
-    share : float
-        Of the force.
-    pixel_size : float
-        Edge of a pixel in nm.
-
-    Returns
-    -------
-    Asperities
-        Their number, shares and extent.
+    The attraction (n, n) is proportional to the force on each pixel, the pixel size is in nm.
     """
     total = attraction.sum()
     # Pixels of less attraction than the mean of the rest of the force together carry at most the
@@ -95,17 +75,7 @@ def _diameter(attraction: Floats, share: float, total: float) -> int:
 
 
 class AsperitySettings(TypedDict):
-    """Sample of contacts, share of the force and ranges of adhesion, as the configuration has them.
-
-    Attributes
-    ----------
-    contacts : int
-        Number of contacts in the sample.
-    share : float
-        Of the force, carried by the asperities.
-    ranges : list of float
-        Ranges of adhesion in nm.
-    """
+    """Number of contacts, share of the force and ranges of adhesion in nm, as configured."""
 
     contacts: int
     share: float
@@ -113,28 +83,11 @@ class AsperitySettings(TypedDict):
 
 
 def asperities_of_pair(
-    bodies: Bodies,
-    contact: ContactSettings,
-    settings: AsperitySettings,
-    rng: np.random.Generator,
+    bodies: Bodies, contact: ContactSettings, settings: AsperitySettings, rng: np.random.Generator
 ) -> xr.Dataset:
     """Return which asperities carry the force of some plastic contacts, by range of adhesion.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere.
-    contact : ContactSettings
-        Array of contacts and load.
-    settings : AsperitySettings
-        Number of contacts, share of the force and ranges.
-    rng : numpy.random.Generator
-        Draws the contacts.
-
-    Returns
-    -------
-    xarray.Dataset
-        The fields of `Asperities` (contact, rho).
+    The generator draws the contacts. The dataset has the fields of `Asperities` (contact, rho).
     """
     places = sampled_contacts(rng, contact["count"], settings["contacts"])
     pixel_size = bodies.geometry.pixel_size

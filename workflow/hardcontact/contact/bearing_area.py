@@ -22,14 +22,8 @@ TILE = 64
 class Tiles:
     """A periodic map (n, n) cut into tiles.
 
-    Attributes
-    ----------
-    pixels : int
-        Period n.
-    blocks : numpy.ndarray
-        (tiles, TILE, tiles, TILE) nm, padded with minus infinity.
-    maxima : numpy.ndarray
-        (tiles, tiles) nm, highest point of each tile.
+    `pixels` is the period n. The blocks (tiles, TILE, tiles, TILE), in nm, are padded with minus
+    infinity; the maxima (tiles, tiles), in nm, are the highest point of each tile.
     """
 
     pixels: int
@@ -37,21 +31,9 @@ class Tiles:
     maxima: NDArray[np.floating]
 
     def in_window(self, position: int, window: int) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-        """Return the tiles that meet a window along one axis.
+        """Return the tiles that meet a window of pixels about the apex, along one axis.
 
-        Parameters
-        ----------
-        position : int
-            Pixel of the apex.
-        window : int
-            Pixels.
-
-        Returns
-        -------
-        first : numpy.ndarray
-            (k,) unfolded index of the first pixel of each of them.
-        tile : numpy.ndarray
-            (k,) index of the tile in the map.
+        Of each of them, (k,): the unfolded index of its first pixel, and its index in the map.
         """
         count = self.maxima.shape[0]
         first, last = position - window // 2, position + window // 2 - 1
@@ -94,28 +76,14 @@ Floats = NDArray[np.float64]
 
 
 class Load(TypedDict):
-    """The load and the hardness, which determine the number of contact pixels.
-
-    Attributes
-    ----------
-    preload : float
-        In N.
-    hardness : float
-        Of the softer body, in Pa.
-    """
+    """The preload in N and the hardness of the softer body in Pa, which set the contact pixels."""
 
     preload: float
     hardness: float
 
 
 class NamedLoad(Load):
-    """A load with its name.
-
-    Attributes
-    ----------
-    name : str
-        As it stands in paths, e.g. ``"H25GPa-F10uN"``.
-    """
+    """A load with its name as it stands in paths, e.g. ``"H25GPa-F10uN"``."""
 
     name: str
 
@@ -152,7 +120,7 @@ def contact_pixel_count(load: Load, pixel_size: float) -> int:
 class _Window:
     """The tiles of the substrate in the window of one contact.
 
-    bound: (tiles,) nm, a lower bound on the gaps of each tile.
+    The bound (tiles,), in nm, is a lower one on the gaps of each tile.
     """
 
     def __init__(
@@ -214,25 +182,10 @@ def lowest_gaps(
 ) -> LowestGaps:
     """Return the smallest gaps of one contact and the pixels that they belong to.
 
-    Only tiles with a lower bound on their gaps below the largest gap of the contact are read.
-
-    Parameters
-    ----------
-    substrate : Tiles
-        Of the heights h.
-    roughness : Tiles or None
-        Of the roughness t of the sphere; None of a smooth one.
-    geometry : ContactGeometry
-        The sphere and its window.
-    position : numpy.ndarray
-        (2,) pixel of the apex: row, column.
-    contact_pixels : int
-        Number of gaps.
-
-    Returns
-    -------
-    LowestGaps
-        Equal gaps in the order of their offsets.
+    Only tiles with a lower bound on their gaps below the largest gap of the contact are read: tiles
+    of the heights h of the substrate and of the roughness t of the sphere, None of a smooth one.
+    The position (2,) is the pixel of the apex: row, column. Gaps are as many as contact pixels;
+    equal ones come in the order of their offsets.
     """
     window = _Window(substrate, roughness, geometry, position)
     limit = _limit_of_gaps(window, contact_pixels)

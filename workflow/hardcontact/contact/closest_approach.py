@@ -19,19 +19,10 @@ ROWS = 32  # in a block: small enough for the cache
 
 
 def closest_gaps(heights: NDArray[np.floating], geometry: ContactGeometry) -> Floats:
-    """Return the smallest gap of every contact at zero approach: the first of `lowest_gaps`.
+    """Return the smallest gap (nm) of every contact at zero approach: the first of `lowest_gaps`.
 
-    Parameters
-    ----------
-    heights : numpy.ndarray
-        (n, n) of the substrate in nm, periodic.
-    geometry : ContactGeometry
-        Smooth sphere, window and positions (contact,), ascending.
-
-    Returns
-    -------
-    numpy.ndarray
-        (contact, contact) nm; minus the separation of rigid closest approach.
+    The heights (n, n) of the substrate are in nm, periodic; the sphere is smooth, its positions
+    (contact,) ascend. The gap (contact, contact) is minus the separation of rigid closest approach.
     """
     rows, columns = touching_pixels(heights, geometry)
     sphere = geometry.paraboloid(rows - geometry.positions[:, None]) + geometry.paraboloid(
@@ -44,19 +35,9 @@ def closest_gaps(heights: NDArray[np.floating], geometry: ContactGeometry) -> Fl
 def touching_pixels(
     heights: NDArray[np.floating], geometry: ContactGeometry
 ) -> tuple[Pixels, Pixels]:
-    """Return the pixel with the smallest gap of every contact.
+    """Return the pixel with the smallest gap of every contact, for arguments as in `closest_gaps`.
 
-    Parameters
-    ----------
-    heights : numpy.ndarray
-        (n, n) of the substrate in nm, periodic.
-    geometry : ContactGeometry
-        Smooth sphere, window and positions (contact,), ascending.
-
-    Returns
-    -------
-    row, column : numpy.ndarray
-        (contact, contact) unfolded indices.
+    The row and the column, each (contact, contact), are unfolded indices.
     """
     column = _touched_along_rows(heights, geometry)
     sphere = geometry.paraboloid(column - geometry.positions)
@@ -74,7 +55,9 @@ def _touched_along_rows(heights: NDArray[np.floating], geometry: ContactGeometry
 
 def _touched_in_block(heights: NDArray[np.floating], geometry: ContactGeometry) -> Pixels:
     """Return the same of a few rows: first of every 2^k-th position, then of those between."""
-    positions, (first, last) = geometry.positions, _reach(heights.shape[1], geometry)
+    positions, half, pixels = geometry.positions, geometry.window // 2, heights.shape[1]
+    # Of the periodic images of a pixel only the nearest one can touch.
+    first, last = -min(half, pixels // 2), min(half - 1, (pixels - 1) // 2)
     count = len(positions)
     touched = np.empty((len(heights), count), dtype=int)
     stride = 1 << count.bit_length()
@@ -89,15 +72,6 @@ def _touched_in_block(heights: NDArray[np.floating], geometry: ContactGeometry) 
         touched[:, at] = _highest(heights, geometry, positions[at], low, high)
         stride //= 2
     return touched
-
-
-def _reach(pixels: int, geometry: ContactGeometry) -> tuple[int, int]:
-    """Return the first and the last offset that are searched, in pixels.
-
-    Of the periodic images of a pixel only the nearest one can touch.
-    """
-    half = geometry.window // 2
-    return -min(half, pixels // 2), min(half - 1, (pixels - 1) // 2)
 
 
 def _highest(

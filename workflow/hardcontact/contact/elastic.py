@@ -41,30 +41,14 @@ RESIDUAL = 1e-4
 
 
 class ElasticContact(NamedTuple):
-    """Elastic contact under a load.
-
-    Attributes
-    ----------
-    pressure : numpy.ndarray
-        (n, n) in Pa.
-    iterations : int
-        Of the solver.
-    """
+    """Pressure (n, n) in Pa under a load, and iterations of the solver."""
 
     pressure: Floats
     iterations: int
 
 
 class ElasticPullOff(NamedTuple):
-    """Pull-off of one window.
-
-    Attributes
-    ----------
-    rigid, elastic : float
-        Forces in N.
-    iterations : int
-        Of the solver.
-    """
+    """Rigid and elastic pull-off force of one window in N, and iterations of the solver."""
 
     rigid: float
     elastic: float
@@ -74,29 +58,10 @@ class ElasticPullOff(NamedTuple):
 def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> ElasticContact:
     """Return elastic contact without adhesion.
 
-    Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206).
-
-    Parameters
-    ----------
-    gap : numpy.ndarray
-        (n, n) in nm at any approach.
-    pixel_size : float
-        Edge of a pixel in nm.
-    modulus : float
-        Effective modulus in Pa.
-    load : float
-        In N.
-
-    Returns
-    -------
-    ElasticContact
-        Pressures and iterations.
-
-    Raises
-    ------
-    ValueError
-        If what the solver returns is no solution: not converged, another load, tension, an
-        overlap, a gap under pressure, or the uniform pressure from which the solver starts.
+    Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206). The gap (n, n) at any
+    approach and the pixel size are in nm, the effective modulus in Pa and the load in N. A
+    ValueError says what the solver returned if it is no solution: not converged, another load,
+    tension, an overlap, a gap under pressure, or the uniform pressure from which the solver starts.
     """
     # The solver reports no contact if all heights are below zero; centred heights are not.
     body, half_space = _body_and_half_space(gap.mean() - gap, pixel_size, modulus)
@@ -128,31 +93,12 @@ def adhesive_pull_off(
 
     Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
     bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
-    paper, elastic analysis).
+    paper, elastic analysis). The gap (n, n) at any approach, the pixel size and rho, the range of
+    adhesion, are in nm, the effective modulus in Pa and the work of adhesion in J/m².
 
-    Parameters
-    ----------
-    gap : numpy.ndarray
-        (n, n) in nm at any approach.
-    pixel_size : float
-        Edge of a pixel in nm.
-    modulus : float
-        Effective modulus in Pa.
-    work_of_adhesion : float
-        In J/m².
-    rho : float
-        Range of adhesion in nm.
-
-    Returns
-    -------
-    ElasticPullOff
-        Forces and iterations.
-
-    Raises
-    ------
-    ValueError
-        If no equilibrium was reached, and for bodies so soft that attraction stretches them by
-        more than a tenth of rho: their pull-off may lie outside the range that is searched.
+    A ValueError is raised if no equilibrium was reached, and for bodies so soft that attraction
+    stretches them by more than a tenth of rho: their pull-off may lie outside the range that is
+    searched.
     """
     heights = gap.min() - gap
     attraction = work_of_adhesion / rho * pixel_size**2 * np.exp(heights / rho)
@@ -230,16 +176,9 @@ class Material(TypedDict):
 
 
 class ElasticSettings(TypedDict):
-    """Materials, sample of contacts and window, as the configuration has them.
+    """Materials, number of contacts, and edge of the window in nm that is solved for the pull-off.
 
-    Attributes
-    ----------
-    sphere, substrate : Material
-        The two bodies.
-    contacts : int
-        Number of contacts in the sample.
-    window : float
-        Edge in nm of the part about the lowest gap that is solved for the pull-off.
+    The window is the part of a contact about its lowest gap.
     """
 
     sphere: Material

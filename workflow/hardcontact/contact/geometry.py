@@ -43,19 +43,9 @@ class ContactGeometry:
     positions: NDArray[np.int_]
 
     def paraboloid(self, offsets: ArrayLike) -> NDArray[np.float64]:
-        """Return the height (nm) of the sphere above its apex along one axis: (u p)²/2R.
+        """Return the height (nm) of the sphere along one axis, u pixels from its apex: (u p)²/2R.
 
         The height at (u, v) is the sum of both axes; this makes the force sum separable.
-
-        Parameters
-        ----------
-        offsets : array_like
-            u, in pixels from the apex, of any shape.
-
-        Returns
-        -------
-        numpy.ndarray
-            In nm, of the shape of `offsets`.
         """
         return (np.asarray(offsets) * self.pixel_size) ** 2 / (2 * self.radius)
 
@@ -96,22 +86,10 @@ def window_pixels(window: float, pixel_size: float) -> int:
 
 
 def contact_positions(pixels: int, contacts_along_edge: int) -> NDArray[np.int_]:
-    """Return where contacts are made along one axis, evenly over one period of the substrate.
+    """Return the pixels (contacts_along_edge,) of contacts evenly over one period of the substrate.
 
     The first lies a quarter of a step from the edge, so that no two contacts are mirror images of
     each other on a mirror-stitched surface (which is symmetric about the ends of its period).
-
-    Parameters
-    ----------
-    pixels : int
-        Of one period.
-    contacts_along_edge : int
-        Number of positions.
-
-    Returns
-    -------
-    numpy.ndarray
-        (contacts_along_edge,) pixels.
     """
     steps = np.arange(contacts_along_edge) + 0.25
     return np.floor(steps * pixels / contacts_along_edge).astype(int)
@@ -120,28 +98,10 @@ def contact_positions(pixels: int, contacts_along_edge: int) -> NDArray[np.int_]
 def sampled_contacts(
     rng: np.random.Generator, contacts_along_edge: int, contacts: int
 ) -> NDArray[np.int_]:
-    """Draw contacts from the array of all, each at most once.
+    """Draw places (contacts, 2) from the array of all contacts, each at most once.
 
-    With the same generator a larger sample contains the smaller one.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Named for the surface and the scan.
-    contacts_along_edge : int
-        Of the array.
-    contacts : int
-        Number of contacts to draw.
-
-    Returns
-    -------
-    numpy.ndarray
-        (contacts, 2) places in the array.
-
-    Raises
-    ------
-    ValueError
-        If the array has fewer contacts.
+    With the same generator a larger sample contains the smaller one. A ValueError is raised if the
+    array has fewer contacts.
     """
     available = contacts_along_edge**2
     if contacts > available:
@@ -151,30 +111,13 @@ def sampled_contacts(
 
 
 def bodies(
-    substrate: HeightMap,
-    sphere: HeightMap | None,
-    radius: float,
-    array: ContactArray,
+    substrate: HeightMap, sphere: HeightMap | None, radius: float, array: ContactArray
 ) -> Bodies:
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
-    The coarser map is Fourier interpolated to the whole number of pixels nearest to its period.
-
-    Parameters
-    ----------
-    substrate : HeightMap
-        Periodic.
-    sphere : HeightMap or None
-        Mirror-stitched roughness of the sphere; None of a smooth one.
-    radius : float
-        Of the sphere, in nm.
-    array : ContactArray
-        Window and number of contacts.
-
-    Returns
-    -------
-    Bodies
-        Ready for contact.
+    The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
+    substrate is periodic, the sphere its mirror-stitched roughness, or None of a smooth one, and
+    the radius in nm; the array has the window and the number of contacts.
     """
     roughness, stretch = None, 0.0
     if sphere is not None:
@@ -193,24 +136,7 @@ def bodies(
 
 
 def read_bodies(substrate: str, sphere: str | None, radius: float, array: ContactArray) -> Bodies:
-    """Read two height maps that the study wrote and bring them together.
-
-    Parameters
-    ----------
-    substrate : str
-        File of the substrate.
-    sphere : str or None
-        File of the roughness of the sphere; None of a smooth one.
-    radius : float
-        Of the sphere, in nm.
-    array : ContactArray
-        Window and number of contacts.
-
-    Returns
-    -------
-    Bodies
-        Ready for contact.
-    """
+    """Bring together two height maps, read from files that the study wrote, as in `bodies`."""
     roughness = None if sphere is None else read_height_map(sphere)
     return bodies(read_height_map(substrate), roughness, radius, array)
 
@@ -234,26 +160,10 @@ def _with_apex_at_origin(stitched: HeightMap) -> HeightMap:
 
 
 def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> NDArray[np.float64]:
-    """Return the height of a sphere with its roughness near one place of it.
+    """Return the height of a rough sphere near one place of it, in nm above the apex.
 
-    Parameters
-    ----------
-    pair : Bodies
-        With a rough sphere.
-    centre : array_like
-        (2,) pixels from the apex: row, column.
-    reach : int
-        Pixels on either side of the centre.
-
-    Returns
-    -------
-    numpy.ndarray
-        (2 reach + 1, 2 reach + 1) in nm above the apex.
-
-    Raises
-    ------
-    ValueError
-        If the sphere is smooth.
+    The centre (2,) is in pixels from the apex: row, column. The map, (2 reach + 1, 2 reach + 1),
+    has `reach` pixels on either side of it. A ValueError is raised if the sphere is smooth.
     """
     if pair.roughness is None:
         raise ValueError("expected a rough sphere, found a smooth one")
@@ -281,19 +191,9 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
 
 
 def gap_map(bodies: Bodies, place: tuple[int, int] | NDArray[np.int_]) -> Floats:
-    """Return the gap (window, window) in nm of one contact at zero approach.
+    """Return the gap (window, window) in nm of one contact of the array, at zero approach.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere.
-    place : tuple of int
-        Of the contact in the array.
-
-    Returns
-    -------
-    numpy.ndarray
-        The apex stands at the pixel (window/2, window/2).
+    The apex stands at the pixel (window/2, window/2).
     """
     geometry, offset = bodies.geometry, bodies.geometry.offsets()
     shape = geometry.paraboloid(offset)

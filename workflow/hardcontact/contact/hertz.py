@@ -11,17 +11,7 @@ NANOMETRE = 1e-9  # m
 
 
 class HertzContact(NamedTuple):
-    """A smooth elastic sphere on a flat.
-
-    Attributes
-    ----------
-    radius : float
-        Of the contact, a, in nm.
-    peak_pressure : float
-        In Pa.
-    approach : float
-        In nm.
-    """
+    """A smooth elastic sphere on a flat: contact radius and approach in nm, peak pressure in Pa."""
 
     radius: float
     peak_pressure: float
@@ -38,19 +28,7 @@ def effective_modulus(
 def contact(load: float, radius: float, modulus: float) -> HertzContact:
     """Return the contact of a sphere under a load: a³ = 3FR/4E*, p0 = 3F/2πa², approach a²/R.
 
-    Parameters
-    ----------
-    load : float
-        F, in N.
-    radius : float
-        R, in nm.
-    modulus : float
-        E*, in Pa.
-
-    Returns
-    -------
-    HertzContact
-        Its radius, peak pressure and approach.
+    The load F is in N, the radius R in nm and the effective modulus E* in Pa.
     """
     a = np.cbrt(0.75 * load * radius * NANOMETRE / modulus)
     return HertzContact(

@@ -27,16 +27,8 @@ UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indents": "1
 class Indents(NamedTuple):
     """The size of the indents that one plastic contact leaves in the sphere.
 
-    Attributes
-    ----------
-    depth : float
-        Of the deepest pixel, in nm.
-    edge_length : float
-        Root of the area of the largest indent, in nm.
-    lateral_size : float
-        Longer side of its bounding box, in nm.
-    indents : int
-        Number of connected indents.
+    The depth of the deepest pixel, the root of the area of the largest indent and the longer side
+    of its bounding box are in nm; `indents` counts the connected ones.
     """
 
     depth: float
@@ -133,25 +125,11 @@ def indents_of_scans(
     contact: IndentingContact,
     preloads: Sequence[float],
 ) -> xr.Dataset:
-    """Return the indents that every substrate scan leaves in every sphere scan.
+    """Return the indents that every substrate scan leaves in every sphere scan, by number.
 
-    Parameters
-    ----------
-    substrates, spheres : mapping of int to HeightMap
-        By the number of the scan.
-    radius : float
-        Of the sphere, in nm.
-    contact : IndentingContact
-        Array of contacts and hardness.
-    preloads : sequence of float
-        In N.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of UNITS (scan, sphere_scan, preload, contact_y, contact_x), and of the
-        contact of median depth at the largest preload ``indentation`` (preload, y, x) and
-        ``sphere_height`` (y, x).
+    The radius of the sphere is in nm, preloads are in N. The dataset has the variables of UNITS
+    (scan, sphere_scan, preload, contact_y, contact_x), and of the contact of median depth at the
+    largest preload ``indentation`` (preload, y, x) and ``sphere_height`` (y, x).
     """
     scans = _Scans(substrates, spheres, radius, contact, preloads)
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]

@@ -27,15 +27,10 @@ NEIGHBOURS = np.ones((3, 3))
 
 @dataclass(frozen=True, eq=False)
 class Indentation:
-    """One contact of a sequence.
+    """One contact of a sequence: its contact pixels, with the gaps before they were flattened.
 
-    Attributes
-    ----------
-    contact : LowestGaps
-        Its contact pixels, with the gaps before they were flattened.
-    depth : numpy.ndarray
-        (window, window) nm by which the sphere is flattened after it, the apex at the pixel
-        (window/2, window/2). It is the same array at every contact and changes with the next.
+    The depth (window, window), in nm, is what the sphere is flattened by after it, the apex at the
+    pixel (window/2, window/2). It is the same array at every contact and changes with the next.
     """
 
     contact: LowestGaps
@@ -43,16 +38,10 @@ class Indentation:
 
 
 class IndentSizes(NamedTuple):
-    """The indents in a sphere, one value an indent.
+    """The indents in a sphere, one value an indent, in nm.
 
-    Attributes
-    ----------
-    depth : numpy.ndarray
-        (indents,) nm, of the deepest pixel.
-    edge_length : numpy.ndarray
-        (indents,) nm, root of the area.
-    lateral_size : numpy.ndarray
-        (indents,) nm, longer side of the bounding box.
+    The depth is of the deepest pixel, the edge length is the root of the area and the lateral size
+    the longer side of the bounding box.
     """
 
     depth: Floats
@@ -79,21 +68,10 @@ def over_window(bodies: Bodies) -> Bodies:
 def repeated_contacts(
     bodies: Bodies, positions: ArrayLike, contact_pixels: int
 ) -> Iterator[Indentation]:
-    """Press one place of a sphere onto places of a substrate, one after the other.
+    """Press one place of a sphere onto places of a substrate, and yield each indentation in order.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        Substrate and sphere before the first contact.
-    positions : array_like
-        (contacts, 2) pixels of the substrate under the apex: row, column.
-    contact_pixels : int
-        At each contact.
-
-    Yields
-    ------
-    Indentation
-        Of each contact, in order.
+    The positions (contacts, 2) are pixels (row, column) of the substrate under the apex; the
+    contact pixels are those of each contact, the bodies those before the first.
     """
     substrate, whole = as_tiles(bodies.substrate), over_window(bodies)
     assert whole.roughness is not None

@@ -5,7 +5,6 @@ from collections.abc import Mapping
 from contextlib import ExitStack
 
 import pandas as pd
-import xarray as xr
 from matplotlib.figure import Figure
 
 from hardcontact.figures import style
@@ -22,26 +21,15 @@ READERS = {
 
 
 def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
-    """Draw a figure of the catalogue.
+    """Draw a figure of the catalogue, named by a key of `FIGURES` or of `OF_ATOMIC`.
 
-    Parameters
-    ----------
-    name : str
-        Of the figure, a key of `catalogue.FIGURES` or of `catalogue.OF_ATOMIC`.
-    inputs : mapping of str to str
-        Paths of the datasets and published tables that it is drawn from.
-    outputs : mapping of str to str
-        Paths of its "pdf", "png" and "csv".
+    Inputs are the paths of the datasets and published tables that it is drawn from, outputs those
+    of its "pdf", "png" and "csv".
     """
     module = importlib.import_module(f"hardcontact.figures.{name}")
     figure = (FIGURES | OF_ATOMIC)[name]
-    drawn_from = {key: _read(key, inputs[key]) for key in figure.inputs}
+    drawn_from = {key: READERS.get(key, dataset.read)(inputs[key]) for key in figure.inputs}
     save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
-
-
-def _read(name: str, path: str) -> xr.Dataset | pd.DataFrame:
-    """Return a dataset or a published table."""
-    return READERS.get(name, dataset.read)(path)
 
 
 @style.print_style()

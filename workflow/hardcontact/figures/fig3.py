@@ -262,7 +262,8 @@ def _draw_logarithmic(
     """Draw the computed histograms and both log-normals (NaN: none) on logarithmic axes, in µN."""
     edges = _logarithmic_edges(of_pairs)
     _draw_histograms(axes, of_pairs, edges, colour)
-    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *_upper_ends(fits)])
+    exceeded = [lognorm.ppf(0.999, shape, scale=median) for shape, median in fits.values()]
+    ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *exceeded])
     line = np.geomspace(*ends, 200)
     for origin, look in (("published", PUBLISHED_LINE), ("computed", COMPUTED_LINE)):
         shape, median = fits[origin]
@@ -287,11 +288,6 @@ def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str
     }
     for pair, look in of_surface.items():
         axes.stairs(printed[pair], edges / marks.MICRONEWTON, **look)
-
-
-def _upper_ends(fits: dict[str, Fit]) -> list[float]:
-    """Return the force (N) that one in a thousand exceeds, for each log-normal."""
-    return [lognorm.ppf(0.999, shape, scale=median) for shape, median in fits.values()]
 
 
 def _shade_floor(axes: Axes, low: float, floor: float) -> None:

@@ -1,5 +1,7 @@
 """Fig. 4: range and work of adhesion from the computed pull-off forces."""
 
+from typing import Any
+
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
@@ -8,13 +10,17 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import fig4_curves, fig4_error, marks, style, tables
+from hardcontact.figures import fig4_error, marks, style, tables
 from hardcontact.numbers.printing import print_share
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 MEGAPASCAL = 1e6
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 COLUMNS = [*tables.ROW_COLUMNS, "over", "x", *tables.VALUE_COLUMNS]
+AT_FIT: dict[str, Any] = {"mfc": "white", "ms": 5, "mew": 1.2}
+RATIO_FIT: dict[str, Any] = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
+
+Curves = dict[tuple[str, str], xr.Dataset]  # by quantity, and by what the values are over
 
 
 def table(
@@ -32,10 +38,10 @@ def table(
     contact.nc and inference.nc.
     """
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
-    curves = fig4_curves.force_curves(fit, of_sets, _published_work(published_constants))
+    curves = force_curves(fit, of_sets, _published_work(published_constants))
     frames = [
         _separation_rows(contact),
-        *fig4_curves.curve_rows(fit, curves, published_pull_off),
+        *curve_rows(fit, curves, published_pull_off),
         fig4_error.error_rows(inference, sets, CONTACT_MODEL, published_constants),
     ]
     return tables.label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
@@ -52,7 +58,7 @@ def draw(
     """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit."""
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     work = _published_work(published_constants)
-    curves = fig4_curves.force_curves(fit, of_sets, work)
+    curves = force_curves(fit, of_sets, work)
     figure = style.create(7.6)
     rows = figure.add_gridspec(3, 1, height_ratios=(1, 1.3, 1.3))
     upper = rows[0].subgridspec(1, 3, width_ratios=(1.3, 1, 1))
@@ -62,8 +68,8 @@ def draw(
     _draw_pressure(pressure, contact)
     _draw_separation(separation, contact)
     separation.set_title(_print_pair(published_constants), loc="left")
-    fig4_curves.draw_ratios(ratios, fit, curves, published_pull_off)
-    fig4_curves.draw_forces(forces, fit, curves, work, published_pull_off)
+    draw_ratios(ratios, fit, curves, published_pull_off)
+    draw_forces(forces, fit, curves, work, published_pull_off)
     fig4_error.draw_least_error(least, inference, sets, CONTACT_MODEL)
     fig4_error.draw_error_map(error, fit, published_constants)
     for axes in (ratios, forces, least, error):
@@ -102,7 +108,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
         Line2D([], [], color="0.3", lw=0.9, label="published mean"),
         Line2D([], [], color="0.3", lw=0.9, ls=":", label="published median"),
         Line2D([], [], label=f"published range, ρ = {published:g} nm", **marks.PUBLISHED_RANGE),
-        Line2D([], [], label="ρ that fits the ratios best", **fig4_curves.RATIO_FIT),
+        Line2D([], [], label="ρ that fits the ratios best", **RATIO_FIT),
         Line2D(
             [],
             [],
@@ -110,7 +116,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
             marker="o",
             ls="none",
             label=f"at the best fit, ρ = {best_range:.3g} nm,\n$W$ = {best_work:.3g} mJ/m²",
-            **fig4_curves.AT_FIT,
+            **AT_FIT,
         ),
     ]
 
@@ -157,3 +163,135 @@ def _reach(pressure: xr.DataArray, bottom: float) -> float:
     """Return the half width (nm) of the square about the apex that holds all pressure > bottom."""
     farthest = (abs(pressure[along]).where(pressure > bottom).max().item() for along in "xy")
     return 1.05 * float(max(farthest))
+
+
+def _reference(fit: xr.Dataset) -> str:
+    """Return the surface the ratios refer to, whose own ratio is 1 everywhere."""
+    return str(abs(fit["ratio"] - 1).max("rho").idxmin("surface").item())
+
+
+def force_curves(fit: xr.Dataset, of_sets: xr.Dataset, work: float) -> Curves:
+    """Return ratio and mean force (N) at a work of adhesion (J/m2), over "scans" and "sets"."""
+    return {
+        ("ratio", "scans"): tables.bounded(fit, "ratio"),
+        ("ratio", "sets"): tables.over_sets(of_sets["ratio"]),
+        ("mean_force", "scans"): tables.bounded(fit, "mean_force") * work,
+        ("mean_force", "sets"): tables.over_sets(of_sets["mean_force"]) * work,
+    }
+
+
+def curve_rows(
+    fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
+) -> list[pd.DataFrame]:
+    """Return what panels b and c show: curves, values at the fit (nm, N), published values."""
+    return [
+        *_computed_rows(curves),
+        _fitted_rows(fit),
+        *_published_rows(fit, published_pull_off),
+        pd.DataFrame([tables.value_and_bounds(fit, "range_from_ratios")]).assign(
+            panel="b", origin="computed", quantity="range_from_ratios", over="scans", unit="nm"
+        ),
+    ]
+
+
+def _computed_rows(curves: Curves) -> list[pd.DataFrame]:
+    shown = {"ratio": ("b", "1"), "mean_force": ("c", "N")}
+    return [
+        values.to_dataframe()[["value", "low", "high"]]
+        .reset_index()
+        .rename(columns={"rho": "x"})
+        .assign(quantity=quantity, over=over, panel=shown[quantity][0], unit=shown[quantity][1])
+        .assign(origin="computed")
+        for (quantity, over), values in curves.items()
+    ]
+
+
+def _fitted_rows(fit: xr.Dataset) -> pd.DataFrame:
+    """Return the mean forces (N) at the fitted range and work of adhesion."""
+    forces = tables.bounded(fit.sel(pair="fitted"), "force_mean")
+    rows = forces.to_dataframe()[["value", "low", "high"]].reset_index()
+    rows = rows.assign(panel="c", origin="computed", quantity="mean_force_at_fit", over="scans")
+    return rows.assign(unit="N", x=fit["range_of_adhesion"].item())
+
+
+def _published(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> pd.DataFrame:
+    """Return published mean and median (N) by surface, and the ratio of means."""
+    forces = published_pull_off.reindex(fit["surface"].values)
+    mean = forces["mean_force"]
+    return forces.assign(ratio=mean / mean[_reference(fit)])
+
+
+def _published_rows(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> list[pd.DataFrame]:
+    published = _published(fit, published_pull_off).rename_axis("surface").reset_index()
+    shown = (("b", "ratio", "1"), ("c", "mean_force", "N"), ("c", "median_force", "N"))
+    return [
+        published[["surface", quantity]]
+        .rename(columns={quantity: "value"})
+        .assign(panel=panel, origin="published", quantity=quantity, unit=unit)
+        for panel, quantity, unit in shown
+    ]
+
+
+def draw_ratios(
+    axes: Axes, fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
+) -> None:
+    """Draw the ratio of mean forces to the reference surface against rho (nm)."""
+    reference = _reference(fit)
+    _draw_curves(axes, fit, curves["ratio", "scans"], curves["ratio", "sets"], skipped=reference)
+    ratios = _published(fit, published_pull_off)["ratio"]
+    _draw_levels(axes, ratios.drop(reference), fit, "-")
+    best = tables.value_and_bounds(fit, "range_from_ratios")
+    along = [best[name] for name in ("low", "value", "high")]
+    style.end_near_values([axes])
+    axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
+    axes.set_ylabel(f"force / that of {fit['label'].sel(surface=reference).item()}")
+    style.label_panel(axes, "b", "ratios of forces, for any $W$")
+
+
+def draw_forces(
+    axes: Axes, fit: xr.Dataset, curves: Curves, work: float, published_pull_off: pd.DataFrame
+) -> None:
+    """Draw the mean force (µN) at the published work of adhesion (J/m2) against rho (nm)."""
+    scans, of_sets = (curves["mean_force", over] / marks.MICRONEWTON for over in ("scans", "sets"))
+    _draw_curves(axes, fit, scans, of_sets)
+    published = _published(fit, published_pull_off) / marks.MICRONEWTON
+    _draw_levels(axes, published["mean_force"], fit, "-")
+    _draw_levels(axes, published["median_force"], fit, ":")
+    fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean") / marks.MICRONEWTON
+    for surface, look in style.looks(fit["surface"].values).items():
+        of_surface = fitted.sel(surface=surface)
+        axes.errorbar(
+            fit["range_of_adhesion"],
+            of_surface["value"],
+            marks.reach(of_surface)[:, None],
+            elinewidth=1.2,
+            zorder=4,
+            **look | AT_FIT,
+        )
+    style.end_near_values([axes])
+    axes.set_ylabel("mean pull-off force (µN)")
+    style.label_panel(
+        axes, "c", rf"curves: at the published $W$ = {work / marks.MILLIJOULE:.3g} mJ/m²"
+    )
+
+
+def _draw_curves(
+    axes: Axes, fit: xr.Dataset, scans: xr.Dataset, of_sets: xr.Dataset, skipped: str = ""
+) -> None:
+    """Draw the value with its interval, and the band of the sets, of each but the skipped one."""
+    for surface, look in style.looks(fit["surface"].values).items():
+        if surface == skipped:
+            continue
+        band, curve = of_sets.sel(surface=surface), scans.sel(surface=surface)
+        marks.fill_sets(axes, band["rho"], band, look["color"])
+        axes.errorbar(
+            curve["rho"], curve["value"], marks.reach(curve), elinewidth=0.7, ms=2.5, **look
+        )
+    axes.set(xscale="log", yscale="log")
+
+
+def _draw_levels(axes: Axes, levels: pd.Series, fit: xr.Dataset, dashes: str) -> None:
+    """Draw a horizontal line for each surface with a published value."""
+    colours = style.colours(fit["surface"].values)
+    for surface, level in levels.dropna().items():
+        axes.axhline(level, color=colours[str(surface)], lw=0.9, ls=dashes)

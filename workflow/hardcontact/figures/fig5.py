@@ -58,13 +58,9 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     _draw_sizes(sizes[0], indent, published)
     handles, labels = figure.axes[-1].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
-    style.mark_basis(figure, _surfaces(indent))
+    substrate = {name: ("surface", [indent.attrs[name]]) for name in ("label", "basis")}
+    style.mark_basis(figure, xr.Dataset(substrate))
     return figure
-
-
-def _surfaces(indent: xr.Dataset) -> xr.Dataset:
-    """Return label and basis of the one substrate."""
-    return xr.Dataset({name: ("surface", [indent.attrs[name]]) for name in ("label", "basis")})
 
 
 def _at_preload(indent: xr.Dataset, preload: float) -> xr.Dataset:

@@ -102,7 +102,7 @@ def _rows_of_side(
         )
     ]
     drawn += [
-        ("ratio", _name_realization, scales["ratio"]),
+        ("ratio", lambda rows: "realization " + rows["realization"].astype(str), scales["ratio"]),
         ("closed_form_ratio", "spectrum", closed_form["filtered_ratio"]),
     ]
     curves = [
@@ -115,10 +115,6 @@ def _rows_of_side(
         rows.assign(quantity="critical_wavelength", unit="nm") for rows in (critical, published)
     ]
     return pd.concat([*(rows.rename(columns={"surface": "group"}) for rows in curves), *of_edges])
-
-
-def _name_realization(rows: pd.DataFrame) -> pd.Series:
-    return "realization " + rows["realization"].astype(str)
 
 
 def _computed_cutoffs(of_side: xr.Dataset) -> np.ndarray:

@@ -66,10 +66,7 @@ def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFr
 
 @style.print_style()
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw (a) forces, (b) errors of the models, (c) effective works, (d) the transition.
-
-    The models are computed at the published work of adhesion.
-    """
+    """Draw (a) forces at the published work, (b) errors, (c) effective works, (d) transition."""
     work = published_constants["value"]["work_of_adhesion"]
     figure = style.create(6.0)
     rows = figure.add_gridspec(2, 1, height_ratios=(1.15, 1))

@@ -39,8 +39,10 @@ def table(maps: xr.Dataset) -> pd.DataFrame:
         _rows(maps["distribution"].sel(rho=_reference(maps)), "c", "share_per_decade"),
         _rows(_errors(maps), "d", "relative_error"),
         _rows(_scan_error(maps), "d", "relative_error_of_one_scan"),
-        *(_need_rows(maps, name, panel) for name, panel in NEEDS.items()),
     ]
+    for name, panel in NEEDS.items():
+        needed = tables.bounded(maps, name).to_dataframe().reset_index()
+        rows.append(needed.assign(panel=panel, quantity=name))
     rows = [one.rename(columns={"sampling": "sample"}) for one in rows]
     joined = pd.concat(rows, ignore_index=True).assign(origin="computed", unit="1")
     return tables.label_surfaces(joined, maps).reindex(columns=COLUMNS)
@@ -96,16 +98,8 @@ def _scan_error(maps: xr.Dataset) -> xr.DataArray:
 
 def _rows(values: xr.DataArray, panel: str, quantity: str) -> pd.DataFrame:
     rows = values.to_series().rename("value").reset_index()
-    return rows.assign(panel=panel, quantity=quantity, rho=_range_of(values))
-
-
-def _range_of(values: xr.DataArray) -> float:
-    return float(values["rho"]) if "rho" in values.coords else np.nan
-
-
-def _need_rows(maps: xr.Dataset, name: str, panel: str) -> pd.DataFrame:
-    rows = tables.bounded(maps, name).to_dataframe().reset_index()
-    return rows.assign(panel=panel, quantity=name)
+    rho = float(values["rho"]) if "rho" in values.coords else np.nan
+    return rows.assign(panel=panel, quantity=quantity, rho=rho)
 
 
 def _draw_maps(above: np.ndarray, below: np.ndarray, maps: xr.Dataset) -> None:

@@ -33,8 +33,7 @@ def table(scan_size: xr.Dataset) -> pd.DataFrame:
     on_largest = tables.bounded(scan_size, "force_over_largest")
     on_largest = on_largest.assign(mirrored=scan_size["mirrored"])
     of_sizes = tables.drawn_rows(
-        ("d", "long_edge", "nm", _edges(scan_size)),
-        ("d", "force_over_largest", "1", on_largest),
+        ("d", "long_edge", "nm", _edges(scan_size)), ("d", "force_over_largest", "1", on_largest)
     ).rename(columns={"edge_size": "scan_size"})
     rows = tables.drawn_rows(
         ("a", "excess", "1", surfaces),

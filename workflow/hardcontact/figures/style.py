@@ -213,6 +213,7 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
     bar.ax.set_title("nm", fontsize=small, loc="left", pad=3)
     axes.set(xticks=[], yticks=[])
     length = _round_length(size / 4)
+    printed = f"{length:g} nm" if length < 1000 else f"{length / 1000:g} µm"
     start = 0.06 * size
     # A white bar with a dark edge is visible on every colour of the map.
     axes.plot([start, start + length], [start, start], color="black", lw=4, solid_capstyle="butt")
@@ -220,7 +221,7 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
     axes.text(
         start + length / 2,
         start + 0.03 * size,
-        _print_length(length),
+        printed,
         fontsize=small,
         ha="center",
         va="bottom",
@@ -232,7 +233,3 @@ def _round_length(length: float) -> float:
     """Return the largest 1, 2 or 5 times a power of ten that is not longer than `length`."""
     decade = 10.0 ** math.floor(math.log10(length))
     return max(step * decade for step in (1, 2, 5) if step * decade <= length)
-
-
-def _print_length(length: float) -> str:
-    return f"{length:g} nm" if length < 1000 else f"{length / 1000:g} µm"

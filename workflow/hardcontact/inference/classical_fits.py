@@ -11,13 +11,7 @@ import xarray as xr
 from scipy.stats import rankdata, truncnorm
 
 from hardcontact.inference import error_map
-from hardcontact.inference.classical_models import (
-    MODELS,
-    Contact,
-    Model,
-    Roughness,
-    adhesion_index,
-)
+from hardcontact.inference.classical_models import MODELS, Contact, Model, Roughness, adhesion_index
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import stack
 

@@ -26,19 +26,8 @@ def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray
     """Find the work of adhesion of the least mean relative error at every range.
 
     The error is piecewise linear in W, so that its minimum lies at one of the W that match a
-    surface exactly; all are tried.
-
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at 1 J/m².
-    published : ndarray (surface,)
-        In N.
-
-    Returns
-    -------
-    work, error : ndarray (..., rho)
-        Work of adhesion in J/m², and the error.
+    surface exactly; all are tried. Of mean forces (..., surface, rho) at 1 J/m² and published ones
+    (surface,), in N, follow the work in J/m² and the error, both (..., rho).
     """
     relative = mean_forces / published[:, None]
     candidates = 1 / relative
@@ -61,17 +50,7 @@ def fit(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Find the range and work of adhesion of the least mean relative error.
 
-    Parameters
-    ----------
-    mean_forces : ndarray (..., surface, rho)
-        In N at 1 J/m².
-    published : ndarray (surface,)
-        In N.
-
-    Returns
-    -------
-    rho, work, error : ndarray (...)
-        Index into rho, work of adhesion in J/m², and the error.
+    Of forces as in `fit_work` follow the index into rho, the work in J/m² and the error, all (...).
     """
     work, error = fit_work(mean_forces, published)
     best = error.argmin(axis=-1)

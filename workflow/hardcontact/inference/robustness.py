@@ -42,24 +42,11 @@ CRITICAL = ["critical_wavelength", "critical_wavelength_interval"]
 class Choices:
     """What all variants share.
 
-    Attributes
-    ----------
-    substrates : list of str
-        The surfaces, in their order.
-    basis : dict of str
-        Whether the scans of each surface are measured or substitutes.
-    reference_surface : str
-        The one that forces are divided by.
-    probe : str
-        The study's sphere of the filtered masters; another one leaves range and work as they are.
-    error_threshold : float
-        Of the mean relative error.
-    tolerance : float
-        Relative change of the force that ends the critical band.
-    published_pair : Pair
-        Range and work of adhesion that mean forces are given at.
-    sampling : Sampling
-        Of all intervals.
+    The basis of a surface says whether its scans are measured or substitutes; forces are divided by
+    those of the reference surface. The probe is the study's sphere of the filtered masters; another
+    one leaves range and work as they are. The threshold is of the mean relative error, the
+    tolerance the relative change of the force that ends the critical band, and the published pair
+    the range and work of adhesion that mean forces are given at.
     """
 
     substrates: list[str]

@@ -25,21 +25,9 @@ def jkr_pull_off(work: Values, radius: Values) -> Values:
 
 
 def dmt_pull_off(work: Values, radius: Values) -> Values:
-    """Return the pull-off force of a stiff sphere, 2πWR.
+    """Return the pull-off force 2πWR (N) of a stiff sphere, W in J/m² and R in nm.
 
     Derjaguin, Muller and Toporov, J. Colloid Interface Sci. 53 (1975) 314.
-
-    Parameters
-    ----------
-    work : float or array
-        Work of adhesion W in J/m².
-    radius : float or array
-        Radius R of the sphere in nm.
-
-    Returns
-    -------
-    float or array
-        N.
     """
     return 2 * np.pi * work * radius * NANOMETRE
 
@@ -115,10 +103,7 @@ def _maugis_dugdale_force(s: float, maugis: float) -> Values:
 
 
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:
-    """Return the work F/(coefficient πR) of the smooth sphere with the pull-off force F.
-
-    The coefficient is the pull-off force over πWR, 3/2 to 2.
-    """
+    """Return the work F/(coefficient πR) of a smooth sphere; the coefficient is F/πRW, 3/2 to 2."""
     return force / (coefficient * np.pi * radius * NANOMETRE)
 
 

@@ -123,22 +123,10 @@ def gaussian_share(rms_height: ArrayLike, approach: ArrayLike, rho: ArrayLike) -
 def closed_form(
     spectrum: Spectrum, contact: Contact, approaches: ArrayLike | None = None
 ) -> ClosedForm:
-    """Return the mean pull-off force of a sphere on a Gaussian surface.
+    """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        Of the surface; only its own wavelengths count.
-    contact : Contact
-        Sphere, attraction, area.
-    approaches : array_like or None
-        Heights m (nm) of closest approach of computed contacts; None: those that the spectrum lets
-        expect.
-
-    Returns
-    -------
-    ClosedForm
-        Of the mean over contacts.
+    Only the wavelengths of the spectrum count. The approaches are heights m (nm) of closest
+    approach of computed contacts; None stands for those that the spectrum lets expect.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
@@ -192,22 +180,10 @@ def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:
 
 
 def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float, float]:
-    """Return both edges of the band of wavelengths that decide the force.
+    """Return both edges (nm) of the band of wavelengths that decide the force.
 
-    Parameters
-    ----------
-    spectrum : Spectrum
-        Of the surface.
-    contact : Contact
-        Sphere, attraction, area.
-    tolerance : float
-        Relative change of the force that counts.
-
-    Returns
-    -------
-    tuple of float
-        Wavelengths in nm: without all that is shorter, or longer, the force changes by the
-        tolerance. NaN where it never does.
+    Without all that is shorter, or longer, the force changes by the tolerance, a relative change.
+    They are NaN where it never does.
     """
     known = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
     if not len(known):

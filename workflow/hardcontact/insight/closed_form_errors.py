@@ -63,24 +63,14 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
 def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Dataset:
     """Return computed and predicted forces, and what the closed form says of all scales.
 
-    Parameters
-    ----------
-    spectra : mapping of str to Spectrum
-        By surface.
-    trial : Trial
-        What is computed.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
-        realizations with its interval over realizations; also over source ("spectrum": closest
-        approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
-        ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
-        ``computed_approach`` and ``predicted_approach`` in nm. Of the whole spectra
-        ``whole_force`` (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge``
-        (surface, side) in nm, and ``filtered_ratio`` (surface, side, cutoff_wavelength), the force
-        without the waves of a side over that with all; NaN at cutoffs of the other side.
+    Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
+    realizations with its interval over realizations; also over source ("spectrum": closest approach
+    expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
+    ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
+    ``computed_approach`` and ``predicted_approach`` in nm. Of the whole spectra ``whole_force``
+    (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge`` (surface, side) in nm, and
+    ``filtered_ratio`` (surface, side, cutoff_wavelength), the force without the waves of a side
+    over that with all; NaN at cutoffs of the other side.
     """
     compared = [[_compared(name, one, size, trial) for size in trial.sizes]
                 for name, one in spectra.items()]  # fmt: skip

@@ -15,24 +15,10 @@ from hardcontact.surfaces.height_map import HeightMap
 class ScaledContacts(TypedDict):
     """A master, filtered at several cutoffs, in all combinations of sphere, range and area.
 
-    Attributes
-    ----------
-    side : str
-        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
-    pixels : int
-        Along an edge of a filtered surface.
-    cutoffs : list of float
-        In nm.
-    window : float
-        Edge of the analysis window in nm.
-    count : int
-        Contacts along an edge of the array.
-    radii, ranges : list of float
-        Radii of the sphere and ranges of adhesion in nm.
-    hardness : float
-        Of the softer body, in Pa.
-    preloads : list of float
-        In N; the contact area is the preload over the hardness.
+    The side ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above; `pixels`
+    lie along an edge of a filtered surface, `count` contacts along an edge of the array. Cutoffs,
+    the edge of the window, radii of the sphere and ranges of adhesion are in nm, the hardness of
+    the softer body in Pa and preloads in N; the contact area is the preload over the hardness.
     """
 
     side: str
@@ -49,23 +35,14 @@ class ScaledContacts(TypedDict):
 def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> xr.Dataset:
     """Return the plastic pull-off from filtered masters in all combinations, meaned over contacts.
 
-    The sphere is smooth. Where a pixel is not small against the contact area, the area is that of
-    the pixels that touch: the smallest whole number of them that carries the preload.
+    The sphere is smooth, the master periodic. Where a pixel is not small against the contact area,
+    the area is that of the pixels that touch: the smallest whole number of them that carries the
+    preload.
 
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic.
-    parameters : ScaledContacts
-        Filters and combinations.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (cutoff_wavelength, radius, area, rho) and ``unfiltered_pull_off_force``
-        (radius, area, rho) in N at 1 J/m²; ``contact_area`` (area) in nm², of the pixels that
-        touch; ``unfiltered_wavelength``, the end of the unfiltered spectrum. The coordinate area
-        is the preload over the hardness in nm².
+    ``pull_off_force`` (cutoff_wavelength, radius, area, rho) and ``unfiltered_pull_off_force``
+    (radius, area, rho) are in N at 1 J/m²; ``contact_area`` (area), in nm², is that of the pixels
+    that touch, and the coordinate area the preload over the hardness in nm²;
+    ``unfiltered_wavelength`` is the end of the unfiltered spectrum.
     """
     nm = {"units": "nm"}
     areas = np.asarray(parameters["preloads"]) / parameters["hardness"] * 1e18

@@ -35,23 +35,11 @@ ROLL_OFF, REACH = "roll-off", "reach"
 def edge_regimes(spectra: Mapping[str, Spectrum], contact: Contact, tolerance: float) -> xr.Dataset:
     """Return the regime of every surface, and the lengths that decide it.
 
-    Parameters
-    ----------
-    spectra : mapping of str to Spectrum
-        By surface.
-    contact : Contact
-        Sphere, attraction, area.
-    tolerance : float
-        Relative change of the force that counts.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, lengths in nm: ``rough_height`` (sigma), ``approach`` (m), ``freezing``,
-        (sigma/rho)/(m/sigma), ``regime`` of `closed_form`, ``predicted_edge`` (surface, side), NaN
-        where there is none, ``short_edge_from``, empty there, and ``long_edge_from``, ROLL_OFF or
-        REACH, the shorter of both. Of all:
-        ``contact_diameter`` and ``attraction_reach``.
+    The tolerance is the relative change of the force that counts. Over surface, lengths in nm:
+    ``rough_height`` (sigma), ``approach`` (m), ``freezing``, (sigma/rho)/(m/sigma), ``regime`` of
+    `closed_form`, ``predicted_edge`` (surface, side), NaN where there is none, ``short_edge_from``,
+    empty there, and ``long_edge_from``, ROLL_OFF or REACH, the shorter of both. Of all:
+    ``contact_diameter`` and ``attraction_reach``.
     """
     diameter = 2 * np.sqrt(contact.area / np.pi)
     reach = np.sqrt(2 * contact.radius * contact.rho)
@@ -81,25 +69,15 @@ def cause_exponents(
 ) -> xr.Dataset:
     """Return how the short edge scales where the contact should set it, and where the range should.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        ``edge`` (side, surface, radius, area, rho) and ``contact_area`` (side, area) of
-        `edge_scaling.edge_scaling`, and its attribute ``confidence``.
-    spectra : mapping of str to Spectrum
-        By surface.
-    contact : Contact
-        Sphere and area that the closed form gives the short edge for, at every range of `scaling`.
-    tolerance : float
-        Relative change of the force that counts.
+    `scaling` is of `edge_scaling.edge_scaling`: ``edge`` (side, surface, radius, area, rho),
+    ``contact_area`` (side, area) and the attribute ``confidence``. The closed form gives the short
+    edge for the sphere and area of `contact` at every range of `scaling`; the tolerance is the
+    relative change of the force that counts.
 
-    Returns
-    -------
-    xarray.Dataset
-        By cause, CONTACT where its diameter exceeds that edge and RANGE where it does not:
-        ``cause_exponent`` (cause, length) by least squares of ln(edge) against the logarithms of
-        LENGTHS, with a constant for each surface and an interval by the jackknife over surfaces,
-        and ``cause_edges`` (cause), their number. NaN where too few edges tell the lengths apart.
+    By cause, CONTACT where its diameter exceeds that edge and RANGE where it does not:
+    ``cause_exponent`` (cause, length) by least squares of ln(edge) against the logarithms of
+    LENGTHS, with a constant for each surface and an interval by the jackknife over surfaces, and
+    ``cause_edges`` (cause), their number. NaN where too few edges tell the lengths apart.
     """
     small = scaling[["edge", "contact_area"]].sel(side="small", drop=True)
     predicted = [

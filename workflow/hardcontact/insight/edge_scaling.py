@@ -39,23 +39,11 @@ def stacked_scaling(
 ) -> xr.Dataset:
     """Return the ratios of all masters, and what the spectrum says of each surface.
 
-    Parameters
-    ----------
-    masters : mapping of tuple to xarray.Dataset
-        (surface, realization, side) -> `scaled_pull_off`.
-    spectra : mapping of str to Spectrum
-        By surface.
-    described : Described
-        Labels and bases.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``ratio`` (surface, realization, side, cutoff_wavelength, radius, area, rho) of filtered
-        over unfiltered force, NaN at cutoffs of the other side; ``unfiltered_wavelength``
-        (surface, side) and ``contact_area`` (side, area); ``rms_height`` and ``roll_off`` (surface)
-        in nm, the latter the wavelength whose octave holds most of the variance of heights; label
-        and basis.
+    The masters are of `scaled_pull_off`, by (surface, realization, side). ``ratio`` (surface,
+    realization, side, cutoff_wavelength, radius, area, rho) is of filtered over unfiltered force,
+    NaN at cutoffs of the other side; ``unfiltered_wavelength`` (surface, side) and ``contact_area``
+    (side, area) stand beside ``rms_height`` and ``roll_off`` (surface) in nm, the latter the
+    wavelength whose octave holds most of the variance of heights; label and basis.
     """
     stacked = stacked_forces(masters)
     of_surfaces = [spectra[name] for name in stacked["surface"].values.tolist()]
@@ -68,28 +56,17 @@ def stacked_scaling(
 
 
 def edge_scaling(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return edges, exponents and what they say of all surfaces.
+    """Return edges, exponents and what they say of all surfaces, of `stacked_scaling`.
 
-    Parameters
-    ----------
-    scaling : xarray.Dataset
-        Of `stacked_scaling`.
-    tolerance : float
-        Relative change of the force that counts.
-    sampling : Sampling
-        Of the intervals of edges; its confidence is that of all intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``edge`` (side, surface, radius, area, rho) in nm with its interval over realizations, NaN
-        where it is open; ``exponent`` (side, surface, part, length) by least squares of ln(edge)
-        against the logarithms of LENGTHS, with intervals by the jackknife over realizations, and
-        ``reach_exponent`` (side, surface, part) against sqrt(2 R rho) in place of R and rho apart;
-        ``explained`` (side, surface, part), the share of the variance of ln(edge) that the first
-        explains, and ``edges_found`` of the same; ``dependence`` as exponent; the variables of the
-        surfaces, and ``reach`` (radius, rho), sqrt(2 R rho) in nm. Open edges are left out: where
-        some are open, exponents are those of the combinations that have an edge.
+    The tolerance is the relative change of the force that counts; the confidence of the sampling is
+    that of all intervals. ``edge`` (side, surface, radius, area, rho) is in nm with its interval
+    over realizations, NaN where it is open; ``exponent`` (side, surface, part, length) by least
+    squares of ln(edge) against the logarithms of LENGTHS, with intervals by the jackknife over
+    realizations, and ``reach_exponent`` (side, surface, part) against sqrt(2 R rho) in place of R
+    and rho apart; ``explained`` (side, surface, part), the share of the variance of ln(edge) that
+    the first explains, and ``edges_found`` of the same; ``dependence`` as exponent; the variables
+    of the surfaces, and ``reach`` (radius, rho), sqrt(2 R rho) in nm. Open edges are left out:
+    where some are open, exponents are those of the combinations that have an edge.
     """
     reach = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
     scaling = scaling.assign(reach=reach.assign_attrs(units="nm"))
@@ -130,22 +107,12 @@ def _with_interval(
 
 
 def dependence(low: ArrayLike, high: ArrayLike) -> NDArray[np.str_]:
-    """Return what the intervals of exponents say.
+    """Return which one of DEPENDENCE the intervals of exponents, from low to high, say.
 
     An edge is PROPORTIONAL to a length where the interval holds 1 and not 0, INDEPENDENT of it
     where it holds 0 and not 1, UNDECIDED where it holds both. An interval that holds neither lies
     between 0 and 1 (PARTLY), above 1 (STEEPER) or below 0 (FALLING). Without an interval it is
     UNDECIDED.
-
-    Parameters
-    ----------
-    low, high : array_like
-        Ends of the intervals, of any common shape.
-
-    Returns
-    -------
-    numpy.ndarray
-        One of DEPENDENCE each.
     """
     low, high = np.asarray(low), np.asarray(high)
     known = np.isfinite(low) & np.isfinite(high)

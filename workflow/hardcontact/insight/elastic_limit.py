@@ -106,26 +106,12 @@ def elastic_estimates(
 def elastic_limit_of_pair(
     bodies: Bodies, load: Load, modulus: float, rho: float, work_of_adhesion: float
 ) -> xr.Dataset:
-    """Return the plasticity index, both areas and the pull-off force of every contact.
+    """Return the plasticity index, both areas and the pull-off force of every contact of a pair.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        One pair of scans with its array of contacts.
-    load : Load
-        Preload and hardness.
-    modulus : float
-        Effective modulus E* in Pa.
-    rho : float
-        Range of adhesion in nm.
-    work_of_adhesion : float
-        In J/m².
-
-    Returns
-    -------
-    xarray.Dataset
-        ``plasticity_index`` (1), ``elastic_area`` (nm2), both by contact_y and contact_x, and
-        ``pull_off_force`` (variant, contact_y, contact_x) in N; attribute ``bearing_area`` in nm2.
+    The effective modulus E* is in Pa, rho, the range of adhesion, in nm and the work of adhesion in
+    J/m². ``plasticity_index`` (1), ``elastic_area`` (nm2), both by contact_y and contact_x, and
+    ``pull_off_force`` (variant, contact_y, contact_x) in N have the attribute ``bearing_area`` in
+    nm2.
     """
     pixel_size = bodies.geometry.pixel_size
     estimates = elastic_estimates(bodies, load, modulus)
@@ -164,25 +150,15 @@ def elastic_limit(
 ) -> xr.Dataset:
     """Return for which share of contacts the bearing area holds, and what it changes.
 
-    Parameters
-    ----------
-    pairs : mapping of tuple to xarray.Dataset
-        (surface, scan) -> `elastic_limit_of_pair`.
-    elastic : xarray.Dataset
-        elastic.nc, of the same pairs: some contacts whose elastic area was solved.
-    described : Described
-        Label and basis of each surface.
-    confidence : float
-        Of the intervals, by Student's t over scans, those of shares cut at 0 and 1.
+    The pairs are of `elastic_limit_of_pair` by (surface, scan), `elastic` is elastic.nc, of the
+    same pairs: some contacts whose elastic area was solved. Intervals are by Student's t over
+    scans, those of shares cut at 0 and 1.
 
-    Returns
-    -------
-    xarray.Dataset
-        With intervals, by surface: ``plastic_share`` of contacts with an index of one or more,
-        ``solved_plastic_share`` of contacts with a solved mean pressure at or above the hardness,
-        ``force_ratio`` (variant), mean force over that of the bearing area. Of every contact
-        (surface, scan, contact_y, contact_x) ``plasticity_index`` and ``elastic_area``; of every
-        solved one (surface, scan, contact) ``solved_area`` and ``estimated_area`` (nm2).
+    With intervals, by surface: ``plastic_share`` of contacts with an index of one or more,
+    ``solved_plastic_share`` of contacts with a solved mean pressure at or above the hardness,
+    ``force_ratio`` (variant), mean force over that of the bearing area. Of every contact (surface,
+    scan, contact_y, contact_x) ``plasticity_index`` and ``elastic_area``; of every solved one
+    (surface, scan, contact) ``solved_area`` and ``estimated_area`` (nm2).
     """
     stacked = stack(pairs, ["surface", "scan"])
     over = ["contact_y", "contact_x"]

@@ -26,21 +26,10 @@ NANOMETRES = {"units": "nm"}
 class FinerMaster(NamedTuple):
     """What a master is compared at.
 
-    Attributes
-    ----------
-    pixels : sequence of int
-        Along an edge, ascending; the last are those of the master.
-    cutoffs : sequence of float
-        Wavelengths in nm below which roughness is removed, ascending; each of more than two of
-        the coarsest pixels.
-    radius, rho : float
-        Of the sphere, and range of adhesion, in nm.
-    contact : ContactSettings
-        Array of contacts and load.
-    tolerance : float
-        Change of the force that counts as none.
-    confidence : float
-        Of intervals.
+    The pixels along an edge ascend; the last are those of the master. The cutoffs are wavelengths
+    in nm below which roughness is removed, ascending, each of more than two of the coarsest pixels.
+    The radius of the sphere and rho, the range of adhesion, are in nm; the tolerance is the change
+    of the force that counts as none.
     """
 
     pixels: Sequence[int]
@@ -61,26 +50,16 @@ def on_coarser_pixels(master: HeightMap, pixels: int) -> HeightMap:
 
 
 def on_several_pixels(master: HeightMap, given: FinerMaster) -> xr.Dataset:
-    """Compare the force without the shortest waves on a master and on coarser pixels.
+    """Compare the force without the shortest waves on a periodic master and on coarser pixels.
 
     Intervals are those of a jackknife over blocks of contacts. They tell how the added roughness
     differs from place to place; all contacts share the waves of one scan.
 
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic.
-    given : FinerMaster
-        Pixels, cutoffs, sphere and load.
-
-    Returns
-    -------
-    xarray.Dataset
-        By `pixels`: `pull_off_force` (cutoff_wavelength, contact_y, contact_x) and
-        `unfiltered_pull_off_force` in N, `pixel_size` in nm, `ratio` (cutoff_wavelength) of their
-        means, `force_over_finest` and `filtered_over_finest` (cutoff_wavelength), the means over
-        those of the finest pixels, all with intervals, and the short edge of the band, `edge` with
-        `edge_interval` and `edge_text`.
+    By `pixels`: `pull_off_force` (cutoff_wavelength, contact_y, contact_x) and
+    `unfiltered_pull_off_force` in N, `pixel_size` in nm, `ratio` (cutoff_wavelength) of their
+    means, `force_over_finest` and `filtered_over_finest` (cutoff_wavelength), the means over those
+    of the finest pixels, all with intervals, and the short edge of the band, `edge` with
+    `edge_interval`.
     """
     forces = np.array(
         [
@@ -160,6 +139,4 @@ def _edges(ratio: np.ndarray, interval: np.ndarray, given: FinerMaster) -> dict[
         for value, ends in zip(ratio, interval, strict=True)
     ]
     values, ends = ([edge[name] for edge in edges] for name in ("edge", "edge_interval"))
-    return with_interval("edge", "pixels", values, ends, NANOMETRES, given.confidence) | {
-        "edge_text": ("pixels", [edge["edge_text"] for edge in edges])
-    }
+    return with_interval("edge", "pixels", values, ends, NANOMETRES, given.confidence)

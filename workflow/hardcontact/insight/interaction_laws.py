@@ -117,23 +117,11 @@ def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
 
 
 def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> Floats:
-    """Return the forces of a law from those of exponential laws, all at the same W.
+    """Return the forces (..., n) in N of a law from those (..., k) of exponential laws, at one W.
 
-    Parameters
-    ----------
-    law : Law
-        Any of the laws.
-    rho : array_like (n,)
-        Ranges of the law in nm.
-    ranges : numpy.ndarray (k,)
-        Of the exponential laws in nm, rising, evenly spaced in their logarithm.
-    forces : array_like (..., k)
-        In N.
-
-    Returns
-    -------
-    numpy.ndarray
-        (..., n) in N. Those of the exponential law are interpolated between its ranges.
+    `rho` (n,) are ranges of the law, `ranges` (k,) those of the exponential laws, rising, evenly
+    spaced in their logarithm, all in nm. Forces of the exponential law are interpolated between its
+    ranges.
     """
     values = np.asarray(forces, float)
     if law.exponential:

@@ -53,21 +53,11 @@ def stacked_law_forces(
     sides: Mapping[str, Mapping[tuple[Any, ...], xr.Dataset]],
     described: Described,
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return what `compare_laws` takes from the files of single scans.
+    """Return the forces and the masters that `compare_laws` takes, from the files of single scans.
 
-    Parameters
-    ----------
-    scans : mapping of tuple to xarray.Dataset
-        (surface, scan) -> `law_forces.scan_range_forces`.
-    sides : mapping of str to such a mapping
-        Side -> (surface, scan) -> `law_forces.filtered_range_forces` of its master.
-    described : Described
-        Labels and bases.
-
-    Returns
-    -------
-    forces, masters : xarray.Dataset
-        Each scan is one realization of its masters.
+    The scans are of `law_forces.scan_range_forces`, by (surface, scan); the sides have
+    `law_forces.filtered_range_forces` of their masters, by (surface, scan). Each scan is one
+    realization of its masters.
     """
     forces = stack(scans, ["surface", "scan"])
     masters = {(*key, side): parts[key] for key in scans for side, parts in sides.items()}

@@ -44,16 +44,10 @@ NEGLIGIBLE = 40.0
 
 
 class RangeContacts(ContactSettings):
-    """An array of contacts, and the ranges at which their forces are computed.
+    """An array of contacts with the radius of the sphere, and the ranges of their forces, in nm.
 
-    Attributes
-    ----------
-    radius : float
-        Of the sphere, in nm.
-    reach : float
-        Edge in nm of the window that attracts, at least that of contact: power laws reach far.
-    ranges : list of float
-        In nm, evenly spaced in their logarithm.
+    The ranges are evenly spaced in their logarithm. The reach is the edge in nm of the window that
+    attracts, at least that of contact: power laws reach far.
     """
 
     radius: float
@@ -117,26 +111,11 @@ def filtered_range_forces(
     scales: Cutoffs,
     parameters: RangeContacts,
 ) -> xr.Dataset:
-    """Return the mean plastic pull-off of a master, whole and filtered, at all ranges.
+    """Return the mean plastic pull-off of a periodic master, whole and filtered, at all ranges.
 
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic.
-    sphere : HeightMap or None
-        Roughness of the sphere; None of a smooth one.
-    side : str
-        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
-    scales : Cutoffs
-        The filters.
-    parameters : RangeContacts
-        Contacts, sphere and ranges.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (cutoff_wavelength, rho), ``unfiltered_pull_off_force`` (rho) and
-        ``unfiltered_wavelength``.
+    The sphere is its roughness, or None of a smooth one. The side ``"small"`` removes wavelengths
+    below the cutoffs, ``"large"`` those above. ``pull_off_force`` (cutoff_wavelength, rho) and
+    ``unfiltered_pull_off_force`` (rho) stand beside ``unfiltered_wavelength``.
     """
     return forces_at_cutoffs(
         master,
@@ -158,22 +137,10 @@ def mean_range_forces(
 def scan_range_forces(
     substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
 ) -> xr.Dataset:
-    """Return `mean_range_forces` of a scan as they are stored, in the window and in half of it.
+    """Return `mean_range_forces` of a stitched scan as stored, in the window and in half of it.
 
-    Parameters
-    ----------
-    substrate : HeightMap
-        The scan, stitched.
-    sphere : HeightMap or None
-        Roughness of the sphere; None of a smooth one.
-    parameters : RangeContacts
-        Contacts, sphere and ranges.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` and ``half_window_pull_off_force`` (rho): how much the former exceeds the
-        latter tells what may lie beyond the window.
+    The sphere is its roughness, or None of a smooth one. How much ``pull_off_force`` (rho) exceeds
+    ``half_window_pull_off_force`` (rho) tells what may lie beyond the window.
     """
     half: RangeContacts = {**parameters, "reach": parameters["reach"] / 2}
     whole, narrow = (mean_range_forces(substrate, sphere, one) for one in (parameters, half))

@@ -125,30 +125,15 @@ def repeated_contact_of_pair(
 ) -> xr.Dataset:
     """Return the forces and the indents of one place of a sphere that meets an array of places.
 
-    Each time a sphere without indents begins, and meets all places of the array in a random order.
+    Each time, for a number of orders that the generator draws, a sphere without indents begins, and
+    meets all places of the array in a random order.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        One pair of scans with its array of contacts.
-    load : Load
-        Preload and hardness.
-    adhesion : Adhesion
-        Range and work of adhesion.
-    rng : numpy.random.Generator
-        Draws the orders.
-    orders : int
-        Number of orders.
-
-    Returns
-    -------
-    xarray.Dataset
-        By order and number of the contact: ``pull_off_force`` and, at the same place by a sphere
-        without indents, ``single_pull_off_force`` (N), ``penetration`` (nm). By order and stage, a
-        number of contacts: ``depth``, ``edge_length`` and ``lateral_size`` (nm), each the largest
-        of all indents, ``indents`` and ``indented_area`` (nm2). By order and indent of the last
-        contact ``indent_depth`` and ``indent_size`` (nm). ``indentation`` (y, x) about the deepest
-        indent of the first order (nm).
+    By order and number of the contact: ``pull_off_force`` and, at the same place by a sphere
+    without indents, ``single_pull_off_force`` (N), ``penetration`` (nm). By order and stage, a
+    number of contacts: ``depth``, ``edge_length`` and ``lateral_size`` (nm), each the largest of
+    all indents, ``indents`` and ``indented_area`` (nm2). By order and indent of the last contact
+    ``indent_depth`` and ``indent_size`` (nm). ``indentation`` (y, x) about the deepest indent of
+    the first order (nm).
     """
     positions = bodies.geometry.positions
     places = np.stack(np.meshgrid(positions, positions, indexing="ij"), -1).reshape(-1, 2)
@@ -235,24 +220,15 @@ def repeated_contact(
 ) -> xr.Dataset:
     """Return the force and the indents of repeated contact against the number of contacts.
 
-    Parameters
-    ----------
-    pairs : mapping of tuple to xarray.Dataset
-        (surface, preload in N, scan) -> `repeated_contact_of_pair`.
-    described : Described
-        Label and basis of each surface.
-    confidence : float
-        Of the intervals, by Student's t over scans: the orders of a scan count as one; those of
-        sizes and numbers are cut at 0.
+    The pairs are of `repeated_contact_of_pair`, by (surface, preload in N, scan). Intervals are by
+    Student's t over scans: the orders of a scan count as one; those of sizes and numbers are cut at
+    0.
 
-    Returns
-    -------
-    xarray.Dataset
-        With intervals, by surface and preload: ``force_ratio`` (stage), mean force of the contacts
-        since the stage before over that of single contacts at the same places; ``mean_ratio`` of
-        all contacts; ``depth``, ``edge_length``, ``lateral_size``, ``indents`` and
-        ``indented_area`` (stage). ``indent_depth`` and ``indent_size`` (scan, order, indent), and
-        ``indentation`` (y, x) of the first scan.
+    With intervals, by surface and preload: ``force_ratio`` (stage), mean force of the contacts
+    since the stage before over that of single contacts at the same places; ``mean_ratio`` of all
+    contacts; ``depth``, ``edge_length``, ``lateral_size``, ``indents`` and ``indented_area``
+    (stage). ``indent_depth`` and ``indent_size`` (scan, order, indent), and ``indentation`` (y, x)
+    of the first scan.
     """
     dimensions = ["surface", "preload", "scan"]
     stacked = stack({key: pair.drop_vars("indentation") for key, pair in pairs.items()}, dimensions)

@@ -125,25 +125,15 @@ def window_edges(
 ) -> xr.Dataset:
     """Return the long edges of the band from windows and whole surfaces, and the forces on them.
 
-    Parameters
-    ----------
-    forces : mapping of str to xarray.Dataset
-        By surface, of `filtered_window_forces`.
-    tolerance : float
-        Relative change of the force that counts.
-    confidence : float
-        Of the intervals.
+    The forces are of `filtered_window_forces`, by surface; the tolerance is the relative change of
+    the force that counts.
 
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, edge_size and cutoff_wavelength ``long_ratio``, the mean over realizations of
-        the force without longer waves over that with all, with its interval; over surface and
-        edge_size what `described_edge` says: ``long_edge``, ``long_edge_interval`` and
-        ``long_edge_bound`` in nm, ``long_edge_at_least``, ``long_edge_status``,
-        ``long_interval_status`` and ``long_edge_text``; and ``force_over_largest``, the force over
-        that on the larger whole surface, with its interval; ``period`` and ``mirrored``
-        (edge_size).
+    Over surface, edge_size and cutoff_wavelength ``long_ratio``, the mean over realizations of the
+    force without longer waves over that with all, with its interval; over surface and edge_size
+    what `described_edge` says: ``long_edge``, ``long_edge_interval`` and ``long_edge_bound`` in nm,
+    ``long_edge_at_least``, ``long_edge_status`` and ``long_interval_status``;
+    and ``force_over_largest``, the force over that on the larger whole surface, with its interval;
+    ``period`` and ``mirrored`` (edge_size).
     """
     given = next(iter(forces.values()))[["period", "mirrored"]]
     measured = {(name,): one[["ratio", "pull_off_force"]] for name, one in forces.items()}
@@ -230,22 +220,12 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
 def scan_size_trials(spectra: Mapping[str, Spectrum], trials: Trials) -> xr.Dataset:
     """Return the rule, the excess of the force that it predicts, and its error.
 
-    Parameters
-    ----------
-    spectra : mapping of str to Spectrum
-        By surface, to test the rule on.
-    trials : Trials
-        What is computed.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over (surface, scan_size, rho) ``excess`` with its interval and ``predicted_excess``, over
-        (trial, scan_size, rho) the same of random surfaces as ``known_excess`` and
-        ``predicted_known_excess``, each from a rule that was fitted without its spectrum;
-        ``strength`` and ``exponent`` (ratio) of the rule; ``error`` (tested, kind), root mean
-        square of ln(force), of "random surfaces" and "surfaces", "corrected" by the rule and
-        "uncorrected"; ``size_needed`` (surface, rho) in nm for the excess of the trials.
+    The rule is tested on the spectra of surfaces. Over (surface, scan_size, rho) ``excess`` with
+    its interval and ``predicted_excess``, over (trial, scan_size, rho) the same of random surfaces
+    as ``known_excess`` and ``predicted_known_excess``, each from a rule that was fitted without its
+    spectrum; ``strength`` and ``exponent`` (ratio) of the rule; ``error`` (tested, kind), root mean
+    square of ln(force), of "random surfaces" and "surfaces", "corrected" by the rule and
+    "uncorrected"; ``size_needed`` (surface, rho) in nm for the excess of the trials.
     """
     drawn = random_spectra(generator(trials["seed"], "scan size spectra"), trials["count"])
     radii = [trials["radii"][one % len(trials["radii"])] for one in range(len(drawn))]

@@ -70,21 +70,11 @@ def mean_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.fl
 class WindowFilters(NamedTuple):
     """Random surfaces, the windows cut out of them, and what both are filtered at.
 
-    Attributes
-    ----------
-    sizes : list of float
-        Edges of two whole surfaces in nm, the larger last; windows are cut out of that one.
-    pixel_size : float
-        Of all surfaces, in nm.
-    realizations : int
-        Surfaces of each size.
-    cutoffs : list of float
-        In nm, ascending; wavelengths above are removed.
-    seed : int
-        Of the surfaces.
-    contacts : WindowContacts
-        Windows and contacts, at one range of adhesion. The count is that on whole surfaces.
-        Mirrored windows hold few peaks: half as many along an edge tell the same force there.
+    The sizes are edges of two whole surfaces in nm, the larger last; windows are cut out of that
+    one. The realizations are the surfaces of each size, which the seed draws; all have pixels of
+    one size in nm. The cutoffs ascend, in nm; wavelengths above are removed. The contacts are at
+    one range of adhesion, their count is that on whole surfaces. Mirrored windows hold few peaks:
+    half as many along an edge tell the same force there.
     """
 
     sizes: list[float]
@@ -98,26 +88,15 @@ class WindowFilters(NamedTuple):
 def filtered_window_forces(name: str, density: Density, filters: WindowFilters) -> xr.Dataset:
     """Return the forces on windows and whole surfaces of a spectrum, and what long waves change.
 
-    Windows of every size are cut out of each of the larger surfaces. The smaller whole surfaces
-    are independent of these.
+    Windows of every size are cut out of each of the larger surfaces. The smaller whole surfaces are
+    independent of these. The name of the spectrum is for its random numbers, the density is C_iso
+    in nm⁴ as a function of the wavevector in rad/nm.
 
-    Parameters
-    ----------
-    name : str
-        Of the spectrum, for its random numbers.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-    filters : WindowFilters
-        Surfaces, windows and cutoffs.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (realization, edge_size) in N at 1 J/m² and ``ratio`` (realization,
-        edge_size, cutoff_wavelength), the force without wavelengths above the cutoff over that
-        with all, NaN at cutoffs above the period; both means over the windows of a surface.
-        ``period`` (edge_size) in nm and ``mirrored`` (edge_size), 1 of windows. Edge sizes are
-        those of windows, then those of the whole surfaces.
+    ``pull_off_force`` (realization, edge_size) is in N at 1 J/m² and ``ratio`` (realization,
+    edge_size, cutoff_wavelength) the force without wavelengths above the cutoff over that with all,
+    NaN at cutoffs above the period; both are means over the windows of a surface. ``period``
+    (edge_size) is in nm and ``mirrored`` (edge_size) 1 of windows. Edge sizes are those of windows,
+    then those of the whole surfaces.
     """
     count = filters.realizations
     parts = (_of_realization(name, density, filters, one) for one in range(count))
@@ -155,22 +134,11 @@ def filtered_window_forces(name: str, density: Density, filters: WindowFilters) 
 def filtered_forces(
     surface: HeightMap, cutoffs: list[float], contacts: WindowContacts
 ) -> NDArray[np.float64]:
-    """Return the mean force on a surface as it is, and what is left of it above each cutoff.
+    """Return the mean force on a periodic surface as it is, and what is left above each cutoff.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic.
-    cutoffs : list of float
-        In nm, ascending; wavelengths above are removed.
-    contacts : WindowContacts
-        Contacts at one range of adhesion.
-
-    Returns
-    -------
-    numpy.ndarray
-        (1 + cutoff,): the force in N at 1 J/m², then ratios to it. NaN at cutoffs above the
-        period, which would remove nothing: that is no sign that longer waves do not matter.
+    These are (1 + cutoff,): the force in N at 1 J/m², then ratios to it. The cutoffs (nm) ascend;
+    wavelengths above are removed. Ratios are NaN at cutoffs above the period, which would remove
+    nothing: that is no sign that longer waves do not matter.
     """
     limit = surface.size * (1 + 1e-12)
     known = [None, *(cutoff for cutoff in cutoffs if cutoff <= limit)]

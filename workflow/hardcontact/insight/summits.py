@@ -39,14 +39,9 @@ FOLLOWED = 0.1
 
 
 class Approaches(NamedTuple):
-    """Levels t of closest approach and their probabilities, which add up to one.
+    """Levels t (n,) of closest approach and their probabilities (n,), which add up to one.
 
-    Attributes
-    ----------
-    levels, weights : numpy.ndarray
-        (n,)
-    radius : float
-        Of the clump about a summit at the mean level, in nm.
+    The radius is that of the clump about a summit at the mean level, in nm.
     """
 
     levels: Floats
@@ -59,20 +54,7 @@ class Approaches(NamedTuple):
 
 
 def banded(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
-    """Return the waves of a spectrum between two wavevectors, on a grid of its own.
-
-    Parameters
-    ----------
-    spectrum : Spectrum
-        Of any points.
-    lowest, highest : float
-        In rad/nm.
-
-    Returns
-    -------
-    Spectrum or None
-        None if no waves are left.
-    """
+    """Return the waves of a spectrum between wavevectors (rad/nm) on a grid of its own, if any."""
     known = spectrum.wavevector[spectrum.density > 0]
     if not len(known):
         return None
@@ -93,21 +75,9 @@ def moment(waves: Spectrum, order: int) -> float:
 
 
 def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
-    """Return the waves that a sphere does not follow.
+    """Return the waves that a sphere of a radius (nm) does not follow; None if it follows all.
 
     Waves that are flat beside the sphere lift it as they lift the surface: they are no roughness.
-
-    Parameters
-    ----------
-    spectrum : Spectrum
-        Of any points.
-    radius : float
-        Of the sphere.
-
-    Returns
-    -------
-    Spectrum or None
-        None if it follows all.
     """
     waves = banded(spectrum, 0, np.inf)
     if waves is None:
@@ -120,19 +90,9 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
 
 
 def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
-    """Return the radius of the clump of points about a summit.
+    """Return the radius delta(t) (n,) in nm of the clump of points about a summit, at levels t.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        Of `banded`.
-    levels : array_like
-        (n,) t.
-
-    Returns
-    -------
-    numpy.ndarray
-        delta(t) (n,) in nm: 1 - r(delta)/sigma² = 1/t².
+    It solves 1 - r(delta)/sigma² = 1/t².
     """
     q = waves.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
@@ -146,28 +106,17 @@ def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
 def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approaches:
     """Return how close a sphere comes to the mean plane until it touches a given area.
 
-    At the height z under the sphere the area 2 pi R dz of the plane meets it, so that
-    Lambda(t) = 2 pi R sigma ∫_t^∞ Q(u)/(pi delta(u)²) du clumps rise above the sphere at the level
-    t of its apex, Q the upper tail of the normal distribution. The area above the sphere is
-    B(t) = 2 pi R sigma ∫_t^∞ Q(u) du, on average B/Lambda a clump. Areas of clumps are exponential,
-    as they are of caps; their sum stays below the area of contact with the probability
-    P(t) = exp(-Lambda) [1 + Σ_n Lambda^n/n! P(n, A Lambda/B)], P the incomplete gamma function:
-    that closest approach lies below t. Without area it is exp(-Lambda); with many clumps it rises
-    where B = A, the bearing area.
+    At the height z under the sphere the area 2 pi R dz of the plane meets it, so that Lambda(t) = 2
+    pi R sigma ∫_t^∞ Q(u)/(pi delta(u)²) du clumps rise above the sphere at the level t of its apex,
+    Q the upper tail of the normal distribution. The area above the sphere is B(t) = 2 pi R sigma
+    ∫_t^∞ Q(u) du, on average B/Lambda a clump. Areas of clumps are exponential, as they are of
+    caps; their sum stays below the area of contact with the probability P(t) = exp(-Lambda) [1 +
+    Σ_n Lambda^n/n! P(n, A Lambda/B)], P the incomplete gamma function: that closest approach lies
+    below t. Without area it is exp(-Lambda); with many clumps it rises where B = A, the bearing
+    area.
 
-    Parameters
-    ----------
-    waves : Spectrum
-        Of `rough_waves` or `banded`.
-    radius : float
-        Of the sphere.
-    area : float
-        Of contact, load over hardness, in nm².
-
-    Returns
-    -------
-    Approaches
-        The lowest level has the probability that no summit rises above the mean plane.
+    The radius is in nm and the area, load over hardness, in nm². The lowest level has the
+    probability that no summit rises above the mean plane.
     """
     radii = clump_radius(waves, LEVELS)
     reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))

@@ -52,19 +52,8 @@ def maps_of_surfaces(
 ) -> xr.Dataset:
     """Return all that the figure of force maps shows, from the files of stitched scans.
 
-    Parameters
-    ----------
-    stitched : iterable of tuple
-        ((surface, scan), file of the mirror-stitched scan).
-    settings : MapSettings
-        Sphere, contacts, ranges and the error asked for.
-    labels, basis : mapping of str to str
-        Of each surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        As `maps_of_scans`, with ``label`` and ``basis`` (surface).
+    These are given as ((surface, scan), file); the variables are those of `maps_of_scans`, with
+    ``label`` and ``basis`` (surface).
     """
     files = list(stitched)
     scans = {

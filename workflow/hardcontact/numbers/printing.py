@@ -1,11 +1,7 @@
 """Numbers as a reader takes them: few digits, the fitting prefix, intervals as 67 [47, 74] nm."""
 
 import math
-from collections.abc import Mapping, Sequence
-
-import xarray as xr
-
-from hardcontact.numbers.statistics import bounds
+from collections.abc import Mapping
 
 #: Printed units by the unit of a dataset, the largest first, each in that unit.
 UNITS = {
@@ -69,88 +65,23 @@ def _fitting(value: float, units: Mapping[str, float], digits: int) -> tuple[str
     return name, units[name]
 
 
-def best_unit(value: float, unit: str) -> tuple[str, float]:
-    """Return name and size of the unit in which a value is at least one, else the smallest.
+def print_quantity(
+    value: float, unit: str, low: float = math.nan, high: float = math.nan, digits: int = 3
+) -> str:
+    """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
-    Parameters
-    ----------
-    value : float
-        In `unit`.
-    unit : str
-        A key of UNITS: "nm", "N" or "J m-2".
-
-    Returns
-    -------
-    name : str
-        As it is printed.
-    size : float
-        In `unit`.
-    """
-    return _fitting(value, UNITS[unit], 3)
-
-
-def print_quantity(value: float, unit: str, low: float = math.nan, high: float = math.nan) -> str:
-    """Return a number with its unit and its interval, unless its ends are not known.
-
-    Parameters
-    ----------
-    value, low, high : float
-        The number and the ends of its interval, in `unit`: NaN of one that is not known, zero and
-        infinity of one that bounds nothing.
-    unit : str
-        A key of UNITS: "nm", "N" or "J m-2".
-
-    Returns
-    -------
-    str
-        For example "1.7 µm" or "0.64 [0.5, 0.8] µN".
+    All are in `unit`, a key of UNITS: "nm", "N" or "J m-2". Ends of the interval are NaN where they
+    are not known, zero and infinity where they bound nothing.
     """
     endless = (low == 0 and math.isinf(high)) or math.inf > high > ENDLESS * low > 0
     known = math.isfinite(low + high) and not endless
-    text = _print(value, UNITS[unit], (low, high) if known else (math.nan, math.nan), 3)
+    text = _print(value, UNITS[unit], (low, high) if known else (math.nan, math.nan), digits)
     return f"{text} {NOT_BOUNDED}" if endless else text
-
-
-def print_bounded(dataset: xr.Dataset, name: str, unit: str) -> str:
-    """Return a variable without dimensions and its interval `<name>_interval` as printed."""
-    low, high = (end.item() for end in bounds(dataset, name))
-    return print_quantity(dataset[name].item(), unit, low, high)
 
 
 def print_length(length: float) -> str:
     """Return a length (nm) with its unit, for example "37 nm"."""
     return print_quantity(length, "nm")
-
-
-def print_edge(wavelength: float, low: float, high: float) -> str:
-    """Return a wavelength and its interval (nm), with as few digits as tell its numbers apart.
-
-    Parameters
-    ----------
-    wavelength, low, high : float
-        In nm; NaN of an end that is open.
-
-    Returns
-    -------
-    str
-        For example "32 [10, 1000] nm", "320 nm [above 10 nm]" or "32 nm [not bounded]".
-    """
-    digits, units = _digits_apart([wavelength, low, high]), UNITS_OF_PAPER["nm"]
-    text = _print(wavelength, units, (low, high), digits)
-    if math.isfinite(low) and math.isfinite(high):
-        return text
-    if math.isnan(low) and math.isnan(high):
-        return f"{text} {NOT_BOUNDED}"
-    name, size = _fitting(wavelength, units, digits)
-    where, end = ("above", low) if math.isfinite(low) else ("below", high)
-    return f"{text} [{where} {print_number(end / size, digits)} {name}]"
-
-
-def _digits_apart(values: Sequence[float]) -> int:
-    """Return the fewest significant digits, from two to six, that tell the known numbers apart."""
-    known = {value for value in values if math.isfinite(value)}
-    enough = (n for n in range(2, 6) if len({print_number(one, n) for one in known}) == len(known))
-    return next(enough, 6)
 
 
 def print_as_paper(
@@ -185,10 +116,11 @@ def print_as_paper(
     return _print(value, UNITS_OF_PAPER.get(unit, {unit: 1.0}), interval, digits, open_end)
 
 
-def print_within(
-    value: float, low: float, high: float, unit: str = "1", digits: int = DIGITS
-) -> str:
-    """Return a number as `print_as_paper` does, in words where few scans hardly bound it.
+def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
+    """Return whether an interval reaches `BOUNDLESS` times beyond its value.
+
+    Exponents and relative changes have no unit and may have either sign: where their interval holds
+    zero, they are compared with one, for their own size says nothing if they are near zero.
 
     Parameters
     ----------
@@ -196,60 +128,16 @@ def print_within(
         The number and the ends of its interval, in `unit`; NaN of what is not known.
     unit : str
         As `print_as_paper` takes it.
-    digits : int
-        Significant digits.
 
     Returns
     -------
-    str
-        For example "5.9 [2.2, 35]" or "5.9 (not bounded by so few scans)".
-    """
-    if _is_boundless(value, low, high, unit):
-        return f"{print_as_paper(value, unit, digits=digits)} (not bounded by so few scans)"
-    return print_as_paper(value, unit, (low, high), digits)
-
-
-def _is_boundless(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether an interval reaches `BOUNDLESS` times beyond its value.
-
-    Exponents and relative changes have no unit and may have either sign: where their interval holds
-    zero, they are compared with one, for their own size says nothing if they are near zero.
+    bool
+        False without an interval.
     """
     scale = abs(value)
     if unit == "1" and low <= 0 <= high:
         scale = max(scale, 1.0)
     return max(abs(low), abs(high)) > BOUNDLESS * scale or 0 < low * BOUNDLESS < value
-
-
-def print_bounded_as_paper(dataset: xr.Dataset, name: str, unit: str, digits: int = DIGITS) -> str:
-    """Return a variable without dimensions, its interval `<name>_interval` and its unit.
-
-    Parameters
-    ----------
-    dataset : xarray.Dataset
-        Selected down to one number.
-    name : str
-        Of the variable.
-    unit : str
-        As `print_as_paper` takes it.
-    digits : int
-        Significant digits.
-
-    Returns
-    -------
-    str
-        For example "1.7 [1.4, 2.8] µm"; "no number" of NaN.
-    """
-    low, high = (end.item() for end in bounds(dataset, name))
-    return print_within(dataset[name].item(), low, high, unit, digits) or "no number"
-
-
-def print_percent(share: float, low: float = math.nan, high: float = math.nan) -> str:
-    """Return a share of 1, with its interval if it has one, as "16 [12, 67] %"."""
-    boundless = _is_boundless(share, low, high, "1")
-    interval = (math.nan, math.nan) if boundless else (100 * low, 100 * high)
-    text = _print(100 * share, {"%": 1.0}, interval, DIGITS)
-    return f"{text} (not bounded by so few scans)" if boundless else text
 
 
 def print_share(share: float) -> str:
@@ -260,17 +148,8 @@ def print_share(share: float) -> str:
 def print_formatted(ends: Mapping[str, float], form: str) -> str:
     """Return `value`, `low`, `high` as "0.056 [0.045, 0.068]", or the value if it has no others.
 
-    Parameters
-    ----------
-    ends : mapping of str to float
-        The three numbers; NaN of what is not known.
-    form : str
-        How each is formatted, such as ".2g".
-
-    Returns
-    -------
-    str
-        Without a unit.
+    The others are NaN where they are not known; a form such as ".2g" formats each. No unit is
+    given.
     """
     number, low, high = (f"{ends[name]:{form}}" for name in ("value", "low", "high"))
     return _bracketed(number, low, high) if math.isfinite(ends["low"] + ends["high"]) else number

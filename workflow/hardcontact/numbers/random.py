@@ -8,19 +8,8 @@ import numpy as np
 def generator(seed: int, *names: object) -> np.random.Generator:
     """Return the random generator for one purpose, e.g. ``generator(seed, "uncd", 3, "scan")``.
 
-    It depends on the seed and the names alone, never on the order of execution.
-
-    Parameters
-    ----------
-    seed : int
-        The seed of the study.
-    *names : object
-        What the numbers are for; each counts as its text.
-
-    Returns
-    -------
-    numpy.random.Generator
-        The same sequence for the same seed and names, on every machine.
+    It depends on the seed of the study and the text of the names alone, never on the order of
+    execution or the machine.
     """
     text = "/".join(str(name) for name in names).encode()
     words = np.frombuffer(hashlib.sha256(text).digest(), dtype="<u4")

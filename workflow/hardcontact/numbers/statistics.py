@@ -25,9 +25,6 @@ ENDLESS = 150.0
 BOUNDS = ["low", "high"]
 
 
-# --- variables with intervals -----------------------------------------------------------------
-
-
 def with_interval(
     name: str,
     dimensions: str | Sequence[str],
@@ -74,19 +71,9 @@ def bounds(dataset: xr.Dataset, name: str) -> tuple[xr.DataArray, xr.DataArray]:
 
 
 def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
-    """Return the central interval of samples.
+    """Return the central interval (..., 2) of samples (samples, ...), NaN where one is missing.
 
-    Parameters
-    ----------
-    samples : array_like (samples, ...)
-        NaN where a sample is missing.
-    confidence : float
-        Share of the samples inside.
-
-    Returns
-    -------
-    ndarray (..., 2)
-        Low and high end; NaN where all samples are missing.
+    The confidence is the share of the samples inside; ends are NaN where all samples are missing.
     """
     samples, tail = np.asarray(samples), 50 * (1 - confidence)
     if not len(samples):
@@ -100,21 +87,11 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
 
 
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return the interval of a mean by Student's t.
+    """Return the interval of a mean along a dimension by Student's t.
 
-    Parameters
-    ----------
-    values : xarray.DataArray
-        Independent values along `dim`, NaN where one is missing.
-    confidence : float
-        Probability that the interval holds the mean.
-    dim : str
-        Dimension the mean is taken along.
-
-    Returns
-    -------
-    xarray.DataArray
-        Low and high end along the last dimension `bound`; NaN of fewer than two values.
+    Values are independent, NaN where one is missing. The low and the high end are along the last
+    dimension `bound`, and NaN of fewer than two values; the confidence is the probability that the
+    interval holds the mean.
     """
     from scipy import stats
 
@@ -128,20 +105,7 @@ def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> x
     """Return the interval of a mean of positive values, by Student's t on their logarithms.
 
     It lies about the logarithm of the mean; its half width is that of the mean of the logarithms.
-
-    Parameters
-    ----------
-    values : xarray.DataArray
-        Independent positive values along `dim`, NaN where one is missing.
-    confidence : float
-        Probability that the interval holds the mean.
-    dim : str
-        Dimension the mean is taken along.
-
-    Returns
-    -------
-    xarray.DataArray
-        Low and high end along the last dimension `bound`; NaN of fewer than two values.
+    Arguments and result are as of `student_interval`.
     """
     logarithms: xr.DataArray = xr.apply_ufunc(np.log, values)
     about_zero = student_interval(logarithms, confidence, dim) - logarithms.mean(dim)
@@ -155,30 +119,14 @@ def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     return ends.transpose(..., "bound")
 
 
-# --- samples and fits -------------------------------------------------------------------------
-
-
 def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
-    """Draw means of positive values: multivariate Student's t about the logarithm of their mean.
+    """Draw means (samples, ...) of positive values of n independent scans (n, ...), in their unit.
 
-    A sample is ln(mean x) + sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with d_i = ln x_i minus
-    its mean, z_i normal and c chi-squared of n - 1 degrees of freedom. At every place its
-    distribution is that of `student_log_interval`; all places share z and c, which keeps their
-    correlation.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Source of the samples.
-    values : ndarray (n, ...)
-        Positive values of n independent scans, at places that belong together.
-    samples : int
-        How many are drawn.
-
-    Returns
-    -------
-    ndarray (samples, ...)
-        In the unit of the values; NaN of fewer than two values.
+    They are of multivariate Student's t about the logarithm of the mean. A sample is ln(mean x) +
+    sum_i z_i d_i/sqrt(n (n - 1))/sqrt(c/(n - 1)), with d_i = ln x_i minus its mean, z_i normal and
+    c chi-squared of n - 1 degrees of freedom. At every place its distribution is that of
+    `student_log_interval`; all places share z and c, which keeps their correlation. NaN of fewer
+    than two values.
     """
     count = len(values)
     if count < 2:
@@ -192,23 +140,12 @@ def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: i
 
 
 def jackknife_interval(value: ArrayLike, left_out: ArrayLike, confidence: float) -> np.ndarray:
-    """Return the interval of a positive statistic of n scans from those that leave one out.
+    """Return the interval (..., 2) of a positive statistic of n scans by leaving out one at a time.
 
-    Student's t on the logarithm, whose standard error is that of the delete-one jackknife.
-
-    Parameters
-    ----------
-    value : array_like (...)
-        Of all scans.
-    left_out : array_like (n, ...)
-        Of all scans but one.
-    confidence : float
-        Probability that the interval holds the statistic of infinitely many scans.
-
-    Returns
-    -------
-    ndarray (..., 2)
-        Low and high end; NaN of fewer than two scans, or where a statistic is zero.
+    Student's t on the logarithm, whose standard error is that of the delete-one jackknife, of the
+    statistic (...) of all scans and those (n, ...) of all but one. The confidence is that the
+    interval holds the statistic of infinitely many scans. NaN of fewer than two scans, or where a
+    statistic is zero.
     """
     from scipy import stats
 
@@ -232,19 +169,10 @@ def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
 
 
 def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
-    """Fit the log-normal of greatest likelihood to forces of which some are below a floor.
+    """Fit the log-normal of greatest likelihood to forces (n,), left-censored below a floor, in N.
 
-    Parameters
-    ----------
-    forces : ndarray (n,)
-        In N.
-    floor : float
-        In N. Forces below it are left-censored.
-
-    Returns
-    -------
-    shape, median, censored : float
-        The median in N. Shape and median are NaN if all forces are below the floor.
+    Returned are its shape, its median in N and the censored share of forces; the first two are NaN
+    if all forces are below the floor.
     """
     below = forces < floor
     if below.all():
@@ -319,25 +247,10 @@ class Sampling:
         samples: ArrayLike,
         attributes: dict[str, Any],
     ) -> dict[str, Any]:
-        """Return the variables `name` and `name_interval` of a value and its samples.
+        """Return the variables `name` and `name_interval` of a value and its samples (sample, ...).
 
-        Parameters
-        ----------
-        name : str
-            Of the variable.
-        dimensions : str or sequence of str
-            Of the value, without `bound`.
-        value : array_like
-            Of all data.
-        samples : array_like
-            (sample, ...) values of each sample.
-        attributes : dict
-            Units and long name.
-
-        Returns
-        -------
-        dict
-            The two variables, ready for `xarray.Dataset`.
+        The dimensions are those of the value of all data, without `bound`; both variables have the
+        attributes, units and long name, and are ready for `xarray.Dataset`.
         """
         interval = percentile_interval(samples, self.confidence)
         return with_interval(name, dimensions, value, interval, attributes, self.confidence)

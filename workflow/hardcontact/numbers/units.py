@@ -24,24 +24,10 @@ _QUANTITY = re.compile(
 
 
 def magnitude(text: object, unit: str) -> float:
-    """Return the number of a quantity such as ``"10 uN"`` in a unit.
+    """Return the number of a quantity such as ``"10 uN"`` in a unit such as ``"N"`` or ``"J/m2"``.
 
-    Parameters
-    ----------
-    text : object
-        The quantity as the configuration has it.
-    unit : str
-        For example ``"N"`` or ``"J/m2"``.
-
-    Returns
-    -------
-    float
-        Rounded to twelve digits.
-
-    Raises
-    ------
-    ValueError
-        In one line, if the quantity is no finite number with a unit of this dimension.
+    It is rounded to twelve digits. A ValueError tells in one line that the quantity is no finite
+    number with a unit of this dimension.
     """
     value = _magnitude(text, unit) if isinstance(text, str) else math.nan
     if math.isfinite(value):

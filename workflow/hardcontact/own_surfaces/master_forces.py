@@ -23,14 +23,9 @@ CONTACTS = ("contact_y", "contact_x")
 
 
 class Masters(NamedTuple):
-    """What the masters are made of.
+    """The number of scans of each surface, and of mirrored scans along an edge of a large master.
 
-    Attributes
-    ----------
-    scans : mapping of str to int
-        Scans of each surface; realization r is made of scan (r - 1) modulo their number.
-    tiles : int
-        Mirrored scans along an edge of a large-scale master.
+    Realization r is made of scan (r - 1) modulo the number of scans.
     """
 
     scans: Mapping[str, int]
@@ -38,53 +33,22 @@ class Masters(NamedTuple):
 
 
 class MasterForces(NamedTuple):
-    """Forces on the masters of one surface and side.
+    """Forces on the masters of one surface and side, parts of the scans, longest wavelength in nm.
 
-    Attributes
-    ----------
-    forces : xarray.Dataset
-        ``pull_off_force`` (realization, cutoff_wavelength, contact_y, contact_x),
-        ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and
-        ``ratio`` of their means over contacts.
-    parts : Parts
-        Of the scans.
-    cell : float
-        Longest wavelength of the masters in nm.
+    The forces are ``pull_off_force`` (realization, cutoff_wavelength, contact_y, contact_x) and
+    ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and ``ratio``
+    of their means over contacts.
     """
 
     forces: xr.Dataset
     parts: Parts
     cell: float
 
-    def note(self) -> str:
-        """Return in words where an interval comes from."""
-        note, count = self.parts.note(), self.forces.sizes["realization"]
-        if not self.parts.conditional or note.startswith("no interval"):
-            return note
-        if count == 1:
-            return f"{note}; the added roughness has one realization, whose scatter is not known"
-        return f"{note} and between {count} realizations of the added roughness"
-
 
 def forces_of_masters(
     scales: xr.Dataset, surface: str, side: str, masters: Masters
 ) -> MasterForces:
-    """Return the forces on the masters of one surface and side.
-
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Forces of the filtered masters, as in scales.nc.
-    surface, side : str
-        Which.
-    masters : Masters
-        Scans and tiles.
-
-    Returns
-    -------
-    MasterForces
-        Of the realizations there are.
-    """
+    """Return the forces, as in scales.nc, on the masters there are of one surface and side."""
     cell = float(scales.unfiltered_wavelength.sel(surface=surface, side="large"))
     tiles = masters.tiles if side == "large" else 1
     cell *= tiles / masters.tiles
@@ -113,20 +77,8 @@ def half_width_over_masters(
     realizations is added, whatever part of it the quarters hold already: rather too wide an
     interval than one that leaves out the choice of random numbers.
 
-    Parameters
-    ----------
-    given : MasterForces
-        Of one surface and side.
-    statistic : callable
-        Of the mean forces of a master with and without a filter, (realization, ...), which it
-        keeps.
-    confidence : float
-        Probability that the interval holds the logarithm.
-
-    Returns
-    -------
-    numpy.ndarray
-        (...), as of `half_width`.
+    The statistic is of the mean forces of a master with and without a filter, (realization, ...),
+    which it keeps; the half width is (...).
     """
     parts = given.parts
     left_out = [

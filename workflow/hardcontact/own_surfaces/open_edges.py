@@ -25,7 +25,6 @@ EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
     "edge_status": ((), {}),
     "edge_interval": (("bound",), {"units": "nm", "long_name": "interval of the edge"}),
     "interval_status": (("bound",), {}),
-    "edge_text": ((), {}),
 }
 
 
@@ -34,26 +33,16 @@ def band_edges(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Forces of the filtered masters, as in scales.nc.
-    masters : Masters
-        Scans and tiles.
-    tolerance : float
-        Relative change of the force that counts.
-    confidence : float
-        Of the intervals.
+    `scales` has the forces of the filtered masters, as in scales.nc; the tolerance is the relative
+    change of the force that counts.
 
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, side and cutoff_wavelength ``scale_ratio``, the mean over realizations, with
-        its interval, from zero to infinity where it is not bounded; over surface and side what
-        `described_edge` gives; over surface ``conditional`` (1 where the interval is conditional
-        on one or two scans), ``interval_note``, label and basis. Of several surfaces that have
-        cutoffs in common, everything that begins with ``pooled_`` is over side: mean and edge
-        of the change |ratio - 1| of all surfaces.
+    Over surface, side and cutoff_wavelength ``scale_ratio``, the mean over realizations, with its
+    interval, from zero to infinity where it is not bounded; over surface and side what
+    `described_edge` gives; over surface ``conditional`` (1 where the interval is conditional on one
+    or two scans), ``interval_source`` and ``interval_scans`` (what the interval comes from, and how
+    many scans), label and basis. Of several surfaces that have cutoffs in
+    common, everything that begins with ``pooled_`` is over side: mean and edge of the change |ratio
+    - 1| of all surfaces.
     """
     sides = {
         (str(surface), side): _side(scales, str(surface), side, masters, confidence)
@@ -61,8 +50,8 @@ def band_edges(
         for side in SIDES
     }
     curves = stack(sides, ["surface", "side"]).transpose("surface", "side", ...)
-    notes = curves[["conditional", "interval_note"]].isel(side=0, drop=True)
-    found = curves[["scale_ratio", "scale_ratio_interval"]].merge(notes)
+    parts = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
+    found = curves[["scale_ratio", "scale_ratio_interval"]].merge(parts)
     found = found.assign(
         edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
     ).assign(label=scales.label, basis=scales.basis)
@@ -96,7 +85,8 @@ def _side(
         | {
             "cell": given.cell,
             "conditional": int(given.parts.conditional),
-            "interval_note": given.note(),
+            "interval_source": given.parts.source,
+            "interval_scans": given.parts.scans,
         },
         {axis: scales[axis]},
     )

@@ -1,4 +1,4 @@
-"""Range and work of adhesion that the user's own measured forces allow, in numbers and words.
+"""Range and work of adhesion that the user's own measured forces allow.
 
 Forces F are measured, forces f are computed at 1 J/m²: at every range the work W = F/f(rho) makes
 them agree. One surface gives a curve W(rho). Of several surfaces, the region holds the pairs of
@@ -21,7 +21,7 @@ from hardcontact.numbers.statistics import (
     with_interval,
 )
 from hardcontact.own_surfaces.predicted_force import forces_of_scans
-from hardcontact.own_surfaces.scan_parts import Parts, sampled_deviations
+from hardcontact.own_surfaces.scan_parts import sampled_deviations
 from hardcontact.records.dataset import stack
 
 #: Logarithms of a sampled mean beyond this are as good as infinite.
@@ -31,59 +31,6 @@ ENDLESS = 50.0
 FINE_RANGES = 401
 
 NM, NEWTON, ENERGY, ONE = ({"units": unit} for unit in ("nm", "N", "J m-2", "1"))
-
-
-def fit_note(parts: Parts, tests: int) -> str:
-    """Return what the interval of the work of adhesion of one surface comes from."""
-    if tests < 2:
-        return "no interval: the scatter of a single test is unknown"
-    return f"{tests} tests; computed forces: {parts.note()}"
-
-
-def fit_text(fitted: xr.Dataset) -> str:
-    """Return what the forces allow by one contact model, in one sentence: energies in mJ/m².
-
-    `fitted` has work_of_adhesion (surface, rho), the best fit and the region.
-    """
-    if fitted.sizes["surface"] == 1:
-        return "one mean force: every range of adhesion has its own work of adhesion"
-    best = (
-        f"range {float(fitted.best_range):.2g} nm, "
-        f"work {1e3 * float(fitted.best_work):.2g} mJ/m² "
-        f"(mean relative error {float(fitted.best_error):.2g})"
-    )
-    if fitted.work_of_adhesion_interval.isnull().any():
-        return f"{best}; no region: a surface has no interval"
-    allowed = np.isfinite(fitted.region.values).all(axis=-1)
-    if not allowed.any():
-        return f"no range and work of adhesion agree with all forces; nearest: {best}"
-    return f"{best}; region: {_range_text(fitted)}{_gap_text(fitted.rho.values, allowed)}"
-
-
-def _range_text(fitted: xr.Dataset) -> str:
-    """Return the extent of the region in words."""
-    least, greatest = (float(fitted.rho[end]) for end in (0, -1))
-    low, high = fitted.region_range.values
-    limits = [
-        f"{low:.2g} nm" if np.isfinite(low) else f"below {least:.2g} nm, the least computed,",
-        f"{high:.2g} nm"
-        if np.isfinite(high)
-        else f"above {greatest:.2g} nm, the greatest computed",
-    ]
-    text = f"ranges from {' to '.join(limits)}"
-    low, high = 1e3 * fitted.region_work.values
-    return f"{text}, works from {low:.2g} to {high:.2g} mJ/m²" if np.isfinite(low) else text
-
-
-def _gap_text(rho: np.ndarray, allowed: np.ndarray) -> str:
-    """Return between which ranges the region has gaps, in words."""
-    change = np.diff(allowed.astype(int))
-    ends, begins = np.flatnonzero(change == -1), np.flatnonzero(change == 1) + 1
-    begins = begins[begins > ends[0]] if len(ends) else begins[:0]
-    gaps = [
-        f"{rho[end]:.2g} and {rho[begin]:.2g} nm" for end, begin in zip(ends, begins, strict=False)
-    ]
-    return f", but none between {' nor between '.join(gaps)}" if gaps else ""
 
 
 class MeasuredTests(NamedTuple):
@@ -132,7 +79,7 @@ class _Curve(NamedTuple):
     force: np.ndarray  #: (fine rho,) in N.
     works: np.ndarray  #: (sample, computed rho) in J/m², tests and scans resampled.
     tests: MeasuredTests  #: On the surface.
-    note: str  #: What the interval comes from.
+    source: str  #: What the interval comes from, as of `Parts`; "one_test" of a single test.
 
 
 def fit_measured(
@@ -145,7 +92,7 @@ def fit_measured(
     adhesion : xarray.Dataset
         All pull-off forces at 1 J/m², as in adhesion.nc.
     forces : pandas.DataFrame
-        Of `study.measured_forces.measured_forces`.
+        Of `config.tables.measured_forces`.
     sizes : mapping of str to float
         Edge of the scans of each surface in nm.
     sampling : Sampling
@@ -155,13 +102,12 @@ def fit_measured(
     -------
     xarray.Dataset
         Over surface (those with forces) ``measured_force`` in N with its interval, ``tests``,
-        label and ``interval_note``. Over contact_model, surface and rho (a fine grid)
+        label and ``interval_source``. Over contact_model, surface and rho (a fine grid)
         ``work_of_adhesion`` in J/m² with its interval. Over contact_model and rho ``region``,
         the least and greatest work in J/m² that all surfaces allow, NaN where they allow none; its
         extent ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those
         computed is allowed, and ``region_status``, found, open or none. Of several surfaces the
-        best fit ``best_range``, ``best_work`` and ``best_error``, NaN of one. ``fit_text`` says
-        it in words.
+        best fit ``best_range``, ``best_work`` and ``best_error``, NaN of one.
     """
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
     measured = {name: measured_tests(forces[forces.surface == name]) for name in surfaces}
@@ -181,10 +127,10 @@ def fit_measured(
         (model,): _fit(of_model, adhesion.rho.values, sampling.confidence)
         for model, of_model in curves.items()
     }
-    # Tests and parts of scans, which the notes tell of, are the same for all contact models.
+    # Tests and parts of scans, which intervals come from, are the same for all contact models.
     of_any_model = next(iter(curves.values()))
     tests = _tests(measured, sampling) | {
-        "interval_note": ("surface", [curve.note for curve in of_any_model]),
+        "interval_source": ("surface", [curve.source for curve in of_any_model]),
         "label": adhesion.label.sel(surface=surfaces),
     }
     return (
@@ -229,8 +175,8 @@ def _curve(adhesion: xr.Dataset, tests: MeasuredTests, size: float, sampling: Sa
     ]
     sampled = scans.mean * np.exp(np.stack(deviations, axis=1))
     works = _sampled_means(surface, tests, sampling)[:, None] / sampled
-    note = fit_note(scans.parts[0], tests.number)
-    return _Curve(on_fine_grid(scans.mean, rhos, _fine(rhos)), works, tests, note)
+    source = scans.parts[0].source if tests.number > 1 else "one_test"
+    return _Curve(on_fine_grid(scans.mean, rhos, _fine(rhos)), works, tests, source)
 
 
 def _intervals(works: np.ndarray, rhos: np.ndarray, confidence: float) -> np.ndarray:
@@ -266,8 +212,7 @@ def _fit(curves: list[_Curve], rhos: np.ndarray, confidence: float) -> xr.Datase
         best = {"best_range": fine[place], "best_work": float(work), "best_error": float(error)}
     attributes = {"best_range": NM, "best_work": ENERGY, "best_error": ONE}
     variables |= {name: ((), value, attributes[name]) for name, value in best.items()}
-    fitted = xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
-    return fitted.assign(fit_text=fit_text(fitted))
+    return xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
 
 
 def _extent(region: np.ndarray, fine: np.ndarray) -> dict[str, Any]:

@@ -88,9 +88,9 @@ def predicted_force(
         Over surface, contact_model and rho in N: ``force``, the mean over contacts and scans, with
         its interval by Student's t on logarithms, over scans or quarters of one or two, from zero
         to infinity where it is not bounded; and ``force_quantile`` of single contacts over
-        `quantile`. Over surface ``conditional`` (1 of quarters), ``interval_note``,
-        ``correlation_of_parts`` at the range asked for, label and basis. The range asked for is the
-        attribute ``range_of_adhesion``.
+        `quantile`. Over surface ``conditional`` (1 of quarters), ``interval_source`` and
+        ``interval_scans`` (what the interval comes from, and how many scans), label, basis and
+        ``correlation_of_parts`` at the range asked for, the attribute ``range_of_adhesion``.
 
     Raises
     ------
@@ -151,7 +151,8 @@ def _of_surface(
         | {
             "force_quantile": ((*dimensions, "quantile"), quantiles.values, newton),
             "conditional": int(parts.conditional),
-            "interval_note": parts.note(),
+            "interval_source": parts.source,
+            "interval_scans": parts.scans,
             "correlation_of_parts": ((), parts.shared, {"units": "1"}),
         },
         {name: adhesion[name] for name in dimensions} | {"quantile": QUANTILES},
@@ -163,24 +164,11 @@ def continued_force(
 ) -> xr.Dataset:
     """Return the mean force on masters with all their roughness, in plastic contact.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Forces of the masters at 1 J/m², as in scales.nc.
-    masters : Masters
-        Scans and tiles.
-    work : float
-        Of adhesion in J/m².
-    confidence : float
-        Of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface and side ``continued_force`` in N with its interval, from the same parts and
-        realizations as the edges of the band, ``continued_note``, what that comes from, and
-        ``continued_end`` in nm, the last wavelength: the shortest or the longest. Over side
-        ``transition`` in nm, from which on the roughness is that of the spectrum.
+    `scales` has the forces of the masters at 1 J/m², as in scales.nc; the work of adhesion is in
+    J/m². Over surface and side stand ``continued_force`` in N with its interval, from the same
+    parts and realizations as the edges of the band, ``continued_source``, what that comes from, and
+    ``continued_end`` in nm, the last wavelength: the shortest or the longest. Over side
+    ``transition`` in nm, from which on the roughness is that of the spectrum.
     """
     parts = {
         (str(surface), side): _of_side(scales, str(surface), side, masters, work, confidence)
@@ -204,7 +192,7 @@ def _of_side(
             "continued_force", (), force, logarithmic_interval(force, half), newton, confidence
         )
         | {
-            "continued_note": given.note(),
+            "continued_source": given.parts.source,
             "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
         }
     )
@@ -213,21 +201,10 @@ def _of_side(
 def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: float) -> xr.Dataset:
     """Return predicted forces with those of continued roughness, and whether the two differ.
 
-    Parameters
-    ----------
-    force : xarray.Dataset
-        Of `predicted_force`.
-    continued : xarray.Dataset
-        Of `continued_force`, at the same work and at the range that is asked for.
-    tolerance : float
-        Relative change of the force that counts as none.
-
-    Returns
-    -------
-    xarray.Dataset
-        With the variables of `continued_force` and ``continued_differs`` (surface, side): 1 where
-        the force with continued roughness lies outside the interval of that on the scans, or there
-        is none, and the change is more than the tolerance; 0 where one number says both.
+    The continued ones are of the same work and of the range that is asked for; the tolerance is the
+    relative change of the force that counts as none. ``continued_differs`` (surface, side) is 1
+    where the force with continued roughness lies outside the interval of that on the scans, or
+    there is none, and the change is more than the tolerance; 0 where one number says both.
     """
     rho = force.attrs["range_of_adhesion"]
     of_scans = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)

@@ -53,15 +53,12 @@ class Parts:
         count = len(self.correlation)
         return float((self.correlation.sum() - count) / max(count * (count - 1), 1))
 
-    def note(self) -> str:
-        """Return in words where an interval comes from."""
+    @property
+    def source(self) -> str:
+        """What an interval comes from: "scans", "quarters" of them or, of one part, "none"."""
         if not self.conditional:
-            return f"from {self.scans} scans"
-        scans = "this scan" if self.scans == 1 else "these two scans"
-        count = len(self.correlation)
-        if count < 2 or self.shared > SAME:
-            return f"no interval: every contact feels all of {scans}"
-        return f"conditional on {scans}: from the scatter between {count} quarters"
+            return "scans"
+        return "none" if len(self.correlation) < 2 or self.shared > SAME else "quarters"
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:

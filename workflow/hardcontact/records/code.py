@@ -15,6 +15,19 @@ SCRIPTS = LIBRARY.parent / "scripts"
 PINS = ("environment.txt", "workflow/constraints.txt")
 
 
+#: The templates of pages, and what every page holds: layout, macros, style and scripts.
+TEMPLATES = LIBRARY.parent / "report/templates"
+OF_EVERY_PAGE = (
+    "base.html", "macros.html", "style.css", "page.js", "uplot/uPlot.iife.min.js",
+    "uplot/uPlot.min.css",
+)  # fmt: skip
+
+
+def template_inputs(*names: str) -> list[str]:
+    """Return the files of the templates of a page, relative to the working directory."""
+    return [os.path.relpath(TEMPLATES / name) for name in (*names, *OF_EVERY_PAGE)]
+
+
 @cache
 def code_inputs(script: str, *modules: str) -> Sequence[str]:
     """Return the files that determine what a script does.

@@ -9,15 +9,7 @@ from hardcontact.numbers.statistics import Sampling, student_log_samples
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
     """Return the cutoffs (nm), growing, at which any value of one side is known.
 
-    Parameters
-    ----------
-    values : xarray.DataArray (..., cutoff_wavelength)
-        NaN at cutoffs of the other side.
-
-    Returns
-    -------
-    numpy.ndarray
-        In nm.
+    Values (..., cutoff_wavelength) are NaN at cutoffs of the other side.
     """
     others = [dim for dim in values.dims if dim != "cutoff_wavelength"]
     known = values["cutoff_wavelength"].values[values.notnull().any(others).values]
@@ -25,19 +17,9 @@ def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff of a side that removes most, which stands for all beyond it.
+    """Return the cutoff (nm) of a side that removes most, which stands for all beyond it.
 
-    Parameters
-    ----------
-    values : xarray.DataArray (..., cutoff_wavelength)
-        NaN at cutoffs of the other side.
-    side : str
-        "small" or "large".
-
-    Returns
-    -------
-    float
-        In nm.
+    The side is "small" or "large"; values (..., cutoff_wavelength) are NaN at cutoffs of the other.
     """
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
@@ -49,21 +31,10 @@ AXES = ("side", "surface", "cutoff_wavelength")
 
 
 def find_critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Find the critical band of all surfaces, with label and basis of each.
+    """Return the `critical_band` of all surfaces, with label and basis of each.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Forces of the filtered masters, as in scales.nc.
-    tolerance : float
-        Relative change of the force that counts.
-    sampling : Sampling
-        Of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Variables of `critical_band`, label and basis.
+    The forces of the filtered masters are as in scales.nc; the tolerance is the relative change of
+    the force that counts.
     """
     band = critical_band(scales, tolerance, sampling)
     return band.assign(label=scales.label, basis=scales.basis).assign_attrs(
@@ -168,25 +139,12 @@ def logarithmic_limits(tolerance: float) -> tuple[float, float]:
 def critical_wavelength(
     cutoffs: np.ndarray, curve: np.ndarray, limits: tuple[float, float]
 ) -> float:
-    """Return the cutoff where a curve leaves its limits, coming from no filter.
+    """Return the cutoff (nm) where a curve leaves its limits, coming from no filter; NaN if never.
 
-    Linear in the curve and in log wavelength.
-
-    Parameters
-    ----------
-    cutoffs : ndarray (k,)
-        In nm, in the order of growing effect.
-    curve : ndarray (k,)
-        Of one surface ln(ratio): it passes through no change where the ratio crosses one, which
-        |ratio - 1| does not. Of several surfaces the mean of |ratio - 1|, which has no sign. The
-        first lies within the limits.
-    limits : tuple of float
-        Lower and upper.
-
-    Returns
-    -------
-    float
-        In nm; NaN if the curve never leaves.
+    Linear in the curve and in log wavelength. The cutoffs (k,), in nm, are in the order of growing
+    effect. The curve (k,) begins within the limits, lower and upper. Of one surface it is
+    ln(ratio), which passes through no change where the ratio crosses one, as |ratio - 1| does not;
+    of several surfaces it is the mean of |ratio - 1|, which has no sign.
     """
     lower, upper = limits
     outside = np.flatnonzero((curve < lower) | (curve > upper))

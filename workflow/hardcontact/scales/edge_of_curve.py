@@ -8,7 +8,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from hardcontact.numbers.printing import DIGITS, print_as_paper, print_edge
 from hardcontact.scales.critical_band import critical_wavelength
 
 
@@ -40,14 +39,9 @@ class Curve(NamedTuple):
 class Edge(NamedTuple):
     """Where a curve leaves its tolerance.
 
-    Attributes
-    ----------
-    wavelength : float
-        In nm, between two cutoffs; NaN of an open edge.
-    bound : float
-        In nm, what is known of an open edge; NaN of one that is found.
-    at_least : bool
-        Whether the edge is open and its bound one from below.
+    The wavelength, in nm, lies between two cutoffs and is NaN of an open edge; the bound, in nm, is
+    what is known of an open edge and NaN otherwise. `at_least` says whether the edge is open and
+    its bound one from below.
     """
 
     wavelength: float
@@ -56,7 +50,7 @@ class Edge(NamedTuple):
 
 
 def described_edge(curve: Curve) -> dict[str, Any]:
-    """Return the edge of a curve with its interval, status and text.
+    """Return the edge of a curve with its interval, and status.
 
     The edge is that of `critical_wavelength`. The ends of its interval are cutoffs that were
     computed: the last one before any value within the intervals leaves the limits, and the first
@@ -73,8 +67,8 @@ def described_edge(curve: Curve) -> dict[str, Any]:
     -------
     dict
         ``edge``, ``edge_bound`` and ``edge_interval`` (2,) in nm, NaN where they are open;
-        ``edge_at_least``, 1 where the edge is longer than its bound; ``edge_status``,
-        ``interval_status`` (2,) and ``edge_text``.
+        ``edge_at_least``, 1 where the edge is longer than its bound; ``edge_status``
+        and ``interval_status`` (2,).
     """
     _, least, greatest = curve.values
     edge = _edge(curve)
@@ -82,20 +76,15 @@ def described_edge(curve: Curve) -> dict[str, Any]:
     interval = np.array([_cutoff(curve, begins - 1), _cutoff(curve, ends) if ends else np.nan])
     if curve.side == "large":
         interval = interval[::-1]
-    status, reason = _status(edge, curve.cell)
-    known = not np.isnan(curve.values).any()
-    if reason and not np.isfinite(interval).any():  # which says no more than that it is open
-        known = False
-    if not known:
+    if np.isnan(curve.values).any():
         interval = np.full(2, np.nan)
     return {
         "edge": edge.wavelength,
         "edge_bound": edge.bound,
         "edge_at_least": int(edge.at_least),
-        "edge_status": status,
+        "edge_status": _status(edge, curve.cell),
         "edge_interval": interval,
         "interval_status": np.where(np.isfinite(interval), "found", "open"),
-        "edge_text": _text(edge, interval, reason, known),
     }
 
 
@@ -125,25 +114,13 @@ def _edge(curve: Curve) -> Edge:
     return Edge(critical_wavelength(curve.cutoffs, value, curve.limits), np.nan, False)
 
 
-def _status(edge: Edge, cell: float) -> tuple[str, str]:
-    """Return the status of an edge, and of an open one the reason in words.
+def _status(edge: Edge, cell: float) -> str:
+    """Return whether an edge was found, or what it lies beyond.
 
     Cutoffs between cell/sqrt(2) and the cell all act on its longest waves alone: beyond a bound
     there, no other cutoff could tell more.
     """
     if np.isfinite(edge.wavelength):
-        return "found", ""
-    if not edge.at_least:
-        return "beyond the cutoffs", "no shorter cutoff was computed"
-    if edge.bound > cell / np.sqrt(2):
-        return "beyond the cell", "the scans end here"
-    return "beyond the cutoffs", "no longer cutoff was computed"
-
-
-def _text(edge: Edge, interval: np.ndarray, reason: str, known: bool) -> str:
-    """Return an edge in words: with the ends of its interval, if that is known, and the reason."""
-    value = edge.bound if reason else edge.wavelength
-    text = print_edge(value, *interval) if known else print_as_paper(value, "nm", digits=DIGITS)
-    if reason:
-        text = f"at {'least' if edge.at_least else 'most'} {text}: {reason}"
-    return text if known else f"{text}, no interval"
+        return "found"
+    at_end = edge.at_least and edge.bound > cell / np.sqrt(2)
+    return "beyond the cell" if at_end else "beyond the cutoffs"

@@ -18,15 +18,7 @@ from hardcontact.surfaces.height_map import HeightMap
 
 
 class Cutoffs(TypedDict):
-    """What a master is filtered at.
-
-    Attributes
-    ----------
-    pixels : int
-        Along an edge of a filtered surface.
-    cutoffs : list of float
-        In nm.
-    """
+    """Cutoffs in nm that a master is filtered at, and the pixels along an edge of the results."""
 
     pixels: int
     cutoffs: list[float]
@@ -81,18 +73,8 @@ def forces_at_cutoffs(
 class FilteredContacts(ContactArray):
     """A master, filtered at several cutoffs, in an array of contacts at several loads.
 
-    Attributes
-    ----------
-    side : str
-        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
-    scales : Cutoffs
-        The filters.
-    radius : float
-        Of the sphere, in nm.
-    rho : float
-        Range of adhesion in nm.
-    loads : list of NamedLoad
-        Preloads and hardnesses.
+    The side ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above. The radius
+    of the sphere and rho, the range of adhesion, are in nm.
     """
 
     side: str
@@ -105,25 +87,12 @@ class FilteredContacts(ContactArray):
 def filtered_pull_off(
     master: HeightMap, sphere: HeightMap | None, parameters: FilteredContacts, threads: int = 1
 ) -> xr.Dataset:
-    """Return the plastic pull-off at every contact and load of a master, whole and filtered.
+    """Return the plastic pull-off of a periodic master, whole and filtered, by contact and load.
 
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic.
-    sphere : HeightMap or None
-        Roughness of the sphere; None of a smooth one.
-    parameters : FilteredContacts
-        Filters, sphere and loads.
-    threads : int
-        The result does not depend on it.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (cutoff_wavelength, load, contact_y, contact_x) with contacts by number,
-        ``unfiltered_pull_off_force`` (load, contact_y, contact_x) and ``unfiltered_wavelength``,
-        the end of the unfiltered spectrum.
+    The sphere is its roughness, or None of a smooth one; the result does not depend on the threads.
+    ``pull_off_force`` (cutoff_wavelength, load, contact_y, contact_x) has contacts by number,
+    beside ``unfiltered_pull_off_force`` (load, contact_y, contact_x) and ``unfiltered_wavelength``,
+    the end of the unfiltered spectrum.
     """
     loads, rho = parameters["loads"], parameters["rho"]
 

@@ -14,18 +14,11 @@ CONTACT_AXES = ("contact_y", "contact_x")
 def stacked_forces(masters: Mapping[tuple[Any, ...], xr.Dataset]) -> xr.Dataset:
     """Return the forces on all filtered masters, and their ratios to those on the whole ones.
 
-    Parameters
-    ----------
-    masters : mapping of tuple to xarray.Dataset
-        (surface, realization, side) -> `forces_at_cutoffs`.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (surface, realization, side, cutoff_wavelength, ...), NaN at cutoffs of
-        the other side, ``unfiltered_pull_off_force`` (surface, realization, side, ...),
-        ``unfiltered_wavelength`` (surface, side) and ``ratio`` (surface, realization, side,
-        cutoff_wavelength, ...) of the means over contacts.
+    The masters are of `forces_at_cutoffs`, by (surface, realization, side). ``pull_off_force``
+    (surface, realization, side, cutoff_wavelength, ...) is NaN at cutoffs of the other side;
+    ``unfiltered_pull_off_force`` (surface, realization, side, ...), ``unfiltered_wavelength``
+    (surface, side) and ``ratio`` (surface, realization, side, cutoff_wavelength, ...) of the means
+    over contacts stand beside it.
     """
     stacked = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in stacked.dims]
@@ -44,17 +37,7 @@ def stacked_forces(masters: Mapping[tuple[Any, ...], xr.Dataset]) -> xr.Dataset:
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
     """Return forces of masters with the wavelength (nm) beyond which their roughness is artificial.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        Of `stacked_forces`.
-    transitions : mapping of str to float
-        By side, in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``transition`` (side): below it on the small side, above it on the large one.
+    It is ``transition`` (side): below it on the small side, above it on the large one.
     """
     attributes = {"units": "nm", "long_name": "artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]

@@ -61,21 +61,9 @@ def gathered_sources(
 ) -> Sources:
     """Return what sets are made from, of the files of the study and of the pools.
 
-    Parameters
-    ----------
-    study : mapping of str to xarray.Dataset
-        `topography` and `adhesion`.
-    chunks : mapping of tuple to xarray.Dataset
-        Of `pool.compute_pool`, by substrate, first and last scan.
-    smooth : mapping of str to xarray.Dataset
-        Of `smooth_sphere.on_smooth_sphere`, by substrate.
-    masters : xarray.Dataset
-        Of `stacked_masters.stacked_forces` at one load.
-
-    Returns
-    -------
-    Sources
-        Ready for `judge_sets`.
+    The study gives `topography` and `adhesion`; the chunks are of `pool.compute_pool`, by
+    substrate, first and last scan, the smooth ones of `pool.on_smooth_sphere`, by substrate, and
+    the masters of `stacked_masters.stacked_forces` at one load.
     """
     pools: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
@@ -98,22 +86,10 @@ def gathered_sources(
 def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
 
-    Parameters
-    ----------
-    sources : Sources
-        What all sets are made from.
-    paper : Paper
-        What sets are compared with.
-    settings : SetSettings
-        How they are drawn and judged.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over set: `value` (claim), INFERRED (contact_model, ...), OF_BAND (side, ...), the FACTS
-        `<metric>` and `<metric>_std` (surface); `sphere_factor` and `interpolation_error`
-        (contact_model, surface, rho), the latter the root mean square over the pool; NaN of a
-        surface without one.
+    They are over set: `value` (claim), INFERRED (contact_model, ...), OF_BAND (side, ...), the
+    FACTS `<metric>` and `<metric>_std` (surface); `sphere_factor` and `interpolation_error`
+    (contact_model, surface, rho), the latter the root mean square over the pool; NaN of a surface
+    without one.
     """
     replicated = paper.statements[paper.statements["replicated"] == "yes"]
     paper = paper._replace(statements=replicated)

@@ -35,20 +35,8 @@ LEAST = 0.05
 class PoolSettings(TypedDict):
     """What the scans of a pool and their contacts are made with.
 
-    Attributes
-    ----------
-    seed : int
-        The seed of the study.
-    surface : str
-        Name of the substrate.
-    scan : ScanGrid
-        Of every scan.
-    contact : ContactSettings
-        Array of contacts and load.
-    radius : float
-        Of the smooth sphere, in nm.
-    ranges : list of float
-        Ranges of adhesion in nm.
+    The seed is that of the study, `surface` the name of the substrate; the radius of the smooth
+    sphere and the ranges of adhesion are in nm.
     """
 
     seed: int
@@ -60,25 +48,11 @@ class PoolSettings(TypedDict):
 
 
 def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
-    """Return the rms heights at which the forces of a pool are computed.
+    """Return the rms heights (amplitudes,), in nm and ascending, that forces are computed at.
 
     No value of a sample of n lies farther from its mean than (n - 1)/sqrt(n) of its standard
     deviations. The heights are evenly spaced in their root: forces change faster where heights are
-    small.
-
-    Parameters
-    ----------
-    targets : Targets
-        Mean and deviation of the rms heights of a set.
-    scans : int
-        Of a set; one has no deviation, so that a single height is enough.
-    amplitudes : int
-        Number of heights.
-
-    Returns
-    -------
-    numpy.ndarray
-        (amplitudes,) nm, ascending.
+    small. A set of one scan has no deviation, so that a single height is enough.
     """
     mean = targets.means["rms_height"]
     if scans == 1:
@@ -187,21 +161,8 @@ def on_smooth_sphere(
 ) -> xr.Dataset:
     """Return the mean forces of some scans of one substrate on a smooth sphere.
 
-    Parameters
-    ----------
-    stitched : mapping of int to HeightMap
-        Periodic, by the number of the scan.
-    contact : ContactSettings
-        Array of contacts and load.
-    radius : float
-        Of the sphere, in nm.
-    ranges : sequence of float
-        Ranges of adhesion in nm.
-
-    Returns
-    -------
-    xarray.Dataset
-        ``pull_off_force`` (scan, contact_model, rho), averaged over contacts.
+    The stitched scans are periodic, by number; the radius and the ranges of adhesion are in nm.
+    ``pull_off_force`` (scan, contact_model, rho) is averaged over contacts.
     """
     pairs = [
         pull_off_of_pair(bodies(surface, None, radius, contact), contact, ranges)

@@ -71,10 +71,7 @@ def _at_heights(drawn: xr.Dataset, heights: Floats) -> xr.Dataset:
             "pull_off_force": (axes, np.exp(log_forces), {"units": "N"}),
             "number": ("scan", drawn["scan"].values),
         },
-        {
-            "scan": np.arange(1, len(heights) + 1),
-            **{name: drawn[name] for name in axes[1:]},
-        },
+        {"scan": np.arange(1, len(heights) + 1), **{name: drawn[name] for name in axes[1:]}},
     )
 
 

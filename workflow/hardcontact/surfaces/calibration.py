@@ -13,8 +13,10 @@ from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum, all_scales_moments
 
+Floats = NDArray[np.float64]
+
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
-Weights = tuple[NDArray[np.float64], NDArray[np.float64]]
+Weights = tuple[Floats, Floats]
 
 #: Bins of wavevectors in which weights are added up.
 BINS = 4000
@@ -24,26 +26,13 @@ ROWS = 512
 
 
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
-    """Return weights that turn C_iso into the expected squared moments of a scan.
+    """Return wavevectors (bins,) in rad/nm and weights (3, bins): moments = weights @ C_iso.
 
-    The scan is cut out of a larger periodic surface and levelled. Levelling takes from its
-    height variance what a plane fits (Legendre functions of degree 0 and 1, whose transforms are
-    spherical Bessel functions); its derivatives are differences of neighbouring pixels.
-
-    Parameters
-    ----------
-    pixels, window_pixels : int
-        Along an edge of the surface, and of the scan.
-    pixel_size : float
-        In nm.
-
-    Returns
-    -------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm.
-    weights : numpy.ndarray
-        (3, bins) for rms height², gradient² and half-Laplacian²:
-        moments = weights @ C_iso(wavevector).
+    The moments are the squares that are expected of a scan: rms height², gradient² and
+    half-Laplacian². The scan is cut out of a larger periodic surface and levelled. Levelling takes
+    from its height variance what a plane fits (Legendre functions of degree 0 and 1, whose
+    transforms are spherical Bessel functions); its derivatives are differences of neighbouring
+    pixels. The pixel size is in nm.
     """
     wave = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     half = wave[: pixels // 2 + 1]
@@ -68,8 +57,8 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
 
 
 def _axis_factors(
-    wave: NDArray[np.float64], pixel_size: float, window_pixels: int
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+    wave: Floats, pixel_size: float, window_pixels: int
+) -> tuple[Floats, Floats, Floats]:
     """Return along one axis the shares that mean and tilt fit, and the squared difference."""
     from scipy.special import spherical_jn
 
@@ -78,7 +67,7 @@ def _axis_factors(
     return spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2, difference
 
 
-def expected_moments(density: Density, weights: Weights) -> NDArray[np.float64]:
+def expected_moments(density: Density, weights: Weights) -> Floats:
     """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
     wavevector, factors = weights
     return np.sqrt(factors @ density(wavevector))
@@ -94,22 +83,10 @@ TAIL_HURST = (-6.0, 5.0)
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
     """Return Table 1 of a surface, slopes as rms gradients, curvatures as half rms Laplacians.
 
-    On an isotropic surface the gradient is sqrt(2) times the slope of profiles.
-
-    Parameters
-    ----------
-    table1 : pandas.DataFrame
-        Of `published.table1`.
-    surface : str
-        Its name in the table.
-    slope, curvature : str
-        What the rows are taken to be: ``"gradient"`` or ``"profile"``, ``"half_laplacian"`` or
-        ``"laplacian"``.
-
-    Returns
-    -------
-    pandas.DataFrame
-        Indexed by quantity, with value and uncertainty; empty for another surface.
+    On an isotropic surface the gradient is sqrt(2) times the slope of profiles. The table is of
+    `published.table1`; its rows are taken to be a ``"gradient"`` or ``"profile"`` slope and a
+    ``"half_laplacian"`` or ``"laplacian"`` curvature. They are indexed by quantity, with value and
+    uncertainty; there are none of another surface.
     """
     rows = table1[table1["surface"] == surface].set_index("quantity")
     factor = {
@@ -127,7 +104,7 @@ def calibrate_self_affine(table1: pd.DataFrame, weights: Weights) -> tuple[float
     the three moments.
     """
 
-    def model(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+    def model(parameters: Floats) -> Floats:
         log_plateau, log_rolloff, hurst = parameters
         return spectral_models.self_affine(
             WAVEVECTORS, np.exp(log_plateau), np.exp(log_rolloff), hurst
@@ -146,7 +123,7 @@ def calibrate_varying_hurst(
     ValueError if no such spectrum has the three moments.
     """
 
-    def model(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+    def model(parameters: Floats) -> Floats:
         log_plateau, hurst, change = parameters
         return spectral_models.varying_hurst(
             WAVEVECTORS, np.exp(log_plateau), rolloff, (hurst, change)
@@ -157,11 +134,11 @@ def calibrate_varying_hurst(
 
 
 def _met(
-    model: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    model: Callable[[Floats], Floats],
     shape: tuple[float, float],
     table1: pd.DataFrame,
     weights: Weights,
-) -> NDArray[np.float64]:
+) -> Floats:
     """Return ln C_0 and two parameters of the shape, here those to begin with, that meet Table 1.
 
     What is fitted is the table of the model on WAVEVECTORS, because scans are made of that.
@@ -170,7 +147,7 @@ def _met(
 
     values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
-    def mismatch(parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+    def mismatch(parameters: Floats) -> Floats:
         table = Spectrum(WAVEVECTORS, model(parameters))
         return np.asarray(np.log(expected_moments(table, weights) / values))
 
@@ -185,7 +162,7 @@ def _met(
     return np.asarray(fit.x)
 
 
-def calibrate_tail(above: NDArray[np.float64], moments: tuple[float, float]) -> tuple[float, float]:
+def calibrate_tail(above: Floats, moments: tuple[float, float]) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
 
     The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength at which the power law

@@ -27,6 +27,8 @@ from hardcontact.surfaces.topography import DEFINITIONS, level, metrics
 if TYPE_CHECKING:
     import xarray as xr
 
+Floats = NDArray[np.float64]
+
 #: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
 OVER_MOMENTS = {
     "rms_height": 1.0,
@@ -38,16 +40,10 @@ OVER_MOMENTS = {
 
 
 class Targets(NamedTuple):
-    """What a group of scans of one surface is to have.
+    """What a group of scans of one surface is to have, and the rows of Table 1 that are met so.
 
-    Attributes
-    ----------
-    means : dict of str to float
-        By metric of `topography.METRICS`, in its unit: height, slope, curvature, in this order.
-    deviation : float
-        Standard deviation of the rms heights (nm, ddof 1).
-    rows : tuple of str
-        Rows of Table 1 that are met so.
+    The means are by metric of `topography.METRICS`, in its unit: height, slope, curvature, in this
+    order; the deviation is the standard deviation of the rms heights (nm, ddof 1).
     """
 
     means: Mapping[str, float]
@@ -111,23 +107,11 @@ def scan_targets(
     )
 
 
-def group_heights(drawn: NDArray[np.float64], mean: float, deviation: float) -> NDArray[np.float64]:
-    """Return rms heights of a group of scans of which mean and deviation are exactly as given.
+def group_heights(drawn: Floats, mean: float, deviation: float) -> Floats:
+    """Return rms heights (scan,) of a group of scans of which mean and deviation are as given.
 
-    Scans keep their order and their relative distances. A single scan
-    gets the mean.
-
-    Parameters
-    ----------
-    drawn : numpy.ndarray
-        (scan,) rms heights as drawn, in nm.
-    mean, deviation : float
-        Of the heights asked for, in nm; the deviation that of a sample (n - 1).
-
-    Returns
-    -------
-    numpy.ndarray
-        (scan,) nm.
+    All are in nm, the deviation that of a sample (n - 1). The heights as drawn (scan,) keep their
+    order and their relative distances; a single scan gets the mean.
     """
     deviations = drawn - drawn.mean()
     if len(drawn) > 1:
@@ -139,7 +123,7 @@ def group_heights(drawn: NDArray[np.float64], mean: float, deviation: float) -> 
 BANDS = 3
 
 
-def band_shares(grid: ScanGrid) -> NDArray[np.float64]:
+def band_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth bands: (3, points of WAVEVECTORS).
 
     They add up to one everywhere and go over into each other between the size of a scan, its
@@ -153,7 +137,7 @@ def band_shares(grid: ScanGrid) -> NDArray[np.float64]:
     return np.array([1 - first, first - second, second])
 
 
-def amplified(density: Density, gain: NDArray[np.float64]) -> Density:
+def amplified(density: Density, gain: Floats) -> Density:
     """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS.
 
     The gain is interpolated linearly in the logarithm of the wavevector, so that gains of several
@@ -161,7 +145,7 @@ def amplified(density: Density, gain: NDArray[np.float64]) -> Density:
     """
     table = np.log(WAVEVECTORS)
 
-    def amplified_density(wavevector: NDArray[np.float64]) -> NDArray[np.float64]:
+    def amplified_density(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
             gains = np.interp(np.log(wavevector), table, gain)
         return density(wavevector) * gains**2
@@ -181,23 +165,14 @@ LARGEST_CHANGE = 4.0
 TOLERANCE = 1e-9
 
 
-def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> NDArray[np.float64]:
-    """Return the matrices whose quadratic forms are the squared metrics of sums of bands.
+def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
+    """Return matrices G (names, bands, bands): metric(sum a_k h_k)² = a G a, in its unit squared.
 
-    Parameters
-    ----------
-    bands : sequence of HeightMap
-        Levelled, not periodic, on the same pixels.
-    names : sequence of str
-        Of METRICS that are root mean squares of something linear in the heights.
-
-    Returns
-    -------
-    numpy.ndarray
-        (names, bands, bands): metric(sum a_k h_k)² = a G a, in the squared unit of the metric.
+    The bands h_k are levelled, not periodic, on the same pixels; the names are of METRICS that are
+    root mean squares of something linear in the heights.
     """
 
-    def squares(heights: np.ndarray) -> NDArray[np.float64]:
+    def squares(heights: np.ndarray) -> Floats:
         values = metrics(replace(bands[0], heights=heights))
         return np.array([values[name] ** 2 for name in names])
 
@@ -214,59 +189,41 @@ def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> NDArray[
 class Conditioning(NamedTuple):
     """What meets the targets of a group of scans.
 
-    Attributes
-    ----------
-    amplitudes, factors : numpy.ndarray
-        (bands,), those of the spectrum, and (scan,), those of heights, of mean one.
-    misses : numpy.ndarray
-        (3,), relative: mean rms height, slope and curvature over their targets, less one.
+    The amplitudes (bands,) are those of the spectrum, the factors (scan,), of mean one, those of
+    heights. The misses (3,) are relative: mean rms height, slope and curvature over their targets,
+    less one.
     """
 
-    amplitudes: NDArray[np.float64]
-    factors: NDArray[np.float64]
-    misses: NDArray[np.float64]
+    amplitudes: Floats
+    factors: Floats
+    misses: Floats
 
 
-def conditioned(moments: NDArray[np.float64], targets: Targets) -> Conditioning:
+def conditioned(moments: Floats, targets: Targets) -> Conditioning:
     """Return the amplitudes of bands and the factors of scans that meet the targets.
 
-    The rms heights keep their order and their relative distances, and are met always. Mean slope
-    and curvature are met as nearly as amplitudes within LARGEST_CHANGE allow: exactly, but for
-    single scans that are far from what is expected.
-
-    Parameters
-    ----------
-    moments : numpy.ndarray
-        (scan, 3, bands, bands), of `second_moments` for the metrics of the targets.
-    targets : Targets
-        With one scan the standard deviation is left out.
-
-    Returns
-    -------
-    Conditioning
-        Amplitudes, factors and misses.
-
-    Raises
-    ------
-    ValueError
-        If an rms height would be negative.
+    The moments (scan, 3, bands, bands) are `second_moments` of the metrics of the targets. The rms
+    heights keep their order and their relative distances, and are met always; with one scan their
+    standard deviation is left out, and an rms height that would be negative is a ValueError. Mean
+    slope and curvature are met as nearly as amplitudes within LARGEST_CHANGE allow: exactly, but
+    for single scans that are far from what is expected.
     """
     from scipy.optimize import least_squares
 
     means = np.array(list(targets.means.values()))
 
-    def measured(logs: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def measured(logs: Floats) -> tuple[Floats, Floats]:
         """Return the metrics (scan, 3) without and the factors with which heights are met."""
         amplitudes = np.exp(np.append(0.0, logs))
         values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
         heights = values[:, 0]
         return values, group_heights(heights, means[0], targets.deviation) / heights
 
-    def misses(logs: NDArray[np.float64]) -> NDArray[np.float64]:
+    def misses(logs: Floats) -> Floats:
         values, factors = measured(logs)
         return np.asarray((factors[:, None] * values).mean(axis=0) / means - 1)
 
-    def missed(logs: NDArray[np.float64]) -> NDArray[np.float64]:
+    def missed(logs: Floats) -> Floats:
         return misses(logs)[1:]
 
     fit = least_squares(

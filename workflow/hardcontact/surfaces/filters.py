@@ -20,24 +20,10 @@ ROWS = 64  # rows a block: no step holds a second full-size array, and a block f
 
 
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
-    """Return the part of a surface with wavelengths >= cutoff, on the coarsest grid that holds it.
+    """Return the wavelengths >= cutoff (nm) of a surface, on the coarsest grid that holds them.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic and square.
-    cutoff : float
-        In nm.
-
-    Returns
-    -------
-    HeightMap
-        Heights (m, m) in float64, m at most the surface's own pixels.
-
-    Raises
-    ------
-    ValueError
-        If the cutoff is two pixels or less.
+    The surface is periodic and square; the heights, on at most its own pixels, are in float64. A
+    cutoff of two pixels or less is a ValueError.
     """
     from scipy import fft
 
@@ -96,26 +82,10 @@ def _with_orders(transform: Spectrum, pixels: int) -> Spectrum:
 
 
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
-    """Return the trigonometric interpolation of a surface on pixels x pixels.
+    """Return the trigonometric interpolation of a periodic, square surface on pixels x pixels.
 
-    It passes through the original points where they coincide.
-
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic and square.
-    pixels : int
-        At least the surface's own.
-
-    Returns
-    -------
-    HeightMap
-        Heights (pixels, pixels) in float32.
-
-    Raises
-    ------
-    ValueError
-        If the finer grid has fewer pixels than the surface.
+    It passes through the original points where they coincide; heights are in float32. Fewer pixels
+    than the surface has are a ValueError.
     """
     from scipy import fft
 

@@ -27,6 +27,8 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, Spectrum, sp
 if TYPE_CHECKING:
     import xarray as xr
 
+Floats = NDArray[np.float64]
+
 #: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
 #: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many
 #: waves from silencing the others.
@@ -52,8 +54,8 @@ class _Part(NamedTuple):
     measurement: Measurement
     tip_radius: float | None
     band: ReliableBand
-    density: NDArray[np.float64]
-    waves: NDArray[np.float64]
+    density: Floats
+    waves: Floats
     reliable: NDArray[np.bool_]
 
 
@@ -116,7 +118,7 @@ def _part(measurement: Measurement, tip_radius: float | None) -> _Part:
     return _Part(measurement, tip_radius, band, density, independent_waves(measurement), reliable)
 
 
-def _log_mean(parts: Sequence[_Part]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _log_mean(parts: Sequence[_Part]) -> tuple[Floats, Floats]:
     """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
 
     Each measurement counts by the inverse of its variance, by its waves and its calibration, and
@@ -196,21 +198,11 @@ def _of_measurements(parts: Sequence[_Part]) -> dict[str, Any]:
 def stacked_spectra(
     of_surface: Mapping[str, "xr.Dataset"], labels: Mapping[str, str]
 ) -> "xr.Dataset":
-    """Return the joined spectra of all surfaces.
+    """Return the joined spectra of all surfaces, given by surface, with their names in print.
 
-    Parameters
-    ----------
-    of_surface : mapping of str to xarray.Dataset
-        Of `joined_spectrum`, by surface.
-    labels : mapping of str to str
-        Names of the surfaces in print.
-
-    Returns
-    -------
-    xarray.Dataset
-        The same variables over a leading dimension `surface`, filled with NaN, 0 or "" where a
-        surface has fewer measurements than another; `label`, `shortest_measured`,
-        `longest_measured` (nm) and `tail_note` (surface).
+    The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or ""
+    where a surface has fewer measurements than another; `label`, `shortest_measured`,
+    `longest_measured` (nm) and `tail_note` (surface) stand beside them.
     """
     import pandas as pd
     import xarray as xr
@@ -241,9 +233,7 @@ def _padded(spectrum: "xr.Dataset", measurements: int) -> "xr.Dataset":
     return spectrum.pad(measurement=(0, missing), constant_values=empty)
 
 
-def continued_spectrum(
-    wavevector: NDArray[np.float64], density: NDArray[np.float64], variance: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], str]:
+def continued_spectrum(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, str]:
     """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and in words how it was continued.
 
     The points are wavevectors (rad/nm), C_iso (nm⁴) and the variance of ln C, at least three,
@@ -257,7 +247,9 @@ def continued_spectrum(
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
     hurst, count = _hurst(wavevector, density, variance)
-    level = _level(wavevector, density, hurst)
+    # The tail begins with the log-mean of the last points along it.
+    relative = wavevector[-FEWEST:] / wavevector[-1]
+    level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * hurst)))))
     last = measured.nonzero()[0][-1]
     start = measured.copy()
     start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * hurst)
@@ -274,9 +266,7 @@ def continued_spectrum(
     )
 
 
-def _hurst(
-    wavevector: NDArray[np.float64], density: NDArray[np.float64], variance: NDArray[np.float64]
-) -> tuple[float, int]:
+def _hurst(wavevector: Floats, density: Floats, variance: Floats) -> tuple[float, int]:
     """Return the Hurst exponent of the last decade past the roll-off, and its number of points."""
     slopes, error = local_slopes(wavevector, density, variance)
     fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
@@ -289,13 +279,7 @@ def _hurst(
     return float(np.clip(-slope / 2 - 1, 0, 1)), int(fitted.sum())
 
 
-def _level(wavevector: NDArray[np.float64], density: NDArray[np.float64], hurst: float) -> float:
-    """Return C_iso in nm⁴ with which the tail begins: the log-mean of the last points along it."""
-    relative = wavevector[-FEWEST:] / wavevector[-1]
-    return float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * hurst)))))
-
-
-def _bounded(density: NDArray[np.float64]) -> tuple[int, str]:
+def _bounded(density: Floats) -> tuple[int, str]:
     """Return the last index of WAVEVECTORS within the bounds, and what ends the spectrum there."""
     gradient, half_laplacian = (
         np.sqrt(_sums(density * WAVEVECTORS**power / divisor / (2 * np.pi)))
@@ -316,7 +300,7 @@ def _bounded(density: NDArray[np.float64]) -> tuple[int, str]:
     return first[reason] - 1, reason
 
 
-def _sums(integrand: NDArray[np.float64]) -> NDArray[np.float64]:
+def _sums(integrand: Floats) -> Floats:
     """Return the integral over ln q up to each point of WAVEVECTORS, by trapezoids."""
     steps = (integrand[1:] + integrand[:-1]) / 2 * np.diff(np.log(WAVEVECTORS))
     return np.append(0.0, np.cumsum(steps))

@@ -22,6 +22,8 @@ from hardcontact.surfaces.topography import level, library_map
 if TYPE_CHECKING:
     from SurfaceTopography import UniformLineScan
 
+Floats = NDArray[np.float64]
+
 #: Share of the waves of a window of Hann that are independent, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT = (3 / 8) ** 2 / (35 / 128)
@@ -58,9 +60,7 @@ def _levelled_map(measurement: Measurement) -> HeightMap:
     return level(HeightMap(measurement.heights, measurement.pixel_size, False, "measured"))
 
 
-def measured_psd(
-    measurement: Measurement,
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
     """Return wavevectors (rad/nm), the centres of BIN_EDGES, and C_iso (nm⁴), NaN in empty bins.
 
     The measurement is levelled and has a Hann window. The PSD of a map is averaged over directions,
@@ -74,7 +74,7 @@ def measured_psd(
     return BIN_CENTRES, isotropic_from_profile(BIN_CENTRES, profile, waves)
 
 
-def axis_ratio(measurement: Measurement) -> NDArray[np.float64]:
+def axis_ratio(measurement: Measurement) -> Floats:
     """Return how many times C_1D along one axis of a map exceeds that along the other: (bins,).
 
     The surface is taken as isotropic: a difference is one of the microscope, which smooths along
@@ -90,7 +90,7 @@ def axis_ratio(measurement: Measurement) -> NDArray[np.float64]:
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
 
-def independent_waves(measurement: Measurement) -> NDArray[np.float64]:
+def independent_waves(measurement: Measurement) -> Floats:
     """Return the number of independent waves in each bin of a measured PSD, at least 1.
 
     It is the number of wavevectors, one of each pair ±q, times the share that the Hann window
@@ -105,7 +105,7 @@ def independent_waves(measurement: Measurement) -> NDArray[np.float64]:
     return np.asarray(np.maximum(count * share, 1.0), float)
 
 
-def variance_of_log(waves: NDArray[np.float64]) -> NDArray[np.float64]:
+def variance_of_log(waves: Floats) -> Floats:
     """Return the variance of ln C of a mean over a number of independent waves.
 
     Squares of Fourier amplitudes are distributed exponentially, their mean as a gamma variable,
@@ -116,7 +116,7 @@ def variance_of_log(waves: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(polygamma(1, waves), float)
 
 
-def bias_of_log(waves: NDArray[np.float64]) -> NDArray[np.float64]:
+def bias_of_log(waves: Floats) -> Floats:
     """Return how far the mean of ln C lies below ln of the mean of C, for a number of waves.
 
     For a gamma variable of n waves it is ln n minus the digamma function of n: 0.58 for one wave.
@@ -126,9 +126,7 @@ def bias_of_log(waves: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.asarray(np.log(waves) - digamma(waves), float)
 
 
-def local_slopes(
-    wavevector: NDArray[np.float64], density: NDArray[np.float64], variance: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum without gaps, fitted to half a decade around each bin.
 
     The bins count by the inverse variance of their ln C. Beside the slopes (bins,) stand their
@@ -146,27 +144,13 @@ def local_slopes(
     return slope, np.where(enough, 1 / np.sqrt(spread), np.inf)
 
 
-def isotropic_from_profile(
-    wavevector: NDArray[np.float64], profile: NDArray[np.float64], waves: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Return C_iso of a surface whose profiles have a measured C_1D.
+def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -> Floats:
+    """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D is that of the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. Beyond its last point C_1D continues as a power law.
-
-    Parameters
-    ----------
-    wavevector : numpy.ndarray
-        (bins,) in rad/nm, growing.
-    profile : numpy.ndarray
-        C_1D (bins,) in nm³; NaN in empty bins. At least two bins are known.
-    waves : numpy.ndarray
-        (bins,) number of independent waves.
-
-    Returns
-    -------
-    numpy.ndarray
-        C_iso (bins,) in nm⁴; NaN in empty bins.
+    neither amplified nor made negative. Beyond its last point C_1D continues as a power law. The
+    wavevectors (bins,), in rad/nm, grow; `waves` (bins,) are numbers of independent ones. Both
+    densities are NaN in empty bins; at least two bins are known.
     """
     known = np.isfinite(profile)
     log_q = np.log(wavevector[known])
@@ -177,9 +161,7 @@ def isotropic_from_profile(
     return density
 
 
-def _falling(
-    log_q: NDArray[np.float64], log_density: NDArray[np.float64], waves: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], float]:
+def _falling(log_q: Floats, log_density: Floats, waves: Floats) -> tuple[Floats, float]:
     """Return ln C smoothed by local lines and falling (bins,), and its slope at the end."""
     from scipy.optimize import isotonic_regression
 
@@ -194,9 +176,7 @@ def _falling(
     return np.asarray(smooth, float), float(slope[-1])
 
 
-def _inverse_abel(
-    log_q: NDArray[np.float64], log_density: NDArray[np.float64], last_slope: float
-) -> NDArray[np.float64]:
+def _inverse_abel(log_q: Floats, log_density: Floats, last_slope: float) -> Floats:
     """Return C_iso (bins,) of a C_1D that is a power law between its points and beyond."""
     log_p = log_q[:, None] + np.log(np.cosh(SUBSTITUTED))
     slopes = np.append(np.diff(log_density) / np.diff(log_q), last_slope)

@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
+Floats = NDArray[np.float64]
+
 
 @dataclass(frozen=True)
 class Measurement:
@@ -87,7 +89,7 @@ def check_points(counts: tuple[int, ...]) -> None:
         raise RefusedScan(f"expected {least} to {most} {where}, found {found}")
 
 
-def _check_lengths(heights: NDArray[np.float64], pixel_size: float) -> None:
+def _check_lengths(heights: Floats, pixel_size: float) -> None:
     """Refuse heights and a pixel size, both in nm, that no scan has."""
     low, high = heights.min(), heights.max()
     least, most = LENGTHS
@@ -145,7 +147,7 @@ def map_values(topography: "Topography", factor: float, undefined_pixels: str) -
     return _Values(values, pixel_size, notes + _gaps(undefined, heights.size), undefined)
 
 
-def _masked(heights: NDArray[np.float64]) -> np.ma.MaskedArray:
+def _masked(heights: Floats) -> np.ma.MaskedArray:
     """Return heights whose undefined pixels are masked, however the reader marked them."""
     values = np.asarray(np.ma.getdata(heights), dtype=float)
     return np.ma.masked_array(values, np.ma.getmaskarray(heights) | ~np.isfinite(values))
@@ -180,7 +182,7 @@ def _gaps(count: int, points: int) -> list[str]:
     return [f"{count} undefined pixels of {points} filled"] if count else []
 
 
-def _interpolated(heights: np.ma.MaskedArray, method: str) -> NDArray[np.float64]:
+def _interpolated(heights: np.ma.MaskedArray, method: str) -> Floats:
     """Return heights (x, y) whose gaps are filled by an interpolation of SurfaceTopography."""
     from SurfaceTopography import Topography
 
@@ -212,7 +214,7 @@ def profile_values(
     return _Values(values, pixel_size, notes + _gaps(undefined, heights.size), undefined)
 
 
-def _uniform_grid(positions: NDArray[np.float64]) -> tuple[NDArray[np.float64], list[str]]:
+def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
     """Return positions on uniform spacing, and what was changed if these (nm) are not."""
     spacings = np.diff(positions)
     if not (spacings > 0).all():

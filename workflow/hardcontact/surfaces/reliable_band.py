@@ -40,6 +40,8 @@ from hardcontact.surfaces.measured_spectrum import (
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
+Floats = NDArray[np.float64]
+
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
 #: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
 #: C_iso is 1.2 times too large at a third of the size, and 2 times at half of it).
@@ -61,14 +63,9 @@ TOLERANCE = 1e-3
 
 
 class ReliableBand(NamedTuple):
-    """The wavelengths at which a measurement is reliable; none if shortest exceeds longest.
+    """The wavelengths (nm) at which a measurement is reliable; none if shortest exceeds longest.
 
-    Attributes
-    ----------
-    shortest, longest : float
-        In nm.
-    shortest_reason, longest_reason : str
-        What ends the band, in words.
+    The reasons say in words what ends the band.
     """
 
     shortest: float
@@ -78,27 +75,15 @@ class ReliableBand(NamedTuple):
 
 
 def reliable_band(measurement: Measurement, tip_radius: float | None) -> ReliableBand:
-    """Return the wavelengths at which a measurement is reliable.
+    """Return the wavelengths at which a measurement is reliable, with a reason for each end.
 
-    Parameters
-    ----------
-    measurement : Measurement
-        As it was read.
-    tip_radius : float or None
-        In nm; None if it is not known: the tip then limits nothing.
-
-    Returns
-    -------
-    ReliableBand
-        With a reason for each end.
+    The radius of the tip is in nm; if it is None, not known, the tip limits nothing.
     """
     return band_of_psd(measurement, tip_radius, measured_psd(measurement)[1])
 
 
 def band_of_psd(
-    measurement: Measurement,
-    tip_radius: float | None,
-    density: NDArray[np.float64],
+    measurement: Measurement, tip_radius: float | None, density: Floats
 ) -> ReliableBand:
     """Return the wavelengths at which a measurement is reliable, from its `measured_psd`."""
     pixel, size = measurement.pixel_size, size_of(measurement)
@@ -122,9 +107,7 @@ def _tip_end(measurement: Measurement, tip_radius: float | None) -> list[tuple[f
     return [] if cutoff is None else [(float(cutoff), f"tip of {print_number(tip_radius)} nm")]
 
 
-def _spectral_ends(
-    measurement: Measurement, density: NDArray[np.float64]
-) -> list[tuple[float, str]]:
+def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
     """Return the ends of the spectrum by its shape, in nm, each in words."""
     seen = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
     q, variance = BIN_CENTRES[seen], variance_of_log(independent_waves(measurement)[seen])
@@ -166,7 +149,7 @@ def _without_floor(flat: NDArray[np.bool_], count: int) -> int:
     return left if left == count else max(left - MARGIN, 0)
 
 
-def _end(wavevector: NDArray[np.float64], count: int) -> float:
+def _end(wavevector: Floats, count: int) -> float:
     """Return the wavelength in nm between the first `count` bins and the others."""
     if count == 0:
         return float(2 * np.pi / wavevector[0])

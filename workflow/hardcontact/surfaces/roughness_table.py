@@ -16,18 +16,7 @@ from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:
-    """Return the METRICS and the PSDs of one levelled scan.
-
-    Parameters
-    ----------
-    scan : HeightMap
-        Levelled.
-
-    Returns
-    -------
-    xarray.Dataset
-        Each metric; `psd_profile` and `psd_isotropic` (wavevector) in nm³ and nm⁴.
-    """
+    """Return the METRICS of one levelled scan and its PSDs, profile (nm³) and isotropic (nm⁴)."""
     values = metrics(scan)
     wavevector, profile, isotropic = measured_psds(scan)
     return xr.Dataset(
@@ -46,17 +35,9 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 def averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     """Return mean, standard deviation and interval of the mean over scans, of every metric.
 
-    Parameters
-    ----------
-    scans : xarray.Dataset
-        METRICS over (surface, scan), NaN where a surface has no such scan.
-    confidence : float
-        Of the intervals, by Student's t over scans.
-
-    Returns
-    -------
-    xarray.Dataset
-        <metric>_mean and <metric>_std (surface), <metric>_mean_interval (surface, bound).
+    The METRICS (surface, scan) are NaN where a surface has no such scan. <metric>_mean and
+    <metric>_std are over surface, <metric>_mean_interval is over (surface, bound), by Student's t
+    over scans.
     """
     variables: dict[str, Any] = {}
     for name in METRICS:

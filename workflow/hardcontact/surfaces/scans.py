@@ -63,29 +63,12 @@ def read_measurement(
 
 
 def read_scan(
-    path: str | Path,
-    dataset: str = "",
-    undefined_pixels: str = "refuse",
-    basis: str = "measured",
+    path: str | Path, dataset: str = "", undefined_pixels: str = "refuse", basis: str = "measured"
 ) -> HeightMap:
-    """Read a height map.
+    """Read a height map in float64, not periodic, as `read_measurement` reads it.
 
-    Parameters
-    ----------
-    path, dataset, undefined_pixels : str
-        As of `read_measurement`.
-    basis : str
-        What the scan is: ``"measured"`` or ``"substitute"``.
-
-    Returns
-    -------
-    HeightMap
-        Not periodic; heights in float64.
-
-    Raises
-    ------
-    ValueError
-        In one line, if `read_measurement` refuses it or it is a line scan.
+    The basis says what the scan is: ``"measured"`` or ``"substitute"``. A ValueError of one line
+    tells that `read_measurement` refuses it or that it is a line scan.
     """
     return height_map(read_measurement(path, dataset, undefined_pixels), basis)
 
@@ -114,22 +97,10 @@ def described(measurement: Measurement) -> dict[str, str]:
 
 
 def list_measurements(path: str | Path) -> list[str]:
-    """Return the names by which `read_measurement` finds the topographies of a file.
+    """Return the names by which `read_measurement` finds the topographies of a scan or container.
 
-    Parameters
-    ----------
-    path : str or Path
-        Of a scan or a container.
-
-    Returns
-    -------
-    list of str
-        The data files in a container, in its order; one empty name of any other file.
-
-    Raises
-    ------
-    ValueError
-        In one line, if there is no such file or it is a container that cannot be used.
+    They are the data files in a container, in its order; one empty name of any other file. A file
+    that is missing, or a container that cannot be used, is a ValueError in one line.
     """
     fields, _ = _in_a_process(_datasets, Path(path))
     return list(fields["datasets"])

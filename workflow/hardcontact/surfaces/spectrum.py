@@ -20,8 +20,10 @@ from hardcontact.surfaces.topography import library_map
 if TYPE_CHECKING:
     from SurfaceTopography import Topography, UniformLineScan
 
+Floats = NDArray[np.float64]
+
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
-Density = Callable[[NDArray[np.float64]], NDArray[np.float64]]
+Density = Callable[[Floats], Floats]
 
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
@@ -36,20 +38,12 @@ MEASURED = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
 @dataclass(frozen=True, eq=False)
 class Spectrum:
-    """A table of C_iso that is called like a function of the wavevector.
+    """C_iso (points,) in nm⁴ over growing wavevectors (points,) in rad/nm, called as a function."""
 
-    Attributes
-    ----------
-    wavevector : numpy.ndarray
-        (points,) in rad/nm, growing.
-    density : numpy.ndarray
-        C_iso (points,) in nm⁴.
-    """
+    wavevector: Floats
+    density: Floats
 
-    wavevector: NDArray[np.float64]
-    density: NDArray[np.float64]
-
-    def __call__(self, wavevector: ArrayLike) -> NDArray[np.float64]:
+    def __call__(self, wavevector: ArrayLike) -> Floats:
         """Return C_iso in nm⁴ at wavevectors in rad/nm by interpolation in log q and log C.
 
         It is constant below the table, zero above it and where the table is zero.
@@ -71,7 +65,7 @@ def spectrum_from(stored: xr.Dataset) -> Spectrum:
     return Spectrum(stored["wavevector"].values, stored["spectrum"].values)
 
 
-def spectrum_dataset(density: NDArray[np.float64]) -> xr.Dataset:
+def spectrum_dataset(density: Floats) -> xr.Dataset:
     """Return C_iso (nm⁴) on WAVEVECTORS as it is stored."""
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
@@ -79,30 +73,43 @@ def spectrum_dataset(density: NDArray[np.float64]) -> xr.Dataset:
     )
 
 
-def measured_psds(
-    scan: HeightMap,
-) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-    """Return wavevectors (rad/nm), C_1D along x (nm³) and C_iso (nm⁴) of a levelled scan.
+def measured_psds(scan: HeightMap) -> tuple[Floats, Floats, Floats]:
+    """Return power spectral densities of a scan, measured with a Hann window.
 
-    The densities (bins,) are measured with a Hann window, and NaN in empty bins.
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled.
+
+    Returns
+    -------
+    wavevector : numpy.ndarray
+        (bins,) rad/nm, ten a decade.
+    profile, isotropic : numpy.ndarray
+        (bins,) C_1D along x in nm³ and C_iso in nm⁴, NaN in empty bins.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> wavevector, profile, isotropic = hc.measured_psds(scan)
     """
     topography = library_map(scan)
     isotropic = topography.power_spectrum_from_area(**MEASURED)[1]
     return BIN_CENTRES, profile_psd(topography), _without_empty_bins(isotropic)
 
 
-def profile_psd(topography: "Topography | UniformLineScan") -> NDArray[np.float64]:
+def profile_psd(topography: "Topography | UniformLineScan") -> Floats:
     """Return C_1D along x (bins,) in nm³, measured with a Hann window; NaN in empty bins."""
     return _without_empty_bins(topography.power_spectrum_from_profile(**MEASURED)[1])
 
 
-def _without_empty_bins(density: ArrayLike) -> NDArray[np.float64]:
+def _without_empty_bins(density: ArrayLike) -> Floats:
     """Return a PSD with NaN in bins without wavevectors, for which SurfaceTopography gives 0."""
     values = np.asarray(density, float)
     return np.where(values > 0, values, np.nan)
 
 
-def all_scales_moments(spectrum: Spectrum) -> NDArray[np.float64]:
+def all_scales_moments(spectrum: Spectrum) -> Floats:
     """Return rms height (nm), gradient and half-Laplacian (1/nm) of a spectrum, all scales."""
     wavevector = spectrum.wavevector
     height, gradient, laplacian = (

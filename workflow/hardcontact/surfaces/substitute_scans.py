@@ -9,6 +9,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import sliding_window_view
 from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
@@ -21,14 +22,9 @@ if TYPE_CHECKING:
 
 
 class ScanGrid(NamedTuple):
-    """Pixels of substitute scans and of the random surfaces that they are cut out of.
+    """Pixels along an edge of substitute scans, and of the random surfaces they are cut out of.
 
-    Attributes
-    ----------
-    pixels, realization_pixels : int
-        Along an edge of the scan, and of the surface.
-    size : float
-        Edge of the scan in nm.
+    The size is the edge of the scan in nm.
     """
 
     pixels: int
@@ -44,12 +40,8 @@ class ScanGrid(NamedTuple):
 class HeightChoices(NamedTuple):
     """What else than a Gaussian surface, its heights taken at the pixels, a scan may show.
 
-    Attributes
-    ----------
-    skewness : float
-        Of the heights; the rms height is that of the Gaussian scan.
-    tip_radius : float or None
-        In nm, of the tip that images the surface; None: heights at the pixels.
+    The skewness is of the heights; the rms height is that of the Gaussian scan. The radius, in nm,
+    is of the tip that images the surface; without it heights are those at the pixels.
     """
 
     skewness: float = 0.0
@@ -61,21 +53,9 @@ GAUSSIAN = HeightChoices()
 
 
 def substitute_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
-    """Return a scan: the corner of a larger random surface, its heights times a factor.
+    """Return a scan: the corner of a larger periodic random surface, its heights times a factor.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic.
-    pixels : int
-        Along an edge of the scan.
-    factor : float
-        Of the heights.
-
-    Returns
-    -------
-    HeightMap
-        Not periodic; heights (pixels, pixels) in float64.
+    It is not periodic; heights (pixels, pixels) are in float64.
     """
     heights = factor * surface.heights[:pixels, :pixels].astype(float)
     return replace(surface, heights=heights, periodic=False)
@@ -88,23 +68,9 @@ def drawn_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> He
 
 
 def sphere_scan(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
-    """Return a scan of the top of a sphere: its shape and its roughness.
+    """Return a scan of the top of a sphere of a radius in nm: its shape and its roughness.
 
     The apex lies somewhere within the middle half of the scan.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Of the position of the apex.
-    roughness : HeightMap
-        Of the sphere.
-    radius : float
-        Of the sphere in nm.
-
-    Returns
-    -------
-    HeightMap
-        On the pixels of the roughness.
     """
     apex = rng.uniform(-0.25, 0.25, 2) * roughness.size
     y, x = (
@@ -125,25 +91,10 @@ def synthesized_scan(
 ) -> "xr.Dataset":
     """Return a substitute scan as SurfaceTopography reads it from a file.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Of everything that is random in the scan.
-    density : callable
-        C_iso in nm⁴, of `spectral_gain.conditioned_density`.
-    grid : ScanGrid
-        Of the scan.
-    factor : float
-        Of the heights, from the same conditioning.
-    sphere_radius : float or None
-        In nm, of a scan of the sphere; None of a flat surface.
-    choices : HeightChoices
-        Of the heights.
-
-    Returns
-    -------
-    xarray.Dataset
-        `heights` (x, y) in nm, in float64, for a file in netCDF's classic format.
+    The generator is of everything that is random in the scan; the density C_iso, in nm⁴, and the
+    factor of the heights are of one conditioning (`conditioning.conditioned_density`). The radius
+    of the sphere is in nm, None of a flat surface. The dataset has `heights` (x, y) in nm, in
+    float64, for a file in netCDF's classic format.
     """
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     scan = substitute_scan(surface, grid.pixels, factor)
@@ -197,20 +148,12 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     In turn tops are rounded by an opening with a paraboloid, heights are remapped by rank to a
     Pearson III distribution, and the Fourier amplitudes restored. Without the first step this is
     the amplitude-adjusted surrogate of Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635. The
-    skewness that is aimed at is corrected each time by what was missed. Tops are blunt whatever
-    the skewness, at zero too.
+    skewness that is aimed at is corrected each time by what was missed. Tops are blunt whatever the
+    skewness, at zero too.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic and square, not flat.
-    skewness : float
-        Of the heights of the whole surface, -1 to 1; that of levelled parts is a little smaller.
-
-    Returns
-    -------
-    HeightMap
-        Heights in float64; the spectrum is exact, the skewness is met to some 5 %.
+    The surface is periodic and square, not flat. The skewness, -1 to 1, is that of the heights of
+    the whole surface, met to some 5 %; that of levelled parts is a little smaller. The spectrum is
+    exact, heights are in float64.
     """
     from scipy import fft
     from scipy.stats import skew
@@ -220,11 +163,10 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     radius = BLUNTNESS / _rms_half_laplacian(heights, surface.pixel_size)
     reach = min(np.sqrt(2 * radius * DEPTH * deviation), surface.size / 2)
     pixels = int(reach / surface.pixel_size)
-    place = np.arange(-pixels, pixels + 1) * surface.pixel_size
-    parabola = -np.square(place, dtype=float) / (2 * radius)
+    depth = (np.arange(pixels + 1.0) * surface.pixel_size) ** 2 / (2 * radius)
     aimed = skewness
     for _ in range(ROUNDS):
-        remapped = _remapped(_opened(heights, parabola), aimed, deviation)
+        remapped = _remapped(_opened(heights, depth), aimed, deviation)
         transform = fft.rfft2(remapped)
         size = np.abs(transform)
         transform *= np.divide(amplitude, size, out=np.zeros_like(size), where=size > 0)
@@ -239,19 +181,36 @@ def _rms_half_laplacian(heights: Floats, pixel_size: float) -> float:
     return float(np.sqrt(((neighbours - 4 * heights) ** 2).mean()) / (2 * pixel_size**2))
 
 
-def _opened(heights: Floats, parabola: Floats) -> Floats:
+def _opened(heights: Floats, depth: Floats) -> Floats:
     """Return periodic heights without what a paraboloid that slides below does not reach.
 
     The paraboloid is the sum of the parabola along both axes, so that each may be taken in turn.
     """
-    from scipy.ndimage import grey_dilation, grey_erosion
+    eroded = _eroded(_eroded(heights, depth, 1), depth, 0)
+    return -_eroded(_eroded(-eroded, depth, 1), depth, 0)
 
-    opened: Floats = heights
-    axes: tuple[Any, Any] = parabola[None], parabola[:, None]
-    for change in (grey_erosion, grey_dilation):
-        for along in axes:
-            opened = change(opened, structure=along, mode="wrap")
-    return opened
+
+#: Lines that are taken together where a parabola slides along them: their heights stay in cache.
+LINES = 64
+
+
+def _eroded(heights: Floats, depth: Floats, axis: int) -> Floats:
+    """Return where the apex of a parabola gets that slides below periodic heights along an axis.
+
+    This is an erosion, bit by bit that of `scipy.ndimage.grey_erosion`, in a fraction of its time.
+    """
+    lines, reach = heights.swapaxes(axis, 1), len(depth) - 1
+    lowest = np.empty_like(lines)
+    for first in range(0, len(lines), LINES):
+        wide = np.pad(lines[first : first + LINES], ((0, 0), (reach, reach)), "wrap")
+        shifted = sliding_window_view(wide, lines.shape[1], axis=1)
+        least = shifted[:, reach].copy()
+        for step in range(1, reach + 1):
+            nearest = np.minimum(shifted[:, reach - step], shifted[:, reach + step])
+            nearest += depth[step]
+            np.minimum(least, nearest, out=least)
+        lowest[first : first + LINES] = least
+    return lowest.swapaxes(axis, 1)
 
 
 def _remapped(heights: Floats, skewness: float, deviation: float) -> Floats:
@@ -274,20 +233,9 @@ FINENESS = 2
 def imaged_by_tip(surface: HeightMap, radius: float) -> HeightMap:
     """Return the image of a surface by a spherical tip: the path of its lowest point.
 
-    The tip is half a sphere that goes up vertically beyond; what lies beyond the edges of the map
-    does not touch it.
-
-    Parameters
-    ----------
-    surface : HeightMap
-        On pixels that are small beside the tip.
-    radius : float
-        Of the tip in nm.
-
-    Returns
-    -------
-    HeightMap
-        On the same pixels, nowhere below the surface.
+    The tip, of a radius in nm, is half a sphere that goes up vertically beyond; what lies beyond
+    the edges of the map does not touch it. The pixels are to be small beside the tip; the image is
+    nowhere below the surface.
     """
     from scipy.ndimage import grey_dilation
 
@@ -304,19 +252,8 @@ def imaged_by_tip(surface: HeightMap, radius: float) -> HeightMap:
 def imaged_scan(surface: HeightMap, pixels: int, radius: float) -> HeightMap:
     """Return a scan: the corner of a surface as a tip images it, sampled at every FINENESS pixels.
 
-    Parameters
-    ----------
-    surface : HeightMap
-        Periodic, on FINENESS times as many pixels a length as the scan.
-    pixels : int
-        Along an edge of the scan.
-    radius : float
-        Of the tip in nm.
-
-    Returns
-    -------
-    HeightMap
-        Not periodic; heights (pixels, pixels) in float64.
+    The surface is periodic, on FINENESS times as many pixels a length as the scan, the radius of
+    the tip is in nm. The scan is not periodic; heights (pixels, pixels) are in float64.
     """
     margin = int(radius / surface.pixel_size)
     place = np.arange(-margin, FINENESS * pixels + margin) % surface.pixels

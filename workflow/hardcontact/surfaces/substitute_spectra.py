@@ -36,10 +36,12 @@ from hardcontact.surfaces.spectrum import (
 if TYPE_CHECKING:
     import xarray as xr
 
+Floats = NDArray[np.float64]
+
 
 def from_description(
     path: str | Path, table1: pd.DataFrame, weights: Weights
-) -> tuple[NDArray[np.float64], pd.DataFrame, list[str]]:
+) -> tuple[Floats, pd.DataFrame, list[str]]:
     """Return C_iso (nm⁴) on WAVEVECTORS, its bands with all parameters, rows of Table 1 used.
 
     The file is a CSV of bands from long to short wavelengths, each with its model, parameters and
@@ -63,24 +65,9 @@ def from_description(
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height of the waves up to a wavelength, from a description alone.
+    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
 
-    Parameters
-    ----------
-    path : str or Path
-        As `from_description`.
-    longest : float
-        Wavelength in nm.
-
-    Returns
-    -------
-    float
-        In nm.
-
-    Raises
-    ------
-    ValueError
-        As `from_description`, or if the description leaves parameters to Table 1.
+    A ValueError is that of `from_description`, or says that parameters are left to Table 1.
     """
     if is_calibrated(pd.read_csv(path)):
         raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
@@ -91,7 +78,7 @@ def described_rms_height(path: str | Path, longest: float) -> float:
 
 
 def _calibrated(
-    band: pd.Series, above: NDArray[np.float64], table1: pd.DataFrame, weights: Weights
+    band: pd.Series, above: Floats, table1: pd.DataFrame, weights: Weights
 ) -> tuple[pd.Series, list[str]]:
     """Return the band with its parameters filled in, and the rows of Table 1 that filled them."""
     if not pd.isna(band.hurst) or band.model not in CALIBRATED:
@@ -109,7 +96,7 @@ def _calibrated(
     return filled, list(CALIBRATED[band.model])
 
 
-def _band_density(band: pd.Series, above: NDArray[np.float64], folder: Path) -> NDArray[np.float64]:
+def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
         reached = spectral_models.share_of_cells(band.shortest_nm) > 0
@@ -138,24 +125,12 @@ def _band_density(band: pd.Series, above: NDArray[np.float64], folder: Path) -> 
 def substitute_spectrum(
     description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> "xr.Dataset":
-    """Return the spectrum of a substitute.
+    """Return the spectrum of a substitute from a description, as of `from_description`.
 
-    Table 1 is for scans of the paper's pixels and size, not those of this study.
-
-    Parameters
-    ----------
-    description : str or Path
-        See `from_description`.
-    table1 : pandas.DataFrame
-        Of `rows_of_surface`; empty if the paper has no such surface.
-    constants : pandas.DataFrame
-        Of `published.constants`: pixels and size of the paper's scans.
-
-    Returns
-    -------
-    xarray.Dataset
-        `spectrum` (wavevector) in nm⁴ as it is stored; attributes: the bands, the rows of Table 1
-        that they were calibrated to, and the moments expected of one of the paper's scans.
+    Table 1, of `rows_of_surface` or empty, is for scans of the paper's pixels and size, which the
+    constants have, not those of this study. `spectrum` (wavevector) is in nm⁴ as it is stored;
+    attributes are the bands, the rows of Table 1 that they were calibrated to, and the moments
+    expected of one of the paper's scans.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
@@ -177,28 +152,12 @@ class _Run(NamedTuple):
 
 
 def described_spectrum(stored: "xr.Dataset", path: str) -> "xr.Dataset":
-    """Return the spectrum of a substitute as `joined_spectrum` returns that of a measured surface.
+    """Return a stored `substitute_spectrum` as `joined_spectrum` returns that of a measurement.
 
     Its known bands stand for measurements, neighbours of one source for one: nothing was measured
-    here, but they were fitted to measurements, and their wavelengths are not artificial.
-
-    Parameters
-    ----------
-    stored : xarray.Dataset
-        Of `substitute_spectra.substitute_spectrum`.
-    path : str
-        Of the description.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over measurement, wavevector and bin_wavevector; what only a measurement has is NaN or
-        empty.
-
-    Raises
-    ------
-    ValueError
-        In one line, if no band is known.
+    here, but they were fitted to measurements, and their wavelengths are not artificial. What only
+    a measurement has is NaN or empty. The path is that of the description; a ValueError of one line
+    tells that no band is known.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
     runs = _runs(bands)

@@ -19,24 +19,9 @@ def random_surface(
 ) -> HeightMap:
     """Return a Gaussian random surface of a given power spectral density.
 
-    White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of
-    the ratio. The mean is zero.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Of the white noise.
-    pixels : int
-        Along an edge.
-    pixel_size : float
-        In nm.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-
-    Returns
-    -------
-    HeightMap
-        Periodic; heights (pixels, pixels) in float32.
+    White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
+    ratio. The mean is zero. The pixel size is in nm, the density C_iso in nm⁴ as a function of the
+    wavevector in rad/nm. The surface is periodic; heights (pixels, pixels) are in float32.
     """
     from scipy import fft
 
@@ -57,22 +42,10 @@ def refined(
 ) -> HeightMap:
     """Return a surface on finer pixels, with random roughness of wavelengths below its own.
 
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Of the roughness added.
-    surface : HeightMap
-        Periodic, on an even number of pixels.
-    fineness : int
-        New pixels along an edge of an old one.
-    density : callable
-        C_iso of the roughness added, in nm⁴ as a function of the wavevector in rad/nm.
-
-    Returns
-    -------
-    HeightMap
-        Heights (fineness * pixels,) * 2 in float32. All orders below two old pixels along both
-        axes are those of the surface.
+    The surface is periodic, on an even number of pixels; `fineness` is the number of new pixels
+    along an edge of an old one. The density is C_iso of the roughness added, in nm⁴ as a function
+    of the wavevector in rad/nm. Heights (fineness * pixels,) * 2 are in float32; all orders below
+    two old pixels along both axes are those of the surface.
     """
     from scipy import fft
 
@@ -87,36 +60,15 @@ def refined(
 
 
 def small_scale_master(
-    rng: np.random.Generator,
-    stitched: HeightMap,
-    pixels: int,
-    transition: float,
-    density: Density,
+    rng: np.random.Generator, stitched: HeightMap, pixels: int, transition: float, density: Density
 ) -> HeightMap:
-    """Return a scan with artificial roughness below the transition wavelength.
+    """Return a scan with artificial roughness below the transition wavelength (nm).
 
     Wavelengths below the transition are removed from the mirror-stitched scan, which is then
-    interpolated; a random surface is added that follows C_iso below the transition and is
-    constant above it.
-    Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Of the artificial roughness.
-    stitched : HeightMap
-        Periodic.
-    pixels : int
-        Along an edge of the master.
-    transition : float
-        Wavelength in nm.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-
-    Returns
-    -------
-    HeightMap
-        Heights (pixels, pixels) in float32; basis that of the scan.
+    interpolated to so many pixels along an edge; a random surface is added that follows C_iso, in
+    nm⁴ as a function of the wavevector in rad/nm, below the transition and is constant above it.
+    Heights (pixels, pixels) are in float32; the basis is that of the scan. Source: the paper,
+    section Determining the Most Relevant Length-scales of Roughness.
     """
     band = lowpass(stitched, transition)
     limit = 2 * np.pi / transition
@@ -128,35 +80,14 @@ def small_scale_master(
 
 
 def large_scale_master(
-    rng: np.random.Generator,
-    stitched: HeightMap,
-    tiles: int,
-    transition: float,
-    density: Density,
+    rng: np.random.Generator, stitched: HeightMap, tiles: int, transition: float, density: Density
 ) -> HeightMap:
-    """Return a scan, repeated, with artificial roughness above the transition wavelength.
+    """Return a scan, repeated, with artificial roughness above the transition wavelength (nm).
 
-    The mirror-stitched scan is repeated `tiles` times along each edge and its wavelengths above
-    the transition are removed; a random surface is added that follows C_iso there and is zero
-    below. The result has the pixels of the scan. Source: as `small_scale_master`.
-
-    Parameters
-    ----------
-    rng : numpy.random.Generator
-        Of the artificial roughness.
-    stitched : HeightMap
-        Periodic.
-    tiles : int
-        Repetitions along an edge.
-    transition : float
-        Wavelength in nm.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-
-    Returns
-    -------
-    HeightMap
-        Heights in float32 on the pixels of the scan; basis that of the scan.
+    The mirror-stitched scan is repeated `tiles` times along each edge and its wavelengths above the
+    transition are removed; a random surface is added that follows C_iso, in nm⁴ as a function of
+    the wavevector in rad/nm, there and is zero below. The result has the pixels and the basis of
+    the scan and heights in float32. Source: as `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     band = lowpass(repeated, transition)
@@ -181,25 +112,11 @@ def synthesized_master(
     scales: Mapping[str, Any],
     density: Density,
 ) -> HeightMap:
-    """Return the master of one side.
+    """Return the periodic master of one side, made of a periodic scan.
 
-    Parameters
-    ----------
-    side : str
-        ``"small"`` adds roughness below the transition wavelength, ``"large"`` above.
-    rng : numpy.random.Generator
-        Of the roughness added.
-    stitched : HeightMap
-        The scan, periodic.
-    scales : mapping
-        ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large-scale master.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-
-    Returns
-    -------
-    HeightMap
-        Periodic.
+    The side ``"small"`` adds roughness below the transition wavelength, ``"large"`` above. The
+    scales are ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large-scale
+    master; the density is C_iso in nm⁴ as a function of the wavevector in rad/nm.
     """
     synthesize, size = SYNTHESIS[side]
     return synthesize(rng, stitched, scales[size], scales["transition"], density)

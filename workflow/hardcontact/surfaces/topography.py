@@ -67,24 +67,10 @@ def level_lines(scan: HeightMap) -> HeightMap:
 def subtract_sphere(
     scan: HeightMap, radius: float, levelled: Callable[[HeightMap], HeightMap] = level
 ) -> HeightMap:
-    """Return the roughness of a scan of the top of a sphere.
+    """Return the levelled roughness of a scan of the top of a sphere of a radius in nm.
 
-    The paraboloid x²/2R of the known radius is added back and the rest levelled. The position of
-    the apex does not matter, because moving it adds a plane.
-
-    Parameters
-    ----------
-    scan : HeightMap
-        Shape and roughness.
-    radius : float
-        Of the sphere in nm.
-    levelled : callable
-        `level` or `level_lines`.
-
-    Returns
-    -------
-    HeightMap
-        Levelled.
+    The paraboloid x²/2R of the known radius is added back and the rest levelled, by `level` or
+    `level_lines`. The position of the apex does not matter, because moving it adds a plane.
     """
     y, x = (_centred(count) * scan.pixel_size for count in scan.heights.shape)
     return levelled(replace(scan, heights=scan.heights + (y[:, None] ** 2 + x**2) / (2 * radius)))
@@ -126,21 +112,9 @@ def prepared_scan(
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return a scan levelled, and then mirror-stitched, both as they are stored.
 
-    Parameters
-    ----------
-    scan : HeightMap
-        As it was read.
-    sphere_radius : float or None
-        In nm, of a scan of the sphere, from which the sphere is removed; None of a flat surface.
-    levelled : callable
-        `level` or `level_lines`.
-    described : dict of str to str or None
-        Attributes that both keep, as `scans.described` returns them.
-
-    Returns
-    -------
-    levelled, stitched : xarray.Dataset
-        That of the sphere also keeps the scan as it was read, in the variable `as_scanned`.
+    From a scan of a sphere, of a radius in nm, the sphere is removed; its levelled scan also keeps
+    the scan as it was read, in the variable `as_scanned`. Both keep the attributes `described`, as
+    `scans.described` returns them.
     """
     flat = flat_map(scan, sphere_radius, levelled)
     stored = flat.dataset()
@@ -152,11 +126,26 @@ def prepared_scan(
 
 
 def metrics(scan: HeightMap) -> dict[str, float]:
-    """Return the METRICS of a levelled, non-periodic scan.
+    """Return the METRICS of a scan.
 
     Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, over
     the pixels that have them along both axes. Where the paper leaves a definition open there is
     one metric for each reading.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled, not periodic.
+
+    Returns
+    -------
+    dict of str to float
+        By name, such as ``rms_height``, in powers of nm.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> rms_height = hc.metrics(scan)["rms_height"]  # nm
     """
     from scipy.stats import kurtosis, skew
 

@@ -1,0 +1,306 @@
+"""Numbers of the page on what decides the band: those of the datasets, verdicts by intervals."""
+
+import numpy as np
+import pytest
+from figure_inputs.closed_form import closed_form
+from figure_inputs.elastic_limit import elastic_limit
+from figure_inputs.laws import laws
+from figure_inputs.maps import maps
+from figure_inputs.published_tables import published_constants
+from figure_inputs.repeated_contact import repeated_contact
+from figure_inputs.scales import band
+from figure_inputs.scaling import scaling
+from figure_inputs.scan_size import scan_size
+from paper_numbers import LABELS
+
+from hardcontact.answer.facts import between, bounded
+from hardcontact.answer.insight_facts import (
+    band_facts,
+    closed_form_facts,
+    scaling_facts,
+    scan_size_facts,
+)
+from hardcontact.answer.insight_force_facts import (
+    elastic_limit_facts,
+    law_facts,
+    map_facts,
+    repeated_contact_facts,
+)
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
+
+
+def column(facts, name, rows="rows"):
+    """The values of a column of facts, or its codes."""
+    return [getattr(row[name], "value", row[name]) for row in facts[rows]]
+
+
+def test_an_interval_that_bounds_nothing_is_left_out():
+    of_uncd = scaling().sel(part="all", side="small", surface="uncd", length="rho")
+    of_uncd["exponent"][...] = 0.5
+    for low, high, status in (
+        (0.4, 0.6, "known"), (np.nan, np.nan, "no_interval"), (-4e3, 4e3, "not_bounded"),
+    ):  # fmt: skip
+        of_uncd["exponent_interval"][:] = [low, high]
+        assert bounded(of_uncd, "exponent").status == status
+    assert (bounded(of_uncd, "exponent").low, bounded(of_uncd, "exponent").value) == (None, 0.5)
+
+
+def test_ends_that_are_not_known_are_open():
+    ends = [(1.0, 2.0), (1.0, np.nan), (np.nan, 2.0), (np.nan, np.nan)]
+    statuses = [between("size", *one).status for one in ends]
+    assert statuses == ["between", "more_than", "at_most", "not_known"]
+
+
+def test_the_band_is_computed_of_each_and_of_all_and_published():
+    facts = band_facts(band(), published_constants())
+    assert column(facts, "surface") == [*LABELS, "", ""]
+    assert column(facts, "basis")[-2:] == ["pooled", "published"]
+    assert column(facts, "small") == [160, 32, 45, 95, 60, 43]
+    assert column(facts, "large")[0] is None and facts["rows"][0]["large"].status == "no_edge"
+    assert facts["rows"][4]["small"][3:5] == pytest.approx((42, 90))
+    assert facts["range"].value == 5.6
+
+
+def test_edges_that_change_with_a_length_are_counted():
+    data = scaling()
+    assert scaling_facts(data)["verdict"] == "not_seen"
+    of_ncd = {"surface": "ncd", "part": "all"}
+    data["dependence"].loc[{"side": "large", "length": "radius", **of_ncd}] = "undecided"
+    assert scaling_facts(data)["verdict"] == "open"
+    data["dependence"].loc[{"side": "small", "length": "rho", **of_ncd}] = "partly"
+    facts = scaling_facts(data)
+    assert facts["verdict"] == "changes"
+    assert facts["counts"] == {"small": [0, 1, 0], "large": [0, 0, 0]}
+
+
+def test_every_exponent_is_that_of_the_dataset():
+    data = scaling()
+    data["edges_found"].loc[{"side": "large", "surface": "ncd"}] = 9
+    row = scaling_facts(data)["rows"][5]
+    assert (row["surface"], row["edge"], row["contact_says"]) == ("NCD", "large", "independent")
+    of_ncd = {"side": "large", "surface": "ncd", "part": "all", "length": "contact"}
+    expected = data["exponent"].sel(of_ncd).item()
+    assert row["contact"][1:5:2] == (expected, pytest.approx(0.8 * expected))
+    assert row["found"].value == pytest.approx(100 / 3)
+
+
+@pytest.mark.parametrize(
+    ("ends", "says"),
+    [
+        ((1100.0, 2e3), "above"),
+        ((500.0, 900.0), "below"),
+        ((900.0, 1100.0), "open"),
+        ((np.nan, np.nan), "open"),
+    ],
+)
+def test_whether_a_length_stops_the_long_edge_is_what_the_interval_says(ends, says):
+    data = scaling()
+    of_uncd = {"side": "large", "surface": "uncd", "radius": 250e3, "area": 400.0, "rho": 5.6}
+    data["edge_interval"].loc[of_uncd] = [*ends]
+    facts = scaling_facts(data)
+    assert column(facts, "long_says", "lengths")[1] == says
+    assert column(facts, "short_says", "lengths") == ["none", "range", "range", "contact"]
+    assert column(facts, "predicted", "lengths") == [None, 40, 50, 20]
+
+
+def test_causes_are_judged_by_their_intervals():
+    data = scaling()
+    data["cause_exponent_interval"].loc[{"cause": "range", "length": "radius"}] = [-0.2, -0.1]
+    facts = scaling_facts(data)
+    assert column(facts, "cause", "causes") == ["contact", "range"]
+    assert column(facts, "edges", "causes") == [20, 70]
+    assert column(facts, "radius_says", "causes") == ["partly", "falling"]
+
+
+def test_sizes_of_scans_and_the_error_of_the_rule():
+    data = scan_size()
+    data["size_needed"].loc[{"surface": "mcd", "rho": 5.6}] = 11.2e3
+    facts = scan_size_facts(data)
+    assert column(facts, "needed") == [2e3, 4e3, 6e3, 11.2e3]
+    assert facts["needed"][3:5] == (2e3, 11.2e3)
+    errors = {name: [one.value for one in of.values()] for name, of in facts["errors"].items()}
+    assert errors["surfaces"] == pytest.approx([1.2, 2]) and facts["rough"]
+    assert errors["random surfaces"] == pytest.approx([1.1, 1.5])
+    assert column(facts, "force")[0] == 1.95 and facts["whole"].value == 40e3
+    assert column(facts, "from_scan")[1] == 1060 and column(facts, "from_whole")[1] == 1090
+
+
+def test_forces_on_scans_are_larger_only_where_the_interval_lies_above_one():
+    data = scan_size()
+    interval = data["force_over_largest_interval"]
+    interval.loc[{"edge_size": 2500.0, "bound": "low"}] = [0.9, 1.1, 1.1, np.nan]
+    interval.loc[{"surface": "ncd", "edge_size": 20e3}] = [0.8, 0.9]
+    facts = scan_size_facts(data)
+    assert column(facts, "force_says") == ["open", "above", "above", "open"]
+    assert column(facts, "smaller_says")[2] == "below"
+
+
+def test_intervals_on_windows_refute_sizes_of_the_rule():
+    data = scan_size()
+    interval = data["force_over_largest_interval"]
+    interval.loc[{"bound": "low"}], interval.loc[{"bound": "high"}] = 0.9, 2.0
+    interval.loc[{"surface": "ncd", "edge_size": 1250.0, "bound": "low"}] = 1.2
+    interval.loc[{"surface": "ncd", "edge_size": 5000.0, "bound": "high"}] = 1.05
+    for needed, says in ((4e3, "none"), (6e3, "refuted"), (1e3, "refuted")):
+        data["size_needed"].loc[{"surface": "ncd", "rho": 5.6}] = needed
+        row = scan_size_facts(data)["rows"][2]
+        assert (row["asked"][3:5], row["needed_says"]) == ((1250, 5000), says)
+
+
+def test_long_edges_differ_where_intervals_do_not_meet_and_open_ones_are_bounds():
+    data = scan_size()
+    assert scan_size_facts(data)["differ"] == 0
+    data["long_edge_interval"].loc[{"surface": "uncd", "edge_size": 2500.0}] = [9e3, 27e3]
+    facts = scan_size_facts(data)
+    assert (facts["differ"], facts["widest"].value) == (1, 3)
+    data.attrs["scan_size"] = 1250.0
+    edge = scan_size_facts(data)["rows"][3]["from_scan"]
+    assert (edge.value, edge.status) == (2400, "open_above")
+
+
+def test_a_trend_with_the_range_against_the_rule_is_counted():
+    data = scan_size()
+    assert scan_size_facts(data)["against"] == 0
+    data["predicted_excess"].loc[{"surface": "mcd", "scan_size": 1250.0}] = [3.0, 2.0]
+    assert scan_size_facts(data)["against"] == 1
+
+
+def test_the_closed_form_is_off_by_half_of_its_factors_and_the_largest():
+    data = closed_form()
+    data["error"][:] = 1
+    of_ncd = {"surface": "ncd", "map_size": 20e3, "rho": 5.6, "source": "spectrum"}
+    data["error"].loc[of_ncd] = 0.4
+    data["predicted_force"].loc[of_ncd] = 0.4 * data["computed_force"].sel(
+        {name: of_ncd[name] for name in ("surface", "map_size", "rho")}
+    )
+    facts = closed_form_facts(data, band())
+    assert (facts["half"].value, facts["cases"], facts["size"].value) == (1, 12, 20e3)
+    farthest = facts["rows"][2]["farthest"]
+    assert (farthest.value, farthest.low) == (0.4, pytest.approx(0.4 / 1.2))
+    assert facts["rows"][2]["farthest_at"].value == 5.6
+
+
+def test_a_surface_whose_ratio_is_near_one_is_at_the_transition():
+    """The largest maps have m/sigma = sqrt(90 / (0.9 * 5.6)) = 4.2."""
+    data = closed_form()
+    data["whole_freezing"].loc[{"rho": 5.6}] = [0.7, 0.8, 1.2, 1.3]
+    data["regime"].loc[{"rho": 5.6}] = [MANY_POINTS, MANY_POINTS, SINGLE_PEAKS, SINGLE_PEAKS]
+    facts = closed_form_facts(data, band())
+    assert column(facts, "regime") == [MANY_POINTS, "transition", "transition", SINGLE_PEAKS]
+    assert column(facts, "freezing") == [0.7, 0.8, 1.2, 1.3]
+
+
+def test_predicted_edges_are_compared_with_intervals_of_computed_ones():
+    data = closed_form()
+    for surface, edges in (("uncd", [32.0, 1e5]), ("mcd", [1.0, 1860.0])):
+        data["edge"].loc[{"surface": surface}] = edges
+    for surface in ("polished_uncd", "ncd"):
+        data["edge"].loc[{"surface": surface}] = np.nan
+    facts = closed_form_facts(data, band())
+    assert column(facts, "small_says") == ["outside", "within", "outside", "outside"]
+    assert column(facts, "large_says") == ["outside", "outside", "outside", "within"]
+    assert facts["within"] == {"small": 1, "large": 1}
+    assert {facts["rows"][0][f"large_{one}"].status for one in ("predicted", "computed")} == {
+        "no_edge"
+    }
+
+
+@pytest.mark.parametrize(
+    ("value", "ends", "verdict", "answer"),
+    [
+        (0.05, (0.03, 0.08), "reproduced", "yes"),
+        (0.09, (0.03, 0.2), "undecided", "open"),
+        (0.3, (0.2, 0.4), "not reproduced", "no"),
+    ],
+)
+def test_the_verdict_on_other_laws_follows_from_the_interval(value, ends, verdict, answer):
+    data = laws()
+    data["fit_error"][:] = value
+    data["fit_error_interval"][:] = np.broadcast_to(ends, data["fit_error_interval"].shape)
+    facts = law_facts(data)
+    assert column(facts, "verdict") == [verdict] * 3 and facts["verdict"] == answer
+    assert column(facts, "error") == pytest.approx([100 * value] * 3)
+    assert len(facts["fits"]) == 4
+
+
+def test_laws_that_move_an_edge_and_cutoffs_are_counted():
+    data = laws()
+    interval = data["edge_factor_interval"]
+    interval.loc[{"bound": "low"}], interval.loc[{"bound": "high"}] = 0.5, 2.0
+    interval.loc[{"law": "retarded", "side": "small", "group": "pooled"}] = [0.6, 0.9]
+    facts = law_facts(data)
+    assert facts["moved"] == {"small": 1, "large": 0}
+    assert column(facts, "small_says") == ["open", "below", "open"]
+    assert facts["cutoffs"] == {"small": 3, "large": 3}
+    assert facts["steps"]["small"][3:5] == (2, 2.5)
+
+
+def test_strengths_are_those_of_what_is_known():
+    data = laws()
+    data["implied_over_known"].loc[{"law": "van_der_waals"}] = 20.0
+    data["implied_over_known"].loc[{"law": "electrostatic"}] = 4.0
+    _, hamaker, casimir, potential = (row["implied"] for row in law_facts(data)["fits"])
+    assert (hamaker.value, hamaker.unit) == (pytest.approx(1e-17), "J")
+    assert (potential.value, potential.unit) == (2, "V")
+    assert casimir.value is None
+
+
+def test_maps_have_what_a_mean_needs_and_one_scan_tells_nothing_of_others():
+    data = maps()
+    facts = map_facts(data)
+    needed = data["contacts_needed"].sel(rho=5.6, sampling="random").values
+    assert column(facts, "contacts") == pytest.approx(needed) and facts["array"] == 16
+    data["scans_needed"] = data["scans_needed"] * np.nan
+    facts = map_facts(data.sel(contacts=[1, 4]))
+    assert facts["scans"].status == "not_known"
+    assert {row["scans_needed"].status for row in facts["rows"]} == {"one_scan"}
+    assert {row["array"].status for row in facts["rows"]} == {"not_examined"}
+
+
+def test_repeated_contact_changes_a_force_whose_interval_leaves_out_one():
+    data = repeated_contact()
+    facts = repeated_contact_facts(data)
+    assert (facts["changed"], facts["surfaces"], facts["contacts"]) == (0, 4, 400)
+    assert column(facts, "surface") == [*LABELS, "NCD", ""]
+    assert facts["rows"][4]["preload"].value == 2e-5 and facts["rows"][4]["depth"].value == 8
+    assert facts["rows"][5]["lateral_size"][3:5] == (150, 300)
+    data["mean_ratio_interval"].loc[{"surface": "mcd", "preload": 1e-5}] = [1.1, 1.2]
+    assert repeated_contact_facts(data)["changed"] == 1
+
+
+@pytest.mark.parametrize(
+    ("factor", "interval", "reached"),
+    [(1, 1, "smaller"), (1.1, 1, "open"), (2, 1, "reached"), (4, 1, "beyond"),
+     (2, np.nan, "not_known")],
+)  # fmt: skip
+def test_indents_are_judged_by_the_sizes_in_the_image(factor, interval, reached):
+    data = repeated_contact()
+    data["lateral_size"] = factor * data["lateral_size"]
+    data["lateral_size_interval"] = factor * interval * data["lateral_size_interval"]
+    facts = repeated_contact_facts(data)
+    assert facts["reached"] == {"depth": "at_once", "lateral_size": reached}
+
+
+@pytest.mark.parametrize(
+    ("by_index", "solved", "verdict", "says"),
+    [
+        ([1, 1, 1, 1], [1, 1, 1, 1], "yes", ["all"] * 4),
+        ([1, 1, 1, 1], [1, 1, 1, 0.5], "open", ["all"] * 3 + ["disputed"]),
+        ([0, 0.5, 1, 1], [0, 0.4, 1, 0.5], "no", ["none", "some", "all", "disputed"]),
+        ([1, 1, 1, 1], [np.nan, 1, 1, 1], "yes", ["all"] * 4),
+    ],
+)
+def test_whether_all_contacts_yield_is_what_index_and_solved_pressures_say(
+    by_index, solved, verdict, says
+):
+    data = elastic_limit()
+    data["plastic_share"][:], data["solved_plastic_share"][:] = by_index, solved
+    facts = elastic_limit_facts(data)
+    assert (facts["verdict"], column(facts, "says")) == (verdict, says)
+
+
+def test_forces_and_areas_of_the_elastic_limit():
+    facts = elastic_limit_facts(elastic_limit())
+    assert column(facts, "larger_area") == pytest.approx([3, 2, 1.2, 1])
+    assert column(facts, "yields") == pytest.approx([0, 50, 90, 100])
+    assert facts["estimated"][1:5:2] == pytest.approx((0.5, 0.5)) and facts["cases"] == 24

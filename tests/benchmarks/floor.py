@@ -1,0 +1,95 @@
+"""Processor time of a finished study by rule, beside the least that its transforms and sums take.
+
+    python tests/benchmarks/floor.py [--study paper]
+
+The floor of a rule is composed of kernels that this run times: random numbers, Fourier transforms
+and exponentials of arrays as large as those of the rule, each as often as its result needs it.
+Reading, writing, start-up and contact pixels are not in it. Rules without a floor do other things.
+"""
+
+import argparse
+import time
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import yaml
+from cost import jobs
+from scipy import fft
+
+from hardcontact.config.files import CHUNK
+
+
+@cache
+def kernels(pixels):
+    """Processor seconds of random numbers, transforms both ways and exponentials, best of three."""
+    heights = np.random.default_rng(1).standard_normal((pixels, pixels), np.float32)
+    transform = fft.rfft2(heights)
+    calls = {
+        "draw": lambda: np.random.default_rng(1).standard_normal((pixels, pixels)),
+        "forward": lambda: fft.rfft2(heights),
+        "inverse": lambda: fft.irfft2(transform),
+        "exponential": lambda: np.exp(heights, dtype=float),
+    }
+    return {name: min(processor_seconds(call) for _ in range(3)) for name, call in calls.items()}
+
+
+def processor_seconds(call):
+    start = time.process_time()
+    call()
+    return time.process_time() - start
+
+
+def filtered(pixels, cutoffs):
+    """One transform of a master, then for it and every cutoff an inverse one and a sum."""
+    one = kernels(pixels)
+    return one["forward"] + (len(cutoffs) + 1) * (one["inverse"] + one["exponential"])
+
+
+def made(pixels):
+    """A random surface: random numbers and an inverse transform."""
+    return kernels(pixels)["draw"] + kernels(pixels)["inverse"]
+
+
+def floors(configuration, store):
+    """Return the floor of each rule that has one, in seconds."""
+    sides = {
+        side: len(list((store / "masters").rglob(f"{side}.nc"))) for side in ("small", "large")
+    }
+    varied = {
+        side: len(list((store / "scales_of_variants").rglob(f"{side}-*.nc"))) for side in sides
+    }
+    scales, sets = configuration["scales"], configuration["sets"]
+    scan = 2 * configuration["scan"]["pixels"]  # stitched
+    of_scans = len(configuration["adhesion"]["ranges"]) * kernels(scan)["exponential"]
+    pools = len(list((store / "pool").rglob("*.nc")))
+    return {
+        "compute_filtered_pull_off": sum(
+            count * filtered(scales[side]["pixels"], scales[side]["cutoffs"])
+            for side, count in sides.items()
+        ),
+        "vary_scales": sum(
+            count * (made(sets[side]["pixels"]) + filtered(**sets[side]))
+            for side, count in varied.items()
+        ),
+        "synthesize_small_scale_master": sides["small"] * made(scales["small"]["pixels"]),
+        "compute_pool": pools * CHUNK * sets["amplitudes"] * of_scans,
+    }
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--study", default="paper")
+    results = Path("results", parser.parse_args().study)
+    configuration = yaml.safe_load((results / "configuration.yaml").read_text())
+    store = Path(configuration["store"])
+    measured = jobs([store, results]).groupby("rule").seconds.agg(["count", "sum"])
+    least = floors(configuration, store)
+    print("| rule | jobs | processor minutes | floor | times |\n|---|---|---|---|---|")
+    for rule, row in measured.sort_values("sum", ascending=False).iterrows():
+        floor = least.get(rule)
+        beside = f"{floor / 60:.2f} | {row['sum'] / floor:.1f}" if floor else "|"
+        print(f"| {rule} | {row['count']:.0f} | {row['sum'] / 60:.2f} | {beside} |")
+    print(
+        f"{measured['sum'].sum() / 60:.0f} processor minutes, floors {sum(least.values()) / 60:.0f}"
+    )

@@ -1,0 +1,272 @@
+"""Numbers of the page on what decides the band: the band, scaling, size of scans, closed form.
+
+Every function returns what a template shows of one question: `rows` of facts and codes for a table,
+and what is said of all of them. Codes have their words in the template.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from hardcontact.answer.facts import (
+    Cells,
+    Fact,
+    against,
+    between,
+    bounded,
+    count,
+    ends,
+    known,
+    number,
+    on_scans,
+    percent,
+    span,
+    surfaces,
+)
+from hardcontact.insight.closed_form import SMOOTH, at_transition
+from hardcontact.insight.edge_regimes import CONTACT, RANGE
+from hardcontact.insight.edge_scaling import INDEPENDENT, LENGTHS, PARTS, UNDECIDED, dependence
+from hardcontact.numbers.printing import is_boundless
+from hardcontact.numbers.statistics import bounds
+from hardcontact.scales.critical_band import POOLED
+from hardcontact.surfaces.synthesis import SIDES
+
+#: Forces divided by what the rule says, and as they are.
+KINDS = ("corrected", "uncorrected")
+
+#: A regime of the closed form beside those of `closed_form`.
+AT_TRANSITION = "transition"
+
+
+def band_facts(band: xr.Dataset, constants: pd.DataFrame) -> dict[str, Any]:
+    """Return the edges of every substrate, of their mean, and those of the paper."""
+    published = {
+        name: Fact(name, float(constants["value"][name]), "nm", source="given")
+        for name in ("critical_wavelength_small", "critical_wavelength_large", "range_of_adhesion")
+    }
+    rows = [row | _band_edges(band.sel(group=one["surface"].item())) for row, one in surfaces(band)]
+    rows.append({"surface": "", "basis": POOLED} | _band_edges(band.sel(group=POOLED)))
+    edges = {side: published[f"critical_wavelength_{side}"] for side in SIDES}
+    rows.append({"surface": "", "basis": "published"} | edges)
+    return {"rows": rows, "range": published["range_of_adhesion"]}
+
+
+def _band_edges(of_group: xr.Dataset) -> Cells:
+    return {
+        side: bounded(of_group.sel(side=side), "critical_wavelength", "nm", "no_edge")
+        for side in SIDES
+    }
+
+
+def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
+    """Return exponents of both edges of every surface, and which lengths set the edges."""
+    of_all = scaling.sel(part=PARTS[0])
+    changes = ~of_all["dependence"].isin([INDEPENDENT, UNDECIDED])
+    undecided = (of_all["dependence"] == UNDECIDED).any()
+    varied = {"radius": "nm", "rho": "nm", "area": "nm2"}
+    return {
+        "verdict": "changes" if changes.any() else "open" if undecided else "not_seen",
+        "counts": {
+            side: [int(changes.sel(side=side, length=one).sum()) for one in LENGTHS]
+            for side in SIDES
+        },
+        "varied": {name: span(name, scaling[name], unit) for name, unit in varied.items()},
+        "rows": [
+            row | {"edge": side} | _exponents(one.sel(side=side))
+            for row, one in surfaces(of_all)
+            for side in SIDES
+        ],
+        "contact": bounded(scaling, "contact_diameter", "nm"),
+        "reach": bounded(scaling, "attraction_reach", "nm"),
+        "lengths": list(_lengths(scaling)),
+        "causes": [_cause(scaling.sel(cause=one)) for one in (CONTACT, RANGE)],
+    }
+
+
+def _exponents(edge: xr.Dataset) -> Cells:
+    """Return the exponents of one edge of one surface, and what their intervals say."""
+    found = edge["edges_found"].item() / edge["edge"].size
+    row: Cells = {"found": percent(number("found", found))}
+    for length in LENGTHS:
+        of_length = edge.sel(length=length)
+        row[length] = bounded(of_length, "exponent")
+        row[f"{length}_says"] = str(of_length["dependence"].item())
+    return row
+
+
+def _lengths(scaling: xr.Dataset) -> Iterator[Cells]:
+    """Yield the lengths that may set the edges at the sphere, range and load of the paper."""
+    place = {"radius": scaling.attrs["sphere_radius"]}
+    place |= {name: scaling.attrs[name] for name in ("rho", "area")}
+    for row, one in surfaces(scaling.sel(place, method="nearest")):
+        short, long = (one.sel(side=side) for side in SIDES)
+        stop = min(one["roll_off"].item(), one["attraction_reach"].item())
+        yield row | {
+            "predicted": bounded(short, "predicted_edge", "nm", "no_edge"),
+            "short": bounded(short, "edge", "nm", "no_edge"),
+            "short_says": str(one["short_edge_from"].item()) or "none",
+            "roll_off": bounded(one, "roll_off", "nm"),
+            "shorter": str(one["long_edge_from"].item()),
+            "long": bounded(long, "edge", "nm", "no_edge"),
+            "long_says": against(stop, long, "edge"),
+            "below": bounded(long.sel(part=PARTS[1]), "reach_exponent"),
+            "above": bounded(long.sel(part=PARTS[2]), "reach_exponent"),
+        }
+
+
+def _cause(of_cause: xr.Dataset) -> Cells:
+    """Return how short edges scale on one side of the width of the contact."""
+    row: Cells = {"cause": str(of_cause["cause"].item()), "edges": bounded(of_cause, "cause_edges")}
+    for length in LENGTHS:
+        of_length = of_cause.sel(length=length)
+        row[length] = bounded(of_length, "cause_exponent")
+        row[f"{length}_says"] = str(dependence(*ends(of_length, "cause_exponent")))
+    return row
+
+
+def force_on_scans(scan_size: xr.Dataset) -> dict[str, Any]:
+    """Return forces on mirrored scans over those on large surfaces with the same spectrum.
+
+    These are `rows` of `surface`, `basis`, `force`, a fact, and `force_says`, its interval against
+    one; `size` of the scans, `whole` of the large surfaces, and `range` of adhesion are facts.
+    """
+    of_scan, whole = on_scans(scan_size), scan_size.isel(edge_size=-1)
+    name = "force_over_largest"
+    return {
+        "rows": [
+            row | {"force": bounded(one, name), "force_says": against(1, one, name)}
+            for row, one in surfaces(of_scan)
+        ],
+        "size": bounded(of_scan, "edge_size", "nm"),
+        "whole": bounded(whole, "edge_size", "nm"),
+        "range": number("range", scan_size.attrs["rho"], "nm"),
+    }
+
+
+def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:
+    """Return forces and long edges on small scans, the sizes needed, and the rule for these."""
+    facts = force_on_scans(scan_size)
+    at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
+    pairs = zip(facts["rows"], surfaces(at_range), strict=True)
+    rows = [row | _sizes(one) for row, (_, one) in pairs]
+    spans = [row["from_scan"].high / row["from_scan"].low for row in rows
+             if row["from_scan"].low and row["from_scan"].high]  # fmt: skip
+    allowed = scan_size.attrs["allowed_excess"] - 1
+    errors = {
+        tested: {
+            kind: number(kind, np.exp(scan_size["error"].sel(tested=tested, kind=kind).item()))
+            for kind in KINDS
+        }
+        for tested in scan_size["tested"].values.tolist()
+    }
+    smallest = scan_size.isel(scan_size=0)
+    trends = [smallest[one].isel(rho=-1) - smallest[one].isel(rho=0)
+              for one in ("excess", "predicted_excess")]  # fmt: skip
+    powers = zip(scan_size["ratio"].values.tolist(), scan_size["exponent"].values, strict=True)
+    return facts | {
+        "rows": rows,
+        "smaller": bounded(scan_size.isel(edge_size=-2), "edge_size", "nm"),
+        "allowed": percent(number("allowed", allowed)),
+        "needed": span("needed", at_range["size_needed"].values, "nm"),
+        "rough": (errors["surfaces"]["corrected"].value or np.nan) - 1 > allowed,
+        "differ": count(rows, "edges_say", "differ"),
+        "widest": number("widest", max(spans, default=np.nan)),
+        "strength": bounded(scan_size, "strength"),
+        "exponents": [(ratio, number("exponent", power)) for ratio, power in powers],
+        "errors": errors,
+        "against": int((trends[0] * trends[1] < 0).sum()),
+    }
+
+
+def _sizes(one: xr.Dataset) -> Cells:
+    """Return sizes needed and long edges of one surface.
+
+    A window whose interval lies above the allowed excess is too small; one below it is enough.
+    """
+    windows = one.sel(edge_size=one["mirrored"] == 1)
+    low, high = bounds(windows, "force_over_largest")
+    sizes, allowed = windows["edge_size"], one.attrs["allowed_excess"]
+    above = sizes.where(low > allowed).max().item()
+    enough = sizes.where(high < allowed).min().item()
+    needed = one["size_needed"].item()
+    from_scan, smaller, whole = on_scans(one), one.isel(edge_size=-2), one.isel(edge_size=-1)
+    low_of_scan, high_of_scan = ends(from_scan, "long_edge")
+    low_of_whole, high_of_whole = ends(whole, "long_edge")
+    differ = low_of_scan > high_of_whole or high_of_scan < low_of_whole
+    return {
+        "smaller": bounded(smaller, "force_over_largest"),
+        "smaller_says": against(1, smaller, "force_over_largest"),
+        "needed": number("needed", needed, "nm"),
+        "needed_says": "refuted" if needed <= above or needed > enough else "none",
+        "asked": between("asked", above, enough, "nm"),
+        "from_scan": _long_edge(from_scan),
+        "from_whole": _long_edge(whole),
+        "edges_say": "differ" if differ else "alike",
+    }
+
+
+def _long_edge(of_size: xr.Dataset) -> Fact:
+    """Return a long edge, or the bound on one that is open."""
+    bound = of_size["long_edge_bound"].item()
+    if np.isfinite(of_size["long_edge"]) or np.isnan(bound):
+        return bounded(of_size, "long_edge", "nm", "no_edge")
+    status = "open_above" if of_size["long_edge_at_least"] else "open_below"
+    return number("long_edge", bound, "nm")._replace(status=status)
+
+
+def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, Any]:
+    """Return how far the closed form is off, in which regime surfaces are, and its edges."""
+    largest = closed_form.isel(map_size=-1).sel(source="spectrum")
+    errors = np.abs(np.log(largest["error"].values))
+    rho = closed_form.attrs["range_of_adhesion"]
+    rows = []
+    for (row, one), of_surface in zip(surfaces(largest), errors, strict=True):
+        farthest = one.isel(rho=int(of_surface.argmax()))
+        row |= {"farthest": _ratio(farthest), "farthest_at": bounded(farthest, "rho", "nm")}
+        edges = _predicted_edges(one, band.sel(group=one["surface"].item()))
+        rows.append(row | _regime(one.sel(rho=rho)) | edges)
+    return {
+        "rows": rows,
+        "within": {side: count(rows, f"{side}_says", "within") for side in SIDES},
+        "half": number("half", np.exp(np.median(errors))),
+        "cases": errors.size,
+        "ranges": span("ranges", largest["rho"], "nm"),
+        "size": bounded(largest, "map_size", "nm"),
+        "first_term": span("first_term", largest["first_term_force"] / largest["computed_force"]),
+        "range": number("range", rho, "nm"),
+    }
+
+
+def _ratio(case: xr.Dataset) -> Fact:
+    """Return the closed form over one computed force, with the interval of that."""
+    error = case["error"].item()
+    # The longer of both ends of the force gives the smaller ratio.
+    high, low = (case["predicted_force"].item() / end for end in ends(case, "computed_force"))
+    if is_boundless(error, low, high, "1"):
+        return Fact("error", error, "1", status="not_bounded")
+    return Fact("error", error, "1", known(low), known(high))
+
+
+def _regime(one: xr.Dataset) -> Cells:
+    """Return (sigma/rho)/(m/sigma) of a surface with all scales, and the regime it says."""
+    # As freezing is σ²/(mρ), of the map, which tells m/σ.
+    level = (one["predicted_approach"] / (one["freezing"] * one["rho"])) ** 0.5
+    regime = str(one["regime"].item())
+    if regime != SMOOTH and at_transition(level * one["whole_freezing"], level):
+        regime = AT_TRANSITION
+    return {"freezing": number("freezing", one["whole_freezing"].item()), "regime": regime}
+
+
+def _predicted_edges(one: xr.Dataset, band: xr.Dataset) -> Cells:
+    """Return predicted beside computed edges, and which lie within the interval of the latter."""
+    row: Cells = {}
+    for side, computed in _band_edges(band).items():
+        predicted = bounded(one.sel(side=side), "edge", "nm", "no_edge")
+        low, high = ends(band.sel(side=side), "critical_wavelength")
+        within = predicted.value is not None and low <= predicted.value <= high
+        row |= {f"{side}_predicted": predicted, f"{side}_computed": computed}
+        row[f"{side}_says"] = "within" if within else "outside"
+    return row

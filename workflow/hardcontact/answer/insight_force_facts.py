@@ -1,0 +1,205 @@
+"""Numbers of the page on what decides the band: laws of attraction, maps, indents, elastic limit.
+
+Every function returns what a template shows of one question, as those of `insight_facts`.
+"""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.answer.facts import (
+    Cells,
+    against,
+    bounded,
+    count,
+    ends,
+    known,
+    number,
+    percent,
+    span,
+    surfaces,
+)
+from hardcontact.claims.verdicts import verdict
+from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
+from hardcontact.scales.critical_band import POOLED, computed_cutoffs
+from hardcontact.surfaces.synthesis import SIDES
+
+#: Sizes of the largest indent, as in the image and in the dataset.
+SIZES = ("depth", "lateral_size")
+
+
+def law_facts(laws: xr.Dataset) -> dict[str, Any]:
+    """Return how far forces and mean band of other laws differ, and what they would need."""
+    of_laws = [laws.sel(law=law) for law in laws["law"].values]
+    others = [one for one in of_laws if one["law"] != EXPONENTIAL.name]
+    rows = [_law(one) for one in others]
+    judged = [row["verdict"] for row in rows]
+    answer = "yes" if set(judged) == {"reproduced"} else "open"
+    cutoffs = {side: computed_cutoffs(laws["scale_ratio"].sel(side=side)) for side in SIDES}
+    return {
+        "rows": rows,
+        "verdict": "no" if "not reproduced" in judged else answer,
+        "reproduced": judged.count("reproduced"),
+        "undecided": judged.count("undecided"),
+        "moved": {side: count(rows, f"{side}_says", "above", "below") for side in SIDES},
+        "tolerance": percent(number("tolerance", laws.attrs["scale_tolerance"])),
+        "range": number("range", laws.attrs["published_range"], "nm"),
+        "work": number("work", laws.attrs["published_work"], "J m-2"),
+        "spacing": number("spacing", laws.attrs["atomic_spacing"], "nm"),
+        "fits": [_fits(one) for one in of_laws],
+        "scans": laws.attrs["scans"],
+        "contacts": laws.attrs["contacts"],
+        "cutoffs": {side: len(found) for side, found in cutoffs.items()},
+        "steps": {side: span("steps", one[1:] / one[:-1]) for side, one in cutoffs.items()},
+    }
+
+
+def _law(law: xr.Dataset) -> Cells:
+    """Return one law at the range and work that come nearest to the forces of Eq. 1."""
+    case, pooled = law.sel(case="equivalent"), law.sel(group=POOLED)
+    error, limit = case["fit_error"].item(), law.attrs["scale_tolerance"]
+    row = {
+        "law": str(law["law_label"].item()),
+        "error": percent(bounded(case, "fit_error")),
+        "verdict": verdict("below", error, *ends(case, "fit_error"), np.nan, limit),
+        "range": bounded(case, "range_of_law", "nm"),
+        "work": bounded(case, "work_of_adhesion", "J m-2"),
+        "strength": bounded(case, "implied_over_known"),
+    }
+    for side in SIDES:
+        of_side = pooled.sel(side=side)
+        row[side] = bounded(of_side, "edge_factor", missing="no_edge")
+        row[f"{side}_says"] = against(1, of_side, "edge_factor")
+    return row
+
+
+def _fits(law: xr.Dataset) -> Cells:
+    """Return how near one law comes to the measured forces."""
+    strength = law["implied_over_known"].sel(case="equivalent").item()
+    # The energy of a capacitor goes with the square of its potential.
+    known = {
+        "van_der_waals": (HAMAKER, HAMAKER * strength, "J"),
+        "electrostatic": (POTENTIAL, POTENTIAL * strength**0.5, "V"),
+    }.get(str(law["law"].item()), (np.nan, np.nan, "1"))
+    return {
+        "law": str(law["law_label"].item()),
+        "fitted": percent(bounded(law.sel(case="fitted"), "fit_error")),
+        "atomic": percent(bounded(law.sel(case="atomic"), "fit_error")),
+        "beyond": percent(number("beyond", law["window_growth"].max().item())),
+        "known": number("known", known[0], known[2], "none"),
+        "implied": number("implied", known[1], known[2], "none"),
+    }
+
+
+def map_facts(maps: xr.Dataset) -> dict[str, Any]:
+    """Return how many contacts and scans a mean force needs, and what a whole scan is worth."""
+    at_range = maps.sel(rho=maps.attrs["reference_rho"])
+    array = int(maps.attrs["array_contacts"])
+    rows = []
+    for row, one in surfaces(at_range):
+        error = np.nan
+        if array in maps["contacts"]:
+            error = maps.attrs["normal_quantile"] * one["array_error"].sel(contacts=array).item()
+        row |= {
+            "contacts": bounded(one.sel(sampling="random"), "contacts_needed"),
+            "array": percent(number("array_error", error, missing="not_examined")),
+            "touched": bounded(one, "touched_pixels"),
+        }
+        for name in ("scans_needed", "worth_of_scan"):
+            row[name] = bounded(one, name, missing="one_scan")
+        rows.append(row)
+    return {
+        "rows": rows,
+        "needed": span("contacts", at_range["contacts_needed"].sel(sampling="random")),
+        "scans": span("scans", at_range["scans_needed"]),
+        "tolerance": percent(number("tolerance", maps.attrs["tolerance"])),
+        "range": number("range", maps.attrs["reference_rho"], "nm"),
+        "array": array,
+    }
+
+
+def repeated_contact_facts(repeated: xr.Dataset) -> dict[str, Any]:
+    """Return what repeated contact does to the force, and its indents beside imaged ones."""
+    least, most = (float(end(repeated["preload"])) for end in (np.min, np.max))
+    rows = [
+        row | _contacts(one)
+        for preload in np.unique(repeated["preload"])
+        for row, one in surfaces(repeated.sel(preload=preload))
+        if np.isfinite(one["mean_ratio"])
+    ]
+    study = [row for row in rows if row["preload"].value == least]
+    published = {name: span(name, repeated.attrs[f"published_{name}"], "nm") for name in SIZES}
+    image = repeated.sel(preload=most).dropna("surface", subset=["mean_ratio"]).isel(surface=0)
+    return {
+        "rows": [*rows, {"surface": "", "basis": "image"} | published],
+        "contacts": int(repeated["stage"][-1]),
+        "changed": count(study, "force_says", "above", "below"),
+        "surfaces": len(study),
+        "reached": {name: _reached(image, name) for name in SIZES},
+    }
+
+
+def _contacts(one: xr.Dataset) -> Cells:
+    row: Cells = {
+        "preload": bounded(one, "preload", "N"),
+        "force": bounded(one, "mean_ratio"),
+        "force_says": against(1, one, "mean_ratio"),
+    }
+    for name in SIZES:
+        row[f"{name}_first"] = bounded(one.isel(stage=0), name, "nm")
+        row[name] = bounded(one.isel(stage=-1), name, "nm")
+    return row
+
+
+def _reached(image: xr.Dataset, name: str) -> str:
+    """Return whether the largest indent after all contacts has one size of those imaged."""
+    least, most = image.attrs[f"published_{name}"]
+    first, value = (image[name].isel(stage=stage).item() for stage in (0, -1))
+    high = ends(image.isel(stage=-1), name)[1]
+    if np.isnan(high):
+        return "not_known"
+    if value < least:
+        return "smaller" if high < least else "open"
+    if value > most:
+        return "beyond"
+    return "at_once" if first >= least else "reached"
+
+
+def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:
+    """Return for which contacts the bearing area holds, and by how much forces are wrong."""
+    rows = []
+    for row, one in surfaces(limit):
+        area = one["solved_area"].max().item() / limit.attrs["bearing_area"]
+        row |= {
+            "yields": percent(bounded(one, "plastic_share")),
+            "solved": percent(bounded(one, "solved_plastic_share", missing="not_solved")),
+            "says": _yielding(one),
+            "area": number("area", area, missing="not_solved"),
+        }
+        for variant in ("larger_area", "recovered", "rigid"):
+            row[variant] = bounded(one.sel(variant=variant), "force_ratio")
+        rows.append(row)
+    answer = "open" if count(rows, "says", "disputed") else "yes"
+    factors = limit["estimated_area"].values / limit["solved_area"].values
+    solved = factors[np.isfinite(factors)]
+    low, middle, high = np.quantile(solved if solved.size else [np.nan], [0.05, 0.5, 0.95])
+    return {
+        "rows": rows,
+        "verdict": "no" if count(rows, "says", "none", "some") else answer,
+        "counts": {
+            "all": count(rows, "says", "all"),
+            "fewer": count(rows, "says", "some", "none"),
+            "disputed": count(rows, "says", "disputed"),
+        },
+        "estimated": number("estimated", middle)._replace(low=known(low), high=known(high)),
+        "cases": solved.size,
+    }
+
+
+def _yielding(one: xr.Dataset) -> str:
+    """Return how many contacts of a surface yield: "none", "some", "all", or "disputed"."""
+    by_index, solved = (one[name].item() for name in ("plastic_share", "solved_plastic_share"))
+    amounts = {0.0: "none", 1.0: "all"}
+    yields = amounts.get(by_index, "some")
+    return yields if np.isnan(solved) or amounts.get(solved, "some") == yields else "disputed"

@@ -1,0 +1,85 @@
+"""Pages from templates: one self-contained HTML document, with its style and its scripts."""
+
+import base64
+import hashlib
+import re
+from pathlib import Path
+from typing import Any
+
+from hardcontact.answer.facts import printed
+from hardcontact.numbers.printing import print_as_paper
+
+FOLDER = Path(__file__).parents[2] / "report/templates"
+
+#: A space between a number and its interval, or between either and its unit.
+BEFORE_UNIT = re.compile(r"(?<=\d) (?=\[)|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²|[GM]?Pa|%)(?!\w))")
+
+
+def rendered(template: str, **facts: Any) -> str:
+    """Return a page as one HTML document that needs no network.
+
+    Everything that a template prints is escaped. The page carries a policy that lets no script run
+    but those of the templates, which it names by their digests.
+
+    Parameters
+    ----------
+    template : str
+        Name of a file of workflow/report/templates.
+    **facts
+        What it names.
+
+    Returns
+    -------
+    str
+        HTML.
+
+    Raises
+    ------
+    jinja2.UndefinedError
+        If the template names what is not given.
+    """
+    # Imported here: it takes longer than most jobs compute.
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+    from markupsafe import Markup
+
+    environment = Environment(
+        loader=FileSystemLoader(FOLDER), autoescape=True, undefined=StrictUndefined,
+        trim_blocks=True, lstrip_blocks=True,
+    )  # fmt: skip
+    environment.filters |= {
+        "printed": printed, "as_paper": print_as_paper, "percent": _percent,
+        "unbroken": _unbroken, "base64": _base64,
+    }  # fmt: skip
+    scripts = [_file("uplot/uPlot.iife.min.js"), _file("page.js")]
+    return environment.get_template(template).render(
+        style=Markup(_file("uplot/uPlot.min.css") + _file("style.css")),
+        scripts=[Markup(script) for script in scripts],
+        policy=_policy(scripts),
+        **facts,
+    )
+
+
+def _file(name: str) -> str:
+    return (FOLDER / name).read_text("utf-8")
+
+
+def _policy(scripts: list[str]) -> str:
+    """Return what a page may load: pictures and styles that it holds, and these scripts."""
+    digests = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in scripts)
+    allowed = " ".join(f"'sha256-{digest}'" for digest in digests)
+    return f"default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src {allowed}"
+
+
+def _unbroken(text: Any) -> str:
+    """Return a text in which no line ends between a number and its unit."""
+    made = BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", str(text))
+    return type(text)(made) if hasattr(text, "__html__") else made  # what is escaped stays so
+
+
+def _percent(share: float, digits: int | None = None) -> str:
+    """Return a share of 1 in percent, with so many digits after the point, or with all it has."""
+    return f"{100 * share:g} %" if digits is None else f"{100 * share:.{digits}f} %"
+
+
+def _base64(data: bytes) -> str:
+    return base64.b64encode(data).decode("ascii")

@@ -1,0 +1,388 @@
+"""What programs use of the library: ``import hardcontact as hc`` gives these names.
+
+Each is a function that the jobs and commands of the study call, or a few of them in their order.
+Lengths and heights are in nm, wavevectors in rad/nm, forces in N, works of adhesion in J/m²,
+pressures in Pa. What cannot be computed is a ValueError with a line for each fault.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.adhesion.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
+from hardcontact.config.configuration import NONE
+from hardcontact.config.grids import Grid
+from hardcontact.config.limits import limits_of_scan
+from hardcontact.config.own_spectrum import own_spectrum
+from hardcontact.config.schema import refuse_lines
+from hardcontact.contact.bearing_area import Load, NamedLoad
+from hardcontact.contact.geometry import ContactArray, bodies
+from hardcontact.insight.closed_form import Contact, contact_area
+from hardcontact.insight.prediction import Number, prediction, rough_part, too_wide
+from hardcontact.own_surfaces.open_edges import edges_of_curves
+from hardcontact.scales.critical_band import logarithmic_limits
+from hardcontact.scales.filtered_masters import FilteredContacts, filtered_pull_off
+from hardcontact.scales.stacked_masters import stacked_forces
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.prepared_scans import flat_measurement
+from hardcontact.surfaces.scans import height_map
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import measured_psds as measured_psds
+from hardcontact.surfaces.synthesis import SIDES
+from hardcontact.surfaces.topography import metrics as metrics
+from hardcontact.surfaces.topography import mirror_stitch
+
+
+def read_scan(
+    path: str | Path,
+    dataset: str = "",
+    *,
+    undefined_pixels: str = "refuse",
+    levelling: str = "plane",
+    sphere_radius: float | None = None,
+) -> HeightMap:
+    """Read a height map as the study prepares it: its central square, levelled.
+
+    Parameters
+    ----------
+    path : str or Path
+        Any format that SurfaceTopography reads, or a container of scans.
+    dataset : str
+        The member of a container; empty for any other file.
+    undefined_pixels : str
+        ``"refuse"`` or ``"harmonic"``, which fills them.
+    levelling : str
+        ``"plane"``, or ``"lines"``, which aligns the scan lines first.
+    sphere_radius : float or None
+        In nm, of the sphere that the scan shows and that is subtracted.
+
+    Returns
+    -------
+    HeightMap
+        ``heights`` (y, x) in nm, in float32, and ``pixel_size`` in nm.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> size = scan.size  # nm
+    """
+    measurement = flat_measurement(
+        path,
+        dataset,
+        undefined_pixels=undefined_pixels,
+        levelling=levelling,
+        sphere_radius=sphere_radius,
+    )
+    scan = height_map(measurement, "measured")
+    return replace(scan, heights=scan.heights.astype(np.float32))  # as prepared scans are stored
+
+
+def read_spectrum(
+    *files: str | Path,
+    dataset: str = "",
+    tip_radius: float | None = None,
+    undefined_pixels: str = "harmonic",
+    levelling: str = "plane",
+    sphere_radius: float | None = None,
+    continued: bool = False,
+) -> Spectrum:
+    """Return C_iso of one surface: of a table, or measured on scans, which are joined.
+
+    Parameters
+    ----------
+    *files : str or Path
+        A CSV as `hardcontact predict` takes it; or height maps, line scans and containers.
+    dataset : str
+        The only member of a container that counts; empty: all of them.
+    tip_radius : float or None
+        In nm, of scans whose files do not state it.
+    undefined_pixels, levelling : str
+        As of `read_scan`.
+    sphere_radius : float or None
+        As of `read_scan`.
+    continued : bool
+        Whether the spectrum of scans goes on beyond the wavelengths at which they are reliable, as
+        the study continues it for its masters: artificial, constant above and self-affine below.
+
+    Returns
+    -------
+    Spectrum
+        ``wavevector`` in rad/nm and ``density`` in nm⁴.
+
+    Examples
+    --------
+    >>> spectrum = hc.read_spectrum("scan.nc")
+    >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
+    """
+    return own_spectrum(
+        files,
+        dataset=dataset,
+        tip_radius=tip_radius,
+        undefined_pixels=undefined_pixels,
+        levelling=levelling,
+        sphere_radius=sphere_radius,
+        continued=continued,
+    ).spectrum
+
+
+def pull_off_forces(
+    scan: HeightMap,
+    *,
+    radius: float,
+    preload: float,
+    hardness: float,
+    ranges: Sequence[float],
+    work: float,
+    window: float = 12500.0,
+    count: int = 20,
+    sphere: HeightMap | None = None,
+) -> xr.Dataset:
+    """Return the pull-off forces of a sphere at an array of contacts on a scan, Eq. 3 of the paper.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled; one that is not periodic is stitched to its mirror images.
+    radius : float
+        Of the sphere in nm.
+    preload, hardness : float
+        In N, and of the softer body in Pa.
+    ranges : sequence of float
+        Of adhesion in nm.
+    work : float
+        Of adhesion in J/m².
+    window : float
+        Edge in nm of the square about each contact that is summed over; the paper's if not given.
+    count : int
+        Contacts along an edge of the array; there are count x count.
+    sphere : HeightMap or None
+        Levelled roughness of the sphere where it touches; None of a smooth one.
+
+    Returns
+    -------
+    xarray.Dataset
+        ``pull_off_force`` in N over contact_model (rigid, plastic), rho and the contacts;
+        ``closest_approach`` and ``penetration`` in nm; ``window_change``, by how much a window that
+        is wider by a period a side changes the forces at the longest range.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> forces = hc.pull_off_forces(
+    ...     scan, radius=50e3, preload=10e-6, hardness=25e9, ranges=[5.6], work=0.05,
+    ...     window=2500, count=8,
+    ... )
+    >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
+    """
+    load: Load = {"preload": preload, "hardness": hardness}
+    array: ContactArray = {"window": window, "count": count}
+    _refuse_not_positive(work=work)
+    surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
+    _refuse_unfit(surface, radius, load, ranges, array)
+    pair = bodies(surface, rough, radius, array)
+    found = pull_off_of_pair(pair, load, ranges).merge(window_change([pair], load, max(ranges)))
+    force = found.pull_off_force * (work / WORK_OF_ADHESION)
+    attributes = {"units": "N", "long_name": "pull-off force"}
+    return found.assign(pull_off_force=force.assign_attrs(attributes)).assign_attrs(
+        work_of_adhesion=work
+    )
+
+
+def force_ratios(
+    scan: HeightMap,
+    cutoffs: Mapping[str, Sequence[float]],
+    *,
+    radius: float,
+    preload: float,
+    hardness: float,
+    rho: float,
+    tolerance: float = 0.1,
+    window: float = 12500.0,
+    count: int = 20,
+    sphere: HeightMap | None = None,
+) -> xr.Dataset:
+    """Return how the force changes if roughness beyond cutoffs is removed from a scan itself.
+
+    The study does so on masters, which continue the roughness of a scan beyond its wavelengths, and
+    takes minutes; the edges found here are those of the roughness that the scan shows.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        As of `pull_off_forces`.
+    cutoffs : mapping of str to sequence of float
+        In nm, each more than two pixels; of ``"small"``, below which wavelengths are removed, of
+        ``"large"``, above which they are, or of both.
+    radius, preload, hardness : float
+        As of `pull_off_forces`.
+    rho : float
+        Range of adhesion in nm.
+    tolerance : float
+        Relative change of the force that counts.
+    window : float
+        As of `pull_off_forces`.
+    count : int
+        As of `pull_off_forces`.
+    sphere : HeightMap or None
+        As of `pull_off_forces`.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over side ``edge`` in nm, the cutoff where the force leaves its tolerance; ``edge_status``,
+        ``"found"`` or why it is open; ``edge_bound`` in nm, above which an open edge is where
+        ``edge_at_least`` is 1, else below. Over side and cutoff_wavelength ``ratio`` of the mean
+        plastic force to that on the whole scan, NaN at cutoffs of the other side.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> ratios = hc.force_ratios(
+    ...     scan, {"small": [40, 80, 160]}, radius=50e3, preload=10e-6, hardness=25e9, rho=5.6,
+    ...     window=2500, count=8,
+    ... )
+    >>> short_edge = float(ratios.edge.sel(side="small"))  # nm
+    """
+    load: NamedLoad = {"name": "given", "preload": preload, "hardness": hardness}
+    array: ContactArray = {"window": window, "count": count}
+    _refuse_not_positive(tolerance=tolerance)
+    surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
+    _refuse_unfit(surface, radius, load, [rho], array)
+    _refuse_cutoffs(cutoffs, surface)
+    forces = {}
+    for side, of_side in cutoffs.items():
+        contacts: FilteredContacts = {
+            "side": side,
+            "scales": {"pixels": surface.pixels, "cutoffs": sorted({*map(float, of_side)})},
+            "radius": radius,
+            "rho": rho,
+            "loads": [load],
+            **array,
+        }
+        found = filtered_pull_off(surface, rough, contacts)
+        forces["scan", 0, side] = found.isel(load=0, drop=True)
+    ratio = stacked_forces(forces).ratio.isel(surface=0, realization=0, drop=True)
+    logarithm = np.log(ratio)
+    curves = xr.Dataset(
+        {
+            "logarithm": logarithm,
+            "logarithm_interval": logarithm.expand_dims(bound=2, axis=-1) * np.nan,
+            "cell": ("side", np.full(len(cutoffs), surface.size)),
+        }
+    )
+    edges = edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
+    names = ("edge", "edge_status", "edge_bound", "edge_at_least")
+    return xr.Dataset(
+        {"ratio": ratio} | {name: edges[name] for name in names},
+        attrs={"rho": rho, "tolerance": tolerance},
+    )
+
+
+def predict(
+    spectrum: Spectrum,
+    *,
+    radius: float,
+    preload: float,
+    hardness: float,
+    rho: float,
+    work: float,
+    tolerance: float = 0.1,
+) -> dict[str, Number]:
+    """Return what the closed form predicts of a smooth sphere, as `hardcontact predict` does.
+
+    Parameters
+    ----------
+    spectrum : Spectrum
+        C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps.
+    radius : float
+        Of the sphere in nm.
+    preload, hardness : float
+        In N, and of the softer body in Pa.
+    rho : float
+        Range of adhesion in nm.
+    work : float
+        Of adhesion in J/m².
+    tolerance : float
+        Relative change of the force that counts for an edge.
+
+    Returns
+    -------
+    dict of str to Number
+        By name, such as ``pull_off_force`` (N), ``short_edge`` and ``long_edge`` (nm): ``value``,
+        ``unit``, ``low`` and ``high`` of its interval, and ``status``, a code; the numbers that
+        ``--json`` writes. The force is ``"outside"`` where its error is not known; that the end of
+        a continued spectrum is artificial does not count.
+
+    Examples
+    --------
+    >>> spectrum = hc.read_spectrum("scan.nc")
+    >>> numbers = hc.predict(
+    ...     spectrum, radius=250e3, preload=10e-6, hardness=25e9, rho=5.6, work=0.0463
+    ... )
+    >>> force = numbers["pull_off_force"].value  # N
+    """
+    _refuse_not_positive(
+        radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
+    )
+    contact = Contact(radius, rho, work, contact_area({"preload": preload, "hardness": hardness}))
+    refuse_lines(filter(None, [too_wide(contact, preload)]))
+    return prediction(rough_part(spectrum), contact, tolerance)
+
+
+def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:
+    """Return a periodic map, of one that is not its mirror-stitched one; refuse what is no map."""
+    heights = surface.heights
+    if heights.ndim != 2 or len(set(heights.shape)) > 1 or not np.isfinite(heights).all():
+        shape = " x ".join(map(str, heights.shape))
+        raise ValueError(f"{name}: expected a square map of finite heights, found {shape} pixels")
+    return surface if surface.periodic else mirror_stitch(surface)
+
+
+def _refuse_cutoffs(cutoffs: Mapping[str, Sequence[float]], surface: HeightMap) -> None:
+    """Refuse cutoffs that a periodic surface has no waves at."""
+    if not cutoffs or not set(cutoffs) <= set(SIDES):
+        raise ValueError(f"cutoffs: expected those of small, large or both, found {[*cutoffs]}")
+    least, most = 2 * surface.pixel_size * (1 + 1e-9), surface.size
+    refuse_lines(
+        f"cutoffs: expected wavelengths of more than two pixels ({least:.4g} nm) and at most the "
+        f"{most:.6g} nm of the stitched scan on the {side} side, found {[*of_side]}"
+        for side, of_side in cutoffs.items()
+        if not len(of_side) or not least < min(of_side) <= max(of_side) <= most
+    )
+
+
+def _refuse_not_positive(**numbers: float) -> None:
+    """Refuse numbers that are not positive and finite, by their names."""
+    refuse_lines(
+        f"{name}: expected a positive number, found {value!r}"
+        for name, value in numbers.items()
+        if not (isinstance(value, int | float | np.number) and 0 < value < math.inf)
+    )
+
+
+def _refuse_unfit(
+    surface: HeightMap, radius: float, load: Load, ranges: Sequence[float], array: ContactArray
+) -> None:
+    """Refuse numbers that a study of this periodic surface would refuse, in its words."""
+    contact: dict[str, Any] = {**array, **load}
+    numbers = {name: contact[name] for name in ("window", "count", "preload", "hardness")}
+    least = min(ranges, default=math.nan)
+    _refuse_not_positive(radius=radius, **numbers, ranges=least)
+    # Of the scan, which mirroring doubled.
+    pixels, size = surface.pixels // 2, surface.size / 2
+    grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
+    config = {
+        "published": NONE,
+        "sphere": {"radius": radius},
+        "contact": contact,
+        "adhesion": {"ranges": [least]},
+        "scales": {"range": least},
+    }
+    for holds, key, expected, found in limits_of_scan(config, "the map", grid):
+        if not holds:
+            raise ValueError(f"{key.split('.')[-1]}: expected {expected}, found {found}")
