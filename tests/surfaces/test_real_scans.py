@@ -127,12 +127,13 @@ def test_adhesion_of_the_own_scan(own_study):
     assert force.sel(surface="mcd", sphere_scan=1).notnull().all()
 
 
-@pytest.mark.study
-def test_a_measured_surface_keeps_its_scans_in_every_variant(own_study):
-    run = run_snakemake(own_study.parents[1], "-n", "robustness", overlays=[OWN])
+def test_a_measured_surface_keeps_its_scans_in_every_variant(tmp_path):
+    folder = copy_repository(tmp_path / "study")
+    (folder / "own.tsv").write_text(TABLE)
+    run = run_snakemake(folder, "-n", "robustness", overlays=[OWN])
     assert run.returncode == 0, run.stdout[-3000:]
     outputs = re.findall(r"^    output: (.*)$", run.stdout, re.M)
     assert any("/mcd/laplacian/" in output for output in outputs)
     own = [output for output in outputs if "/uncd/" in output]
-    assert any(re.search("/robustness/.*/uncd/study/scan-1/sphere-scan-1.nc", o) for o in own)
+    assert any(re.search("/robustness/.*/uncd/study/forces.nc", o) for o in own)
     assert [output for output in own if "/uncd/study/" not in output] == []

@@ -90,7 +90,7 @@ for scans, surfaces in FILES.scan_groups.items():
     rule:
         """Make substitute scans that are conditioned together, and prepare them."""
         name:
-            f"make_scans_{scans[0]}"
+            f"make_scans_{'_'.join(map(str, scans))}"
         input:
             spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
             conditioning=lambda w, scan=scans[0]: FILES.conditioning(w.surface, scan, w.variant),
