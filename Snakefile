@@ -61,6 +61,10 @@ onsuccess:
     start.say_answer(workflow, PATTERNS.result("answer.html"))
 
 
+onerror:
+    start.say_how_to_go_on()
+
+
 rule all:
     """Make the whole study: datasets, verdicts, figures, pages and their description."""
     default_target: True

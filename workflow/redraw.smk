@@ -40,6 +40,10 @@ onsuccess:
     start.say_answer(workflow, PATTERNS.result("answer.html"))
 
 
+onerror:
+    start.say_how_to_go_on()
+
+
 rule redraw:
     """Draw all figures and write all pages of a finished study again."""
     default_target: True

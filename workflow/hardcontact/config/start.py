@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
 import yaml
-from snakemake.logging import logger
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
@@ -29,6 +28,8 @@ from hardcontact.records.whole_file import hold
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
 SCHEMAS = LIBRARY.parent / "schemas"
+#: What the study itself says, which a terminal shows beside the stages of a run.
+logger = logging.getLogger("snakemake.logging.study")
 #: The locks of this run, open until it ends.
 _LOCKS: list[TextIO] = []
 
@@ -137,6 +138,11 @@ def say_answer(workflow: Any, page: str) -> None:
     """Say which page to open at the end of a run that was asked for it."""
     if any(page in job.output for job in workflow.dag.jobs):
         logger.info(f"The answer is made: open {page}")
+
+
+def say_how_to_go_on() -> None:
+    """Say at the end of a run that failed or was stopped that what is made is kept."""
+    logger.error("Not all is made: the same command goes on from here.")
 
 
 def hold_folders(*folders: str) -> None:

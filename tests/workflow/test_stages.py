@@ -1,0 +1,80 @@
+"""What a run shows in the terminal: stages, and only what is to be read."""
+
+import logging
+from types import SimpleNamespace
+
+import pytest
+from snakemake.logging import DefaultFormatter
+from snakemake_interface_logger_plugins.common import LogEvent
+
+from snakemake_logger_plugin_stages import STUDY, LogHandler
+
+JOBS = ["level_scan", "level_scan", "stitch"]
+
+
+def shown(capsys, records, **settings):
+    """Return the lines that a handler shows of records: level, logger, message and attributes."""
+    common = dict.fromkeys(("dryrun", "verbose", "quiet", "stdout"), False) | settings
+    handler = LogHandler(SimpleNamespace(**common), None)
+    handler.setFormatter(DefaultFormatter(quiet=None, show_failed_logs=False))
+    for level, name, message, said in records:
+        record = logging.LogRecord(name, level, "", 0, message, (), None)
+        vars(record).update(said)
+        handler.emit(record)
+    handler.close()
+    return capsys.readouterr().err.splitlines()
+
+
+def info(message, event=None, **said):
+    return logging.INFO, "snakemake.logging", message, {"event": event, **said}
+
+
+def run(finished):
+    """Return what Snakemake says of a run of JOBS of which so many finish."""
+    yield info("long list", LogEvent.RUN_INFO, stats={"level_scan": 2, "stitch": 1, "total": 3})
+    for number, rule in enumerate(JOBS):
+        yield info(f"Rule: {rule}", LogEvent.JOB_INFO, jobid=number, rule_name=rule)
+    for number in range(finished):
+        yield info("Finished", LogEvent.JOB_FINISHED, job_id=number)
+
+
+@pytest.mark.parametrize("ended", range(4))
+def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
+    lines = shown(capsys, run(ended))
+    done = [name for name, last in (("level scan", 2), ("stitch", 3)) if last <= ended]
+    assert [line[:32].strip() for line in lines] == done
+    if ended == 3:
+        assert "3 of 3" in lines[-1]
+
+
+def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
+    failed = {"event": LogEvent.JOB_ERROR, "rule_name": "stitch", "log": ["logs/stitch.log"]}
+    again = {"event": LogEvent.ERROR, "exception": "CalledProcessError"}
+    errors = [
+        (logging.ERROR, "snakemake.logging", "Error", failed),
+        (logging.ERROR, "snakemake.logging", "Command ['python'] died", again),
+    ]
+    (line,) = shown(capsys, [*run(0), *errors])
+    assert "stitch" in line and "logs/stitch.log" in line
+
+
+def test_what_the_study_says_and_warnings_are_shown(capsys):
+    records = [
+        (logging.INFO, STUDY, "open answer.html", {}),
+        (logging.WARNING, "snakemake.logging", "disk is nearly full", {}),
+        info("Select jobs to execute..."),
+    ]
+    assert shown(capsys, records) == ["open answer.html", "disk is nearly full"]
+
+
+@pytest.mark.parametrize("setting", ["dryrun", "verbose", "quiet"])
+def test_all_of_the_log_is_shown_where_it_is_asked_for(capsys, setting):
+    lines = shown(capsys, [info("Select jobs to execute...")], **{setting: True})
+    assert lines == ["Select jobs to execute..."]
+
+
+def test_a_file_that_does_not_exist_is_named_in_one_line(capsys):
+    text = "Traceback (most recent call last):\n  File \"x.py\"\nFileNotFoundError: 'a.yaml'\n\n"
+    said = {"event": LogEvent.ERROR, "exception": "FileNotFoundError"}
+    (line,) = shown(capsys, [(logging.ERROR, "snakemake.logging", text, said)])
+    assert line == "error: FileNotFoundError: 'a.yaml'"

@@ -1,0 +1,128 @@
+"""What a run shows in the terminal: a line a stage, a bar while it runs, and the time left.
+
+A plugin that Snakemake finds by the name of this package. A stage is all jobs of one rule. Dry
+runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log` has of every run.
+"""
+
+import sys
+from datetime import timedelta
+from logging import WARNING, LogRecord
+
+from rich.console import Console
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    Task,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+from snakemake.common import NOTHING_TO_BE_DONE_MSG
+from snakemake_interface_logger_plugins.base import LogHandlerBase
+from snakemake_interface_logger_plugins.common import LogEvent
+
+#: The logger of what a study itself says.
+STUDY = "snakemake.logging.study"
+#: Exceptions that tell once more of a job that has failed.
+OF_JOBS = ("CalledProcessError", "RuleException")
+#: Exceptions whose last line tells a user all: a configuration file that does not exist.
+OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError")
+
+
+class LogHandler(LogHandlerBase):
+    """Shows stages, what Snakemake warns of, and what the study says."""
+
+    writes_to_stream = True
+    writes_to_file = False
+    has_filter = False
+    has_formatter = False
+    needs_rulegraph = False
+
+    def __post_init__(self) -> None:
+        """Prepare to show a run."""
+        settings = self.common_settings
+        self._own_log = bool(settings.dryrun or settings.verbose or settings.quiet)
+        self._console = Console(file=sys.stdout if settings.stdout else sys.stderr, highlight=False)
+        self._progress = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeElapsedColumn(),
+            TimeRemainingColumn(),
+            TextColumn("left"),
+            console=self._console,
+            transient=True,
+            speed_estimate_period=3600,
+            disable=not self._console.is_terminal,
+        )
+        self._tasks: dict[str, Task] = {}
+        self._rules: dict[int, str] = {}
+
+    def emit(self, record: LogRecord) -> None:
+        """Show what begins, what ends, and what is to be read."""
+        event, said = getattr(record, "event", None), vars(record)
+        if self._own_log:
+            self._say(self.format(record))
+        elif event == LogEvent.RUN_INFO:
+            self._plan(said["stats"])
+        elif event == LogEvent.JOB_INFO:
+            self._start(said["jobid"], said["rule_name"])
+        elif event == LogEvent.JOB_FINISHED:
+            self._finish(self._rules[said["job_id"]])
+        elif event == LogEvent.JOB_ERROR:
+            self._say(f"Error in rule {said['rule_name']}: see {', '.join(said['log'])}")
+        elif event == LogEvent.ERROR and said["exception"] in OF_FILES:
+            self._say("error: " + record.getMessage().strip().splitlines()[-1])
+        elif event == LogEvent.ERROR and said["exception"] in OF_JOBS and self._tasks:
+            pass
+        elif (
+            record.levelno >= WARNING
+            or record.name == STUDY
+            or record.getMessage() == NOTHING_TO_BE_DONE_MSG
+        ):
+            self._say(self.format(record))
+
+    def _say(self, text: str) -> None:
+        self._console.print(text, markup=False, soft_wrap=True)
+
+    def _plan(self, jobs: dict[str, int]) -> None:
+        """Show how many jobs there will be: by rule, and in total."""
+        for rule, count in jobs.items():
+            name = rule.replace("_", " ")
+            task = self._progress.add_task(name, total=count, start=False, visible=False)
+            self._tasks[rule] = self._progress.tasks[task]
+        self._show("total")
+        self._progress.start()
+
+    def _show(self, rule: str) -> None:
+        task = self._tasks[rule]
+        self._progress.start_task(task.id)
+        self._progress.update(task.id, visible=True)
+
+    def _start(self, job: int, rule: str) -> None:
+        """Show the bar of a rule from its first job on."""
+        self._rules[job] = rule
+        if not self._tasks[rule].started:
+            self._show(rule)
+
+    def _finish(self, rule: str) -> None:
+        """Count a job that has ended; of a rule without further jobs a line stays."""
+        stage, total = self._tasks[rule], self._tasks["total"]
+        for task in (stage, total):
+            self._progress.advance(task.id)
+        if stage.finished:
+            self._progress.update(stage.id, visible=False)
+            took, left = (
+                timedelta(seconds=round(seconds or 0))
+                for seconds in (stage.finished_time, total.time_remaining)
+            )
+            self._say(
+                f"{stage.description:32}{stage.total:4.0f} jobs {took}, "
+                f"{total.completed:.0f} of {total.total:.0f} in all, about {left} left"
+            )
+
+    def close(self) -> None:
+        """Take the bars away."""
+        self._progress.stop()
+        super().close()
