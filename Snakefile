@@ -54,7 +54,6 @@ include: "workflow/rules/provenance.smk"
 
 onstart:
     start.hold_folders(PATTERNS.results, PATTERNS.store)
-    start.say_left_out(STUDY)
 
 
 onsuccess:

@@ -33,7 +33,7 @@ def run(finished):
     """Return what Snakemake says of a run of JOBS of which so many finish."""
     yield info("long list", LogEvent.RUN_INFO, stats={"level_scan": 2, "stitch": 1, "total": 3})
     for number, rule in enumerate(JOBS):
-        yield info(f"Rule: {rule}", LogEvent.JOB_INFO, jobid=number, rule_name=rule)
+        yield info(f"Rule: {rule}", LogEvent.JOB_INFO, jobid=number, rule_name=rule, rule_msg=None)
     for number in range(finished):
         yield info("Finished", LogEvent.JOB_FINISHED, job_id=number)
 
@@ -56,6 +56,12 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
     ]
     (line,) = shown(capsys, [*run(0), *errors])
     assert "stitch" in line and "logs/stitch.log" in line
+
+
+def test_the_message_of_a_rule_is_shown(capsys):
+    plan = info("long list", LogEvent.RUN_INFO, stats={"claims": 1, "total": 1})
+    said = {"jobid": 0, "rule_name": "claims", "rule_msg": "claims is left out"}
+    assert shown(capsys, [plan, info("", LogEvent.JOB_INFO, **said)]) == ["claims is left out"]
 
 
 def test_what_the_study_says_and_warnings_are_shown(capsys):

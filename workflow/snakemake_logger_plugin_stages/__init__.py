@@ -68,6 +68,8 @@ class LogHandler(LogHandlerBase):
             self._plan(said["stats"])
         elif event == LogEvent.JOB_INFO:
             self._start(said["jobid"], said["rule_name"])
+            if said["rule_msg"]:
+                self._say(said["rule_msg"])
         elif event == LogEvent.JOB_FINISHED:
             self._finish(self._rules[said["job_id"]])
         elif event == LogEvent.JOB_ERROR:

@@ -18,7 +18,7 @@ from snakemake.utils import min_version, update_config
 
 from hardcontact.config.checks import check
 from hardcontact.config.configuration import configuration as numbers_of
-from hardcontact.config.configuration import left_out, refuse_all, refuse_repeated_keys
+from hardcontact.config.configuration import refuse_all, refuse_repeated_keys
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 from hardcontact.records import published
@@ -99,12 +99,6 @@ def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     if merged.get("effort") == "quick" and isinstance(quick, dict):
         update_config(merged, deepcopy(quick))
     return merged
-
-
-def say_left_out(configuration: Mapping[str, Any]) -> None:
-    """Say which targets the data of the study do not allow, and why."""
-    for target, reason in left_out(configuration).items():
-        logger.info(f"{target} is left out: {reason}")
 
 
 def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str, Any]:
