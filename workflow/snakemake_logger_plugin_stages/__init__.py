@@ -62,7 +62,9 @@ class LogHandler(LogHandlerBase):
     def emit(self, record: LogRecord) -> None:
         """Show what begins, what ends, and what is to be read."""
         event, said = getattr(record, "event", None), vars(record)
-        if self._own_log:
+        if event == LogEvent.ERROR and said["exception"] in OF_FILES:
+            self._say("error: " + record.getMessage().strip().splitlines()[-1])
+        elif self._own_log:
             self._say(self.format(record))
         elif event == LogEvent.RUN_INFO:
             self._plan(said["stats"])
@@ -74,8 +76,6 @@ class LogHandler(LogHandlerBase):
             self._finish(self._rules[said["job_id"]])
         elif event == LogEvent.JOB_ERROR:
             self._say(f"Error in rule {said['rule_name']}: see {', '.join(said['log'])}")
-        elif event == LogEvent.ERROR and said["exception"] in OF_FILES:
-            self._say("error: " + record.getMessage().strip().splitlines()[-1])
         elif event == LogEvent.ERROR and said["exception"] in OF_JOBS and self._tasks:
             pass
         elif (
