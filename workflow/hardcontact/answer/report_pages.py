@@ -12,8 +12,7 @@ from markdown_it.token import Token
 
 from hardcontact.answer.paper_answer import plain_rows
 from hardcontact.answer.templates import rendered
-from hardcontact.claims.set_spread import STABLE
-from hardcontact.claims.verdicts import BY_CONSTRUCTION, summary
+from hardcontact.claims.verdicts import BY_CONSTRUCTION, STABLE, summary
 from hardcontact.numbers.printing import print_as_paper
 
 
