@@ -14,8 +14,7 @@ from PIL import Image
 from repository import ROOT
 
 from hardcontact.answer.captions import Caption
-from hardcontact.answer.paper_answer import paper_answer
-from hardcontact.answer.paper_page import paper_page
+from hardcontact.answer.paper_answer import paper_answer, paper_page
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import OF_PAPER

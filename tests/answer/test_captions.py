@@ -18,7 +18,6 @@ def test_a_caption_names_the_values_of_the_study():
     )
     shown = caption(template, {"inference": {"confidence": 0.8}})
     assert shown == ("Fig. 1", "Its 80 % interval.", "From a.nc.")
-    assert shown.text == "Its 80 % interval. From a.nc."
 
 
 @pytest.mark.parametrize("name", FIGURES | OF_ATOMIC)

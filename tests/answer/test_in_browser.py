@@ -7,7 +7,8 @@ import pytest
 from answer_inputs import datasets, fit, open_edges, setting, topography
 from browser import WIDTHS, needs_browser, shown, used
 
-from hardcontact.answer.own_surfaces import own_page
+from hardcontact.answer.own_answer import own_answer
+from hardcontact.answer.own_page import own_page
 
 pytestmark = [pytest.mark.system, needs_browser]
 
@@ -22,13 +23,17 @@ def with_long_names(data):
     return data._replace(spectra=spectra.assign(path=paths.astype(str)))
 
 
+def made_page(given, of=None):
+    return own_page(own_answer(given, of or setting()))
+
+
 CASES = {
-    "one surface": lambda: own_page(
+    "one surface": lambda: made_page(
         with_long_names(datasets(edges=open_edges(), fit=fit())),
         setting([(LONG, "the reason why this part was left out " * 3)]),
     ),
-    "two surfaces": lambda: own_page(
-        datasets(2, topography=topography(2, "substitute"), fit=fit(2)), setting()
+    "two surfaces": lambda: made_page(
+        datasets(2, topography=topography(2, "substitute"), fit=fit(2))
     ),
 }
 
@@ -79,7 +84,7 @@ USE = """
 
 def test_tables_sort_and_curves_tell_and_give_their_values(tmp_path):
     given = datasets(edges=open_edges())
-    told = used(own_page(given, setting()), USE, tmp_path)
+    told = used(made_page(given), USE, tmp_path)
     first, second = told["sorted"]
     assert sorted(first) == sorted(second) and first == second[::-1] and len(set(first)) > 2
     header, *rows = csv.reader(told["csv"].splitlines())

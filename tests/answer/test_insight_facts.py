@@ -13,7 +13,7 @@ from figure_inputs.scaling import scaling
 from figure_inputs.scan_size import scan_size
 from paper_numbers import LABELS
 
-from hardcontact.answer.facts import between, bounded
+from hardcontact.answer.facts import between, number_of
 from hardcontact.answer.insight_facts import (
     band_facts,
     closed_form_facts,
@@ -27,22 +27,25 @@ from hardcontact.answer.insight_force_facts import (
     repeated_contact_facts,
 )
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
+from hardcontact.numbers.number import Number, plain
 
 
 def column(facts, name, rows="rows"):
-    """The values of a column of facts, or its codes."""
-    return [getattr(row[name], "value", row[name]) for row in facts[rows]]
+    """The values of a column of numbers, None where one is not known, or its codes."""
+    cells = [row[name] for row in facts[rows]]
+    return [plain(one.value) if isinstance(one, Number) else one for one in cells]
 
 
 def test_an_interval_that_bounds_nothing_is_left_out():
     of_uncd = scaling().sel(part="all", side="small", surface="uncd", length="rho")
     of_uncd["exponent"][...] = 0.5
     for low, high, status in (
-        (0.4, 0.6, "known"), (np.nan, np.nan, "no_interval"), (-4e3, 4e3, "not_bounded"),
+        (0.4, 0.6, ""), (np.nan, np.nan, "no_interval"), (-4e3, 4e3, "not_bounded"),
     ):  # fmt: skip
         of_uncd["exponent_interval"][:] = [low, high]
-        assert bounded(of_uncd, "exponent").status == status
-    assert (bounded(of_uncd, "exponent").low, bounded(of_uncd, "exponent").value) == (None, 0.5)
+        found = number_of(of_uncd, "exponent")
+        assert found.status == status
+    assert np.isnan(found.low) and found.value == 0.5
 
 
 def test_ends_that_are_not_known_are_open():
@@ -242,7 +245,7 @@ def test_strengths_are_those_of_what_is_known():
     _, hamaker, casimir, potential = (row["implied"] for row in law_facts(data)["fits"])
     assert (hamaker.value, hamaker.unit) == (pytest.approx(1e-17), "J")
     assert (potential.value, potential.unit) == (2, "V")
-    assert casimir.value is None
+    assert np.isnan(casimir.value) and casimir.status == "none"
 
 
 def test_maps_have_what_a_mean_needs_and_one_scan_tells_nothing_of_others():

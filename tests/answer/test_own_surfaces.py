@@ -26,9 +26,9 @@ from html_page import Page
 from jsonschema import Draft202012Validator, ValidationError
 from repository import ROOT
 
-from hardcontact.answer import own_surfaces
-from hardcontact.answer.numbers import answer_numbers
-from hardcontact.answer.own_surfaces import own_page
+from hardcontact.answer import own_page as page_of
+from hardcontact.answer.own_answer import as_plain, own_answer
+from hardcontact.answer.own_page import own_page
 
 FORCES = "two substitutes, forces"
 LEFT_OUT = [("elastic contacts", "no modulus"), ("a < b", "x & <b>y</b>")]
@@ -46,12 +46,17 @@ CASES = {
 @pytest.fixture(autouse=True)
 def _unseen(monkeypatch):
     """Figures are drawn, but no pictures made of them: those are looked at in `test_curves`."""
-    monkeypatch.setattr(own_surfaces.pictures, "png", lambda figure: b"picture")
+    monkeypatch.setattr(page_of.pictures, "png", lambda figure: b"picture")
+
+
+@cache
+def answer(case):
+    return own_answer(*CASES[case])
 
 
 @cache
 def html(case):
-    return own_page(*CASES[case])
+    return own_page(answer(case))
 
 
 @cache
@@ -61,7 +66,7 @@ def shown(case):
 
 @cache
 def numbers_of(case):
-    return answer_numbers(*CASES[case])
+    return as_plain(answer(case))
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -136,15 +141,16 @@ def test_names_of_the_user_are_escaped():
     parts = (part.assign(label=("surface", [hostile])) for part in given[:4])
     spectra_of = given.spectra.assign(path=given.spectra["path"].astype(object) + hostile)
     given = type(given)(*parts)._replace(spectra=spectra_of.assign(label=("surface", [hostile])))
-    page = own_page(given, setting([(hostile, "x & <b>y</b>")]))
+    page = own_page(own_answer(given, setting([(hostile, "x & <b>y</b>")])))
     assert "<b>" not in page and Page(page).texts["h1"]
 
 
 def test_missing_scans_have_no_row():
     data = topography()
     data["rms_height"].loc[{"scan": SCANS}] = np.nan
-    pages = [own_page(datasets(topography=one), setting()) for one in (topography(), data)]
-    assert len(Page(pages[0]).rows) - len(Page(pages[1]).rows) == 1
+    answers = [own_answer(datasets(topography=one), setting()) for one in (topography(), data)]
+    pages = [Page(own_page(one)) for one in answers]
+    assert len(pages[0].rows) - len(pages[1].rows) == 1
 
 
 @pytest.mark.parametrize("case", CASES)

@@ -12,10 +12,10 @@ from paper_numbers import SUBSTRATES
 from paper_study import answer, claims, datasets
 from repository import ROOT
 
-from hardcontact.answer.facts import Fact
 from hardcontact.answer.paper_answer import ANSWERS, MAIN_FINDINGS, as_plain, cutoff_curves
 from hardcontact.claims.verdicts import VERDICTS, summary
 from hardcontact.figures.style import colours
+from hardcontact.numbers.number import Number
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer_paper.schema.json").read_text("utf-8"))
 
@@ -159,7 +159,7 @@ def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
     made = answer(scan_size=data)
     assert (made.size_of_scans, made.size_of_surfaces) == (2500, 40e3)
     assert list(made.forces_on_scans) == SUBSTRATES
-    assert made.forces_on_scans["mcd"] == Fact("mcd", 2.24, "1", 1.48, 3.39)
+    assert made.forces_on_scans["mcd"] == Number("mcd", 2.24, "1", 1.48, 3.39)
 
 
 def test_curves_are_the_ratios_of_each_side_with_their_intervals():

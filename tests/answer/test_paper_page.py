@@ -22,8 +22,7 @@ from paper_study import (
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.answer.paper_answer import MAIN_FINDINGS
-from hardcontact.answer.paper_page import paper_page
+from hardcontact.answer.paper_answer import MAIN_FINDINGS, paper_page
 from hardcontact.figures.catalogue import OF_PAPER
 from hardcontact.numbers.printing import print_as_paper
 

@@ -5,8 +5,9 @@ import xarray as xr
 from answer_inputs import datasets, setting, topography
 from html_page import Page
 
-from hardcontact.answer.own_surfaces import own_page
-from hardcontact.answer.quartiles import quartile_spans, surfaces_with_quartiles
+from hardcontact.answer.own_answer import own_answer
+from hardcontact.answer.own_page import own_page
+from hardcontact.answer.surface_facts import quartile_spans, surfaces_with_quartiles
 
 WHOLE = ["crn", "crn_lower", "crn_upper"]
 
@@ -50,24 +51,25 @@ def test_spans_are_of_the_median_its_quartiles_and_their_intervals():
     assert [one.value for one in short[1:4]] == [40.0, 20.0, 70.0]
     assert (short.intervals.low, short.intervals.status) == (10.0, "more_than")
     assert long.least == long.most and long.intervals.status == "between"
-    assert force.fact.name == "force_mean" and force.fact.low is None
+    assert force.fact.name == "force_mean" and np.isnan(force.fact.low)
 
 
 def test_forces_without_bounds_have_none():
     given = described()
     ends = given.force["force_interval"] * 0 + xr.DataArray([0.0, np.inf], dims="bound")
     *_, force = quartile_spans(given._replace(force=given.force.assign(force_interval=ends)))
-    assert force.intervals.status == "not_bounded" and force.least.status == "known"
+    assert force.intervals.status == "not_bounded" and force.least.status == ""
 
 
 def test_open_edges_are_bounds():
     unknown = [[np.nan] * 2] * 3
     _, long, _ = quartile_spans(with_edges("large", [5e3, np.nan, np.nan], [np.nan, 8e3, 8e3],
                                            unknown))  # fmt: skip
-    assert (long.least.value, long.least.status) == (5e3, "known")
+    assert (long.least.value, long.least.status) == (5e3, "")
     assert (long.most.value, long.most.status) == (8e3, "open_above")
 
 
 def test_spans_stand_on_the_page():
-    rows = [row for row in Page(own_page(described(), setting())).rows if len(row) == 5]
+    page = Page(own_page(own_answer(described(), setting())))
+    rows = [row for row in page.rows if len(row) == 5]
     assert len(rows) == 4

@@ -11,7 +11,7 @@ from paper_numbers import SUBSTRATES
 from scipy import stats
 
 from hardcontact.claims.evaluation import COLUMNS, values
-from hardcontact.claims.set_spread import STABLE
+from hardcontact.claims.verdicts import STABLE
 
 
 def pick(*names):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import binom
 
-from hardcontact.claims.set_spread import REDRAWS, sets_interval, stability, stretched
+from hardcontact.claims.verdicts import REDRAWS, sets_interval, stability, stretched
 from hardcontact.numbers.random import generator
 
 CONFIDENCE = 0.95

@@ -23,7 +23,8 @@ from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load, NamedLoad
 from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.insight.closed_form import Contact, contact_area
-from hardcontact.insight.prediction import Number, prediction, rough_part, too_wide
+from hardcontact.insight.prediction import prediction, rough_part, too_wide
+from hardcontact.numbers.number import Number
 from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.filtered_masters import FilteredContacts, filtered_pull_off

@@ -6,8 +6,7 @@ from pathlib import Path
 import yaml
 
 from hardcontact.answer.captions import caption, web_png
-from hardcontact.answer.paper_answer import as_plain, paper_answer
-from hardcontact.answer.paper_page import paper_page
+from hardcontact.answer.paper_answer import as_plain, paper_answer, paper_page
 from hardcontact.claims.verdicts import read_verdicts
 from hardcontact.records import published
 from hardcontact.records.dataset import read

@@ -3,18 +3,16 @@
 import json
 
 from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.answer.numbers import answer_numbers
-from hardcontact.answer.own_surfaces import own_page
+from hardcontact.answer.own_answer import as_plain, own_answer
+from hardcontact.answer.own_page import own_page
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
     paths = {name: getattr(this.input, name, None) for name in Datasets._fields}
     given = Datasets(**{name: dataset.read(path) if path else None for name, path in paths.items()})
-    setting = Setting(**this.parameters)
-    numbers = answer_numbers(given, setting)
-    this.write_text(own_page(given, setting), "page")
-    this.write_text(
-        json.dumps(numbers, ensure_ascii=False, allow_nan=False, indent=1) + "\n", "json"
-    )
+    answer = own_answer(given, Setting(**this.parameters))
+    numbers = json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1)
+    this.write_text(own_page(answer), "page")
+    this.write_text(numbers + "\n", "json")
     this.record("page", "json")

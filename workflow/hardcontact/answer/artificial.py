@@ -26,17 +26,8 @@ def reliable_measurements(of_surface: xr.Dataset) -> xr.Dataset:
 def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
     """Return the bands of wavelengths that no measurement of a surface reaches reliably.
 
-    Parameters
-    ----------
-    of_surface : xarray.Dataset
-        Part of spectra.nc: `reliable` (measurement, bin_wavevector), `shortest_reliable` and
-        `longest_reliable` (measurement), `shortest_measured` and `longest_measured`, in nm.
-
-    Returns
-    -------
-    list of (float, float)
-        Shortest and longest wavelength (nm) of each, growing: from 0 to the shortest that is
-        measured, gaps between scans, and from the longest that is measured to infinity.
+    Each is its shortest and longest wavelength (nm), growing: from 0 to the shortest that is
+    measured, gaps between scans, and from the longest that is measured to infinity.
     """
     known = reliable_measurements(of_surface)
     ends = zip(known["shortest_reliable"].values, known["longest_reliable"].values, strict=True)
@@ -52,17 +43,7 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
 def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) -> float:
     """Return how much of an interval of wavelengths lies in any of the bands, in the logarithm.
 
-    Parameters
-    ----------
-    low, high : float
-        Ends of the interval in nm, above zero; may be equal.
-    bands : iterable of (float, float)
-        Disjoint, in nm.
-
-    Returns
-    -------
-    float
-        From 0 to 1; of a single wavelength 0 or 1.
+    Ends (nm) are above zero, bands (nm) disjoint. It is from 0 to 1, of a single wavelength 0 or 1.
     """
     bands = list(bands)
     if low == high:

@@ -15,48 +15,19 @@ SETTINGS = {
 
 
 class Caption(NamedTuple):
-    """A caption in plain text.
+    """A caption in plain text."""
 
-    Attributes
-    ----------
-    title : str
-        What stands in bold before it, without the full stop.
-    short : str
-        The rest of the first paragraph, in one line.
-    more : str
-        The other paragraphs, in one line.
-    """
-
-    title: str
-    short: str
-    more: str = ""
-
-    @property
-    def text(self) -> str:
-        """All but the title."""
-        return f"{self.short} {self.more}".strip()
+    title: str  #: What stands in bold before it, without the full stop.
+    short: str  #: The rest of the first paragraph, in one line.
+    more: str = ""  #: The other paragraphs, in one line.
 
 
 def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
     """Return a caption as the report shows it, without its markup.
 
-    Parameters
-    ----------
-    template : str
-        A caption of workflow/report: reStructuredText that begins with its title in bold, and in
-        which a template of Jinja names keys of the configuration.
-    configuration : mapping
-        Of the study, as it was given.
-
-    Returns
-    -------
-    Caption
-        Title, first paragraph and the others.
-
-    Raises
-    ------
-    ValueError
-        If the caption does not begin with a title.
+    The template is a caption of workflow/report: reStructuredText in which a template of Jinja
+    names keys of the configuration, as it was given. It begins with its title in bold, or is a
+    ValueError.
     """
     from docutils.core import publish_doctree
     from docutils.nodes import paragraph, strong
@@ -66,38 +37,24 @@ def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
     study = SimpleNamespace(config=configuration)
     filled = environment.from_string(template).render(snakemake=study)
     document = publish_doctree(filled, settings_overrides=SETTINGS)
-    first, *others = [" ".join(node.astext().split()) for node in document.findall(paragraph)] or [
-        ""
-    ]
-    bold = [" ".join(node.astext().split()) for node in document.findall(strong)]
-    if not bold or not first.startswith(bold[0]):
+    paragraphs, bold = (
+        [" ".join(node.astext().split()) for node in document.findall(kind)] or [""]
+        for kind in (paragraph, strong)
+    )
+    first, *others = paragraphs
+    if not bold[0] or not first.startswith(bold[0]):
         raise ValueError(f"expected a caption that begins with its title in bold, found {first!r}")
     title, short = bold[0].removesuffix("."), first.removeprefix(bold[0]).strip()
     return Caption(title, short, " ".join(others))
 
 
 COLOURS = 256  # of the palette, which PNG keeps in one byte a pixel
-
-
 #: Pixels of a figure: enough for a phone that has three for each of the page.
 WIDTH = 1400
 
 
 def web_png(png_bytes: bytes, width: int = WIDTH) -> bytes:
-    """Return an image that is at most so wide, in the colours that suit it best.
-
-    Parameters
-    ----------
-    png_bytes : bytes
-        An image, as PNG.
-    width : int
-        In pixels; an image that is narrower keeps its size.
-
-    Returns
-    -------
-    bytes
-        PNG, the same for the same image.
-    """
+    """Return an image at most so many pixels wide, in the colours that suit it best, as PNG."""
     from PIL import Image
 
     with Image.open(BytesIO(png_bytes)) as image:

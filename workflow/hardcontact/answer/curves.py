@@ -1,4 +1,7 @@
-"""The curves of the page of own surfaces, as values that a page and a picture draw alike."""
+"""The curves of the page of own surfaces, as values that a page and a picture draw alike.
+
+Each is what the macro `curves` of the templates draws.
+"""
 
 from collections.abc import Mapping
 from itertools import cycle
@@ -10,7 +13,6 @@ import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, measurement_name, measurements, single
 from hardcontact.answer.datasets import model_of
-from hardcontact.answer.facts import known
 from hardcontact.figures.style import SUBSTRATES
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import computed_cutoffs
@@ -31,7 +33,7 @@ MARGIN = 10.0
 
 def _values(values: np.ndarray) -> list[float | None]:
     """Return numbers of five digits for JSON, None where one is not known or not positive."""
-    return [known(float(f"{value:.5g}")) if value > 0 else None for value in values]
+    return [float(f"{value:.5g}") if 0 < value < np.inf else None for value in values]
 
 
 def _series(label: str, colour: str, values: np.ndarray, *ends: np.ndarray) -> dict[str, Any]:
@@ -44,26 +46,12 @@ def _series(label: str, colour: str, values: np.ndarray, *ends: np.ndarray) -> d
 def _shaded(of_spectra: xr.Dataset, x: np.ndarray) -> list[list[float]]:
     """Return the wavelengths at which no scan is reliable, as far as a panel may reach."""
     least, most = x.min() / MARGIN, x.max() * MARGIN
-    return [
-        [max(low, least), min(high, most)]
-        for low, high in artificial_bands(of_spectra)
-        if high > least and low < most
-    ]
+    bands = ((max(low, least), min(high, most)) for low, high in artificial_bands(of_spectra))
+    return [[low, high] for low, high in bands if high > low]
 
 
 def ratio_curve(edges: xr.Dataset, spectra: xr.Dataset) -> Curve:
-    """Return the force over the unfiltered one against the cutoff, of one surface.
-
-    Parameters
-    ----------
-    edges, spectra : xarray.Dataset
-        Parts of edges.nc and spectra.nc of the surface.
-
-    Returns
-    -------
-    dict
-        What `show.curves` of the templates draws: a series for each side, wavelengths in nm.
-    """
+    """Return the force over the unfiltered one against the cutoff (nm), of one surface."""
     cutoffs = computed_cutoffs(edges["scale_ratio"])
     at = edges.sel(cutoff_wavelength=cutoffs)
     series = [
@@ -87,17 +75,9 @@ def ratio_curve(edges: xr.Dataset, spectra: xr.Dataset) -> Curve:
 
 
 def spectrum_curve(spectra: xr.Dataset) -> Curve:
-    """Return the isotropic PSD of each measurement of one surface, and what is made of them.
+    """Return the isotropic PSD (nm⁴) of each measurement of one surface, and what is made of them.
 
-    Parameters
-    ----------
-    spectra : xarray.Dataset
-        Part of spectra.nc of the surface.
-
-    Returns
-    -------
-    dict
-        What `show.curves` of the templates draws: wavelengths in nm, densities in nm⁴.
+    It is over the wavelength in nm.
     """
     all_bins, seen = 2 * np.pi / spectra["bin_wavevector"].values, measurements(spectra)
     shown = np.isfinite(seen["psd"].values).any(axis=0)
@@ -138,17 +118,7 @@ def _over_range(rho: np.ndarray, label: str, series: list[dict[str, Any]], asked
 def force_curve(force: xr.Dataset, labels: Mapping[str, str]) -> Curve:
     """Return the mean force of all surfaces and contact models in µN over the range in nm.
 
-    Parameters
-    ----------
-    force : xarray.Dataset
-        As force.nc.
-    labels : mapping of str to str
-        Names of the surfaces in print.
-
-    Returns
-    -------
-    dict
-        What `show.curves` of the templates draws; intervals are those of the model of the answer.
+    Labels are the names of the surfaces in print; intervals are those of the model of the answer.
     """
     chosen = model_of(force)
     models = [chosen, *(str(m) for m in force["contact_model"].values if m != chosen)]
@@ -166,17 +136,7 @@ def force_curve(force: xr.Dataset, labels: Mapping[str, str]) -> Curve:
 def work_curve(fit: xr.Dataset, labels: Mapping[str, str]) -> Curve:
     """Return the work of adhesion in mJ/m² that fits the force of each surface, over the range.
 
-    Parameters
-    ----------
-    fit : xarray.Dataset
-        Part of fit.nc of one contact model.
-    labels : mapping of str to str
-        Names of the surfaces in print.
-
-    Returns
-    -------
-    dict
-        What `show.curves` of the templates draws; of several surfaces also what fits all of them.
+    The fit is of one contact model; of several surfaces also what fits all of them is returned.
     """
     at = fit.isel(rho=np.unique(np.linspace(0, fit.sizes["rho"] - 1, 81).astype(int)))
     names = [str(name) for name in fit["surface"].values]

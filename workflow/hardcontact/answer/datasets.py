@@ -10,16 +10,10 @@ PREFERRED = "plastic"
 
 
 class Datasets(NamedTuple):
-    """The datasets that an answer is drawn from.
+    """The datasets that an answer is drawn from, as in the files of these names.
 
-    Topography and spectra may be of the scans of the sphere too, which no answer is asked for.
-
-    Attributes
-    ----------
-    topography, spectra, edges, force : xarray.Dataset
-        As topography.nc, spectra.nc, edges.nc and force.nc.
-    fit : xarray.Dataset or None
-        As fit.nc, if the user has own forces.
+    Topography and spectra may be of the scans of the sphere too, which no answer is asked for; the
+    fit is there if the user has own forces.
     """
 
     topography: xr.Dataset
@@ -29,8 +23,8 @@ class Datasets(NamedTuple):
     fit: xr.Dataset | None = None
 
     def of_surface(self, surface: str) -> "Datasets":
-        """Return the parts of one surface, without a fit, which is of all surfaces."""
-        return Datasets(*(part.sel(surface=surface) for part in self[:4]))
+        """Return the parts of one surface, with the fit, which is of all surfaces."""
+        return Datasets(*(part.sel(surface=surface) for part in self[:4]))._replace(fit=self.fit)
 
     def labels(self) -> dict[str, str]:
         """Return the printed name of each surface with a band; a substitute is called so."""
@@ -43,30 +37,16 @@ class Datasets(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """What the datasets do not say of a study.
+    """What the datasets do not say of a study."""
 
-    Attributes
-    ----------
-    study : str
-        Its name.
-    effort : str
-        full or quick.
-    contact : mapping of str to str
-        What contacts were computed for, as printed: for example "radius of the sphere": "250 µm".
-    of_paper : sequence of str
-        What of these is the paper's: of its sphere, not of the user's bodies.
-    left_out : sequence of (str, str)
-        Parts that these data do not allow, and why.
-    citation : mapping of str to str
-        Title and version of the software, as in CITATION.cff.
-    """
-
-    study: str
-    effort: str
+    study: str  #: Its name.
+    effort: str  #: full or quick.
+    #: What contacts were computed for, as printed: for example "radius of the sphere": "250 µm".
     contact: Mapping[str, str]
+    #: What of these is the paper's: of its sphere, not of the user's bodies.
     of_paper: Sequence[str]
-    left_out: Sequence[tuple[str, str]]
-    citation: Mapping[str, str]
+    left_out: Sequence[tuple[str, str]]  #: Parts that these data do not allow, and why.
+    citation: Mapping[str, str]  #: Title and version of the software, as in CITATION.cff.
 
 
 def model_of(force: xr.Dataset) -> str:
@@ -78,21 +58,7 @@ def model_of(force: xr.Dataset) -> str:
 def at_range(force: xr.Dataset) -> xr.Dataset:
     """Return the forces at the range of adhesion that was asked for, of the model of the answer.
 
-    Parameters
-    ----------
-    force : xarray.Dataset
-        As force.nc, over contact_model and rho (nm); the attribute `range_of_adhesion` (nm) is
-        one of its rho.
-
-    Returns
-    -------
-    xarray.Dataset
-        Without these dimensions.
-
-    Raises
-    ------
-    KeyError
-        If the range was not computed.
+    If the range was not computed it is a KeyError.
     """
     asked = force.attrs["range_of_adhesion"]
     return force.sel(contact_model=model_of(force)).sel(

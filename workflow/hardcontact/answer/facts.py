@@ -1,123 +1,89 @@
-"""Facts of a page: a number, its interval, what is known of it, and where it comes from."""
+"""Numbers of a page, and the codes beside them: what a template shows and says."""
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import UNITS, is_boundless, print_as_paper, print_quantity
 from hardcontact.numbers.statistics import bounds
 
-#: Of a table: a fact, a code or a label by the name of the column.
+#: Of a table: a number, a code or a label by the name of the column.
 Cells = dict[str, Any]
 
 
-class Fact(NamedTuple):
-    """One number of a page.
+def number_of(
+    dataset: xr.Dataset,
+    variable: str,
+    unit: str = "",
+    missing: str = "",
+    *,
+    name: str = "",
+    source: str = "computed",
+    strict: bool = True,
+) -> Number:
+    """Return a variable without dimensions, with `<variable>_interval` if that bounds anything.
 
-    Attributes
-    ----------
-    name : str
-        What it is the number of.
-    value, low, high : float or None
-        The number and the ends of its interval, in `unit`; None of what is not known.
-    unit : str
-        Of the datasets: "nm", "N", "J m-2", "1".
-    status : str
-        What is known of the number, as a code for which a template has the words: "known",
-        "open_above" and "open_below" where `value` is a bound, "not_bounded" where the interval
-        says only that there are too few scans, "no_interval" where it should have one,
-        "between", "more_than" and "at_most" where only ends are known, "not_known".
-    source : str
-        Where it comes from, as a code: "computed", "measured", "extrapolated", "artificial",
-        "given", "file", "assumed".
+    The unit is for what has none in the dataset, `missing` is the status of what is no number, the
+    name is by default that of the variable. If strict, an interval that reaches too far counts as
+    none, and one without ends has a status.
     """
-
-    name: str
-    value: float | None
-    unit: str
-    low: float | None = None
-    high: float | None = None
-    status: str = "known"
-    source: str = "computed"
-
-
-def known(value: float) -> float | None:
-    """Return a number, or None for what JSON cannot say and data cannot give."""
-    return float(value) if math.isfinite(value) else None
-
-
-def fact_of(
-    dataset: xr.Dataset, variable: str, name: str, source: str = "computed", unit: str = ""
-) -> Fact:
-    """Return a variable without dimensions as a fact, with `<variable>_interval` if it is there.
-
-    `unit` is for what has none in the dataset.
-    """
-    value = known(dataset[variable].item())
     unit = unit or str(dataset[variable].attrs.get("units", "1"))
-    status = "not_known" if value is None else "known"
-    low, high = None, None
-    if f"{variable}_interval" in dataset:
-        ends = [end.item() for end in bounds(dataset, variable)]
-        if ends == [0, math.inf]:
-            status = "not_bounded"
-        else:
-            low, high = map(known, ends)
-    return Fact(name, value, unit, low, high, status, source)
+    found = Number(name or variable, float(dataset[variable].item()), unit, source=source)
+    if not math.isfinite(found.value):
+        return found._replace(status=missing)
+    if f"{variable}_interval" not in dataset:
+        return found
+    low, high = ends(dataset, variable)
+    if (low, high) == (0, math.inf) or (strict and is_boundless(found.value, low, high, unit)):
+        return found._replace(status="not_bounded")
+    without = strict and not (math.isfinite(low) or math.isfinite(high))
+    return found._replace(low=low, high=high, status="no_interval" if without else "")
 
 
-def printed(fact: Fact, digits: int = 3) -> str:
-    """Return a number that is known with its interval and unit, as "67 [47, 74] nm"."""
-    numbers = fact.value, fact.low, fact.high
-    value, low, high = (math.nan if one is None else one for one in numbers)
-    if fact.unit in UNITS:
-        return print_quantity(value, fact.unit, low, high, digits)
-    return print_as_paper(value, fact.unit, (low, high), digits)
+def printed(number: Number, digits: int = 3, end: str = "") -> str:
+    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end."""
+    if end:
+        number = Number(number.name, getattr(number, end), number.unit)
+    if number.unit in UNITS:
+        return print_quantity(number.value, number.unit, number.low, number.high, digits)
+    return print_as_paper(number.value, number.unit, (number.low, number.high), digits)
 
 
-def bounded(dataset: xr.Dataset, name: str, unit: str = "", missing: str = "not_known") -> Fact:
-    """Return a variable without dimensions as a fact, without an interval that bounds nothing.
-
-    `unit` is for what has none in the dataset, `missing` the status of what is no number.
-    """
-    fact = fact_of(dataset, name, name, unit=unit)
-    if fact.value is None:
-        return fact._replace(low=None, high=None, status=missing)
-    if f"{name}_interval" not in dataset:
-        return fact
-    if is_boundless(fact.value, *ends(dataset, name), fact.unit):
-        return fact._replace(low=None, high=None, status="not_bounded")
-    return fact._replace(status="no_interval") if fact.low is fact.high is None else fact
+def number(name: str, value: float, unit: str, missing: str) -> Number:
+    """Return a number without an interval, of this status where it is no number."""
+    return Number(name, value, unit, status=missing if np.isnan(value) else "")
 
 
-def number(name: str, value: float, unit: str = "1", missing: str = "not_known") -> Fact:
-    """Return a number without an interval as a fact, of this status where it is no number."""
-    return Fact(name, known(value), unit, status=missing if np.isnan(value) else "known")
-
-
-def between(name: str, low: float, high: float, unit: str = "1") -> Fact:
-    """Return what is known of the ends of something as a fact."""
+def between(
+    name: str, low: float, high: float, unit: str = "1", missing: str = "not_known"
+) -> Number:
+    """Return what is known of the ends of something."""
     codes = {(True, True): "between", (True, False): "more_than", (False, True): "at_most"}
-    status = codes.get((bool(np.isfinite(low)), bool(np.isfinite(high))), "not_known")
-    return Fact(name, None, unit, known(low), known(high), status)
+    status = codes.get((math.isfinite(low), math.isfinite(high)), missing)
+    return Number(name, math.nan, unit, low, high, status)
 
 
-def span(name: str, values: ArrayLike, unit: str = "1") -> Fact:
-    """Return the smallest and the largest of the numbers that are known as a fact."""
+def span(name: str, values: ArrayLike, unit: str = "1") -> Number:
+    """Return the smallest and the largest of the numbers that are known."""
     found = [one for one in np.ravel(values) if np.isfinite(one)]
     return between(name, min(found, default=np.nan), max(found, default=np.nan), unit)
 
 
-def percent(fact: Fact) -> Fact:
+def percent(share: Number) -> Number:
     """Return a share of one in percent."""
-    value, low, high = (
-        None if one is None else 100 * one for one in (fact.value, fact.low, fact.high)
-    )
-    return fact._replace(value=value, low=low, high=high, unit="%")
+    low, high = 100 * share.low, 100 * share.high
+    return share._replace(value=100 * share.value, low=low, high=high, unit="%")
+
+
+def bare(number: Number) -> Number:
+    """Return a number without its interval; an open one remains a bound."""
+    status = number.status if number.status in ("open_above", "open_below") else ""
+    return number._replace(low=math.nan, high=math.nan, status=status)
 
 
 def ends(dataset: xr.Dataset, name: str) -> tuple[float, float]:

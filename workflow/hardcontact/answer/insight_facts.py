@@ -13,14 +13,11 @@ import xarray as xr
 
 from hardcontact.answer.facts import (
     Cells,
-    Fact,
     against,
     between,
-    bounded,
     count,
     ends,
-    known,
-    number,
+    number_of,
     on_scans,
     percent,
     span,
@@ -29,6 +26,7 @@ from hardcontact.answer.facts import (
 from hardcontact.insight.closed_form import SMOOTH, at_transition
 from hardcontact.insight.edge_regimes import CONTACT, RANGE
 from hardcontact.insight.edge_scaling import INDEPENDENT, LENGTHS, PARTS, UNDECIDED, dependence
+from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED
@@ -44,7 +42,7 @@ AT_TRANSITION = "transition"
 def band_facts(band: xr.Dataset, constants: pd.DataFrame) -> dict[str, Any]:
     """Return the edges of every substrate, of their mean, and those of the paper."""
     published = {
-        name: Fact(name, float(constants["value"][name]), "nm", source="given")
+        name: Number(name, float(constants["value"][name]), "nm", source="given")
         for name in ("critical_wavelength_small", "critical_wavelength_large", "range_of_adhesion")
     }
     rows = [row | _band_edges(band.sel(group=one["surface"].item())) for row, one in surfaces(band)]
@@ -56,7 +54,7 @@ def band_facts(band: xr.Dataset, constants: pd.DataFrame) -> dict[str, Any]:
 
 def _band_edges(of_group: xr.Dataset) -> Cells:
     return {
-        side: bounded(of_group.sel(side=side), "critical_wavelength", "nm", "no_edge")
+        side: number_of(of_group.sel(side=side), "critical_wavelength", "nm", "no_edge")
         for side in SIDES
     }
 
@@ -79,8 +77,8 @@ def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
             for row, one in surfaces(of_all)
             for side in SIDES
         ],
-        "contact": bounded(scaling, "contact_diameter", "nm"),
-        "reach": bounded(scaling, "attraction_reach", "nm"),
+        "contact": number_of(scaling, "contact_diameter", "nm"),
+        "reach": number_of(scaling, "attraction_reach", "nm"),
         "lengths": list(_lengths(scaling)),
         "causes": [_cause(scaling.sel(cause=one)) for one in (CONTACT, RANGE)],
     }
@@ -89,10 +87,10 @@ def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
 def _exponents(edge: xr.Dataset) -> Cells:
     """Return the exponents of one edge of one surface, and what their intervals say."""
     found = edge["edges_found"].item() / edge["edge"].size
-    row: Cells = {"found": percent(number("found", found))}
+    row: Cells = {"found": percent(Number("found", found))}
     for length in LENGTHS:
         of_length = edge.sel(length=length)
-        row[length] = bounded(of_length, "exponent")
+        row[length] = number_of(of_length, "exponent")
         row[f"{length}_says"] = str(of_length["dependence"].item())
     return row
 
@@ -105,59 +103,38 @@ def _lengths(scaling: xr.Dataset) -> Iterator[Cells]:
         short, long = (one.sel(side=side) for side in SIDES)
         stop = min(one["roll_off"].item(), one["attraction_reach"].item())
         yield row | {
-            "predicted": bounded(short, "predicted_edge", "nm", "no_edge"),
-            "short": bounded(short, "edge", "nm", "no_edge"),
+            "predicted": number_of(short, "predicted_edge", "nm", "no_edge"),
+            "short": number_of(short, "edge", "nm", "no_edge"),
             "short_says": str(one["short_edge_from"].item()) or "none",
-            "roll_off": bounded(one, "roll_off", "nm"),
+            "roll_off": number_of(one, "roll_off", "nm"),
             "shorter": str(one["long_edge_from"].item()),
-            "long": bounded(long, "edge", "nm", "no_edge"),
+            "long": number_of(long, "edge", "nm", "no_edge"),
             "long_says": against(stop, long, "edge"),
-            "below": bounded(long.sel(part=PARTS[1]), "reach_exponent"),
-            "above": bounded(long.sel(part=PARTS[2]), "reach_exponent"),
+            "below": number_of(long.sel(part=PARTS[1]), "reach_exponent"),
+            "above": number_of(long.sel(part=PARTS[2]), "reach_exponent"),
         }
 
 
 def _cause(of_cause: xr.Dataset) -> Cells:
     """Return how short edges scale on one side of the width of the contact."""
-    row: Cells = {"cause": str(of_cause["cause"].item()), "edges": bounded(of_cause, "cause_edges")}
+    edges = number_of(of_cause, "cause_edges")
+    row: Cells = {"cause": str(of_cause["cause"].item()), "edges": edges}
     for length in LENGTHS:
         of_length = of_cause.sel(length=length)
-        row[length] = bounded(of_length, "cause_exponent")
+        row[length] = number_of(of_length, "cause_exponent")
         row[f"{length}_says"] = str(dependence(*ends(of_length, "cause_exponent")))
     return row
 
 
-def force_on_scans(scan_size: xr.Dataset) -> dict[str, Any]:
-    """Return forces on mirrored scans over those on large surfaces with the same spectrum.
-
-    These are `rows` of `surface`, `basis`, `force`, a fact, and `force_says`, its interval against
-    one; `size` of the scans, `whole` of the large surfaces, and `range` of adhesion are facts.
-    """
-    of_scan, whole = on_scans(scan_size), scan_size.isel(edge_size=-1)
-    name = "force_over_largest"
-    return {
-        "rows": [
-            row | {"force": bounded(one, name), "force_says": against(1, one, name)}
-            for row, one in surfaces(of_scan)
-        ],
-        "size": bounded(of_scan, "edge_size", "nm"),
-        "whole": bounded(whole, "edge_size", "nm"),
-        "range": number("range", scan_size.attrs["rho"], "nm"),
-    }
-
-
 def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:
     """Return forces and long edges on small scans, the sizes needed, and the rule for these."""
-    facts = force_on_scans(scan_size)
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
-    pairs = zip(facts["rows"], surfaces(at_range), strict=True)
-    rows = [row | _sizes(one) for row, (_, one) in pairs]
-    spans = [row["from_scan"].high / row["from_scan"].low for row in rows
-             if row["from_scan"].low and row["from_scan"].high]  # fmt: skip
+    rows = [row | _sizes(one) for row, one in surfaces(at_range)]
+    spans = [row["from_scan"].high / row["from_scan"].low for row in rows]
     allowed = scan_size.attrs["allowed_excess"] - 1
     errors = {
         tested: {
-            kind: number(kind, np.exp(scan_size["error"].sel(tested=tested, kind=kind).item()))
+            kind: Number(kind, np.exp(scan_size["error"].sel(tested=tested, kind=kind).item()))
             for kind in KINDS
         }
         for tested in scan_size["tested"].values.tolist()
@@ -166,23 +143,26 @@ def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:
     trends = [smallest[one].isel(rho=-1) - smallest[one].isel(rho=0)
               for one in ("excess", "predicted_excess")]  # fmt: skip
     powers = zip(scan_size["ratio"].values.tolist(), scan_size["exponent"].values, strict=True)
-    return facts | {
+    return {
         "rows": rows,
-        "smaller": bounded(scan_size.isel(edge_size=-2), "edge_size", "nm"),
-        "allowed": percent(number("allowed", allowed)),
+        "size": number_of(on_scans(scan_size), "edge_size", "nm"),
+        "whole": number_of(scan_size.isel(edge_size=-1), "edge_size", "nm"),
+        "range": Number("range", scan_size.attrs["rho"], "nm"),
+        "smaller": number_of(scan_size.isel(edge_size=-2), "edge_size", "nm"),
+        "allowed": percent(Number("allowed", allowed)),
         "needed": span("needed", at_range["size_needed"].values, "nm"),
-        "rough": (errors["surfaces"]["corrected"].value or np.nan) - 1 > allowed,
+        "rough": errors["surfaces"]["corrected"].value - 1 > allowed,
         "differ": count(rows, "edges_say", "differ"),
-        "widest": number("widest", max(spans, default=np.nan)),
-        "strength": bounded(scan_size, "strength"),
-        "exponents": [(ratio, number("exponent", power)) for ratio, power in powers],
+        "widest": Number("widest", float(np.fmax.reduce(spans, initial=np.nan))),
+        "strength": number_of(scan_size, "strength"),
+        "exponents": [(ratio, Number("exponent", power)) for ratio, power in powers],
         "errors": errors,
         "against": int((trends[0] * trends[1] < 0).sum()),
     }
 
 
 def _sizes(one: xr.Dataset) -> Cells:
-    """Return sizes needed and long edges of one surface.
+    """Return forces and long edges of a surface, on scans and on large surfaces, and sizes needed.
 
     A window whose interval lies above the allowed excess is too small; one below it is enough.
     """
@@ -197,9 +177,11 @@ def _sizes(one: xr.Dataset) -> Cells:
     low_of_whole, high_of_whole = ends(whole, "long_edge")
     differ = low_of_scan > high_of_whole or high_of_scan < low_of_whole
     return {
-        "smaller": bounded(smaller, "force_over_largest"),
+        "force": number_of(from_scan, "force_over_largest"),
+        "force_says": against(1, from_scan, "force_over_largest"),
+        "smaller": number_of(smaller, "force_over_largest"),
         "smaller_says": against(1, smaller, "force_over_largest"),
-        "needed": number("needed", needed, "nm"),
+        "needed": Number("needed", needed, "nm"),
         "needed_says": "refuted" if needed <= above or needed > enough else "none",
         "asked": between("asked", above, enough, "nm"),
         "from_scan": _long_edge(from_scan),
@@ -208,13 +190,13 @@ def _sizes(one: xr.Dataset) -> Cells:
     }
 
 
-def _long_edge(of_size: xr.Dataset) -> Fact:
+def _long_edge(of_size: xr.Dataset) -> Number:
     """Return a long edge, or the bound on one that is open."""
     bound = of_size["long_edge_bound"].item()
     if np.isfinite(of_size["long_edge"]) or np.isnan(bound):
-        return bounded(of_size, "long_edge", "nm", "no_edge")
+        return number_of(of_size, "long_edge", "nm", "no_edge")
     status = "open_above" if of_size["long_edge_at_least"] else "open_below"
-    return number("long_edge", bound, "nm")._replace(status=status)
+    return Number("long_edge", bound, "nm", status=status)
 
 
 def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, Any]:
@@ -225,29 +207,29 @@ def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, An
     rows = []
     for (row, one), of_surface in zip(surfaces(largest), errors, strict=True):
         farthest = one.isel(rho=int(of_surface.argmax()))
-        row |= {"farthest": _ratio(farthest), "farthest_at": bounded(farthest, "rho", "nm")}
+        row |= {"farthest": _ratio(farthest), "farthest_at": number_of(farthest, "rho", "nm")}
         edges = _predicted_edges(one, band.sel(group=one["surface"].item()))
         rows.append(row | _regime(one.sel(rho=rho)) | edges)
     return {
         "rows": rows,
         "within": {side: count(rows, f"{side}_says", "within") for side in SIDES},
-        "half": number("half", np.exp(np.median(errors))),
+        "half": Number("half", np.exp(np.median(errors))),
         "cases": errors.size,
         "ranges": span("ranges", largest["rho"], "nm"),
-        "size": bounded(largest, "map_size", "nm"),
+        "size": number_of(largest, "map_size", "nm"),
         "first_term": span("first_term", largest["first_term_force"] / largest["computed_force"]),
-        "range": number("range", rho, "nm"),
+        "range": Number("range", rho, "nm"),
     }
 
 
-def _ratio(case: xr.Dataset) -> Fact:
+def _ratio(case: xr.Dataset) -> Number:
     """Return the closed form over one computed force, with the interval of that."""
     error = case["error"].item()
     # The longer of both ends of the force gives the smaller ratio.
     high, low = (case["predicted_force"].item() / end for end in ends(case, "computed_force"))
     if is_boundless(error, low, high, "1"):
-        return Fact("error", error, "1", status="not_bounded")
-    return Fact("error", error, "1", known(low), known(high))
+        return Number("error", error, status="not_bounded")
+    return Number("error", error, low=low, high=high)
 
 
 def _regime(one: xr.Dataset) -> Cells:
@@ -257,16 +239,16 @@ def _regime(one: xr.Dataset) -> Cells:
     regime = str(one["regime"].item())
     if regime != SMOOTH and at_transition(level * one["whole_freezing"], level):
         regime = AT_TRANSITION
-    return {"freezing": number("freezing", one["whole_freezing"].item()), "regime": regime}
+    return {"freezing": Number("freezing", one["whole_freezing"].item()), "regime": regime}
 
 
 def _predicted_edges(one: xr.Dataset, band: xr.Dataset) -> Cells:
     """Return predicted beside computed edges, and which lie within the interval of the latter."""
     row: Cells = {}
     for side, computed in _band_edges(band).items():
-        predicted = bounded(one.sel(side=side), "edge", "nm", "no_edge")
+        predicted = number_of(one.sel(side=side), "edge", "nm", "no_edge")
         low, high = ends(band.sel(side=side), "critical_wavelength")
-        within = predicted.value is not None and low <= predicted.value <= high
+        within = low <= predicted.value <= high
         row |= {f"{side}_predicted": predicted, f"{side}_computed": computed}
         row[f"{side}_says"] = "within" if within else "outside"
     return row

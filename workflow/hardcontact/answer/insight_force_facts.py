@@ -11,17 +11,17 @@ import xarray as xr
 from hardcontact.answer.facts import (
     Cells,
     against,
-    bounded,
     count,
     ends,
-    known,
     number,
+    number_of,
     percent,
     span,
     surfaces,
 )
 from hardcontact.claims.verdicts import verdict
 from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
+from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import POOLED, computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -43,10 +43,10 @@ def law_facts(laws: xr.Dataset) -> dict[str, Any]:
         "reproduced": judged.count("reproduced"),
         "undecided": judged.count("undecided"),
         "moved": {side: count(rows, f"{side}_says", "above", "below") for side in SIDES},
-        "tolerance": percent(number("tolerance", laws.attrs["scale_tolerance"])),
-        "range": number("range", laws.attrs["published_range"], "nm"),
-        "work": number("work", laws.attrs["published_work"], "J m-2"),
-        "spacing": number("spacing", laws.attrs["atomic_spacing"], "nm"),
+        "tolerance": percent(Number("tolerance", laws.attrs["scale_tolerance"])),
+        "range": Number("range", laws.attrs["published_range"], "nm"),
+        "work": Number("work", laws.attrs["published_work"], "J m-2"),
+        "spacing": Number("spacing", laws.attrs["atomic_spacing"], "nm"),
         "fits": [_fits(one) for one in of_laws],
         "scans": laws.attrs["scans"],
         "contacts": laws.attrs["contacts"],
@@ -61,15 +61,15 @@ def _law(law: xr.Dataset) -> Cells:
     error, limit = case["fit_error"].item(), law.attrs["scale_tolerance"]
     row = {
         "law": str(law["law_label"].item()),
-        "error": percent(bounded(case, "fit_error")),
+        "error": percent(number_of(case, "fit_error")),
         "verdict": verdict("below", error, *ends(case, "fit_error"), np.nan, limit),
-        "range": bounded(case, "range_of_law", "nm"),
-        "work": bounded(case, "work_of_adhesion", "J m-2"),
-        "strength": bounded(case, "implied_over_known"),
+        "range": number_of(case, "range_of_law", "nm"),
+        "work": number_of(case, "work_of_adhesion", "J m-2"),
+        "strength": number_of(case, "implied_over_known"),
     }
     for side in SIDES:
         of_side = pooled.sel(side=side)
-        row[side] = bounded(of_side, "edge_factor", missing="no_edge")
+        row[side] = number_of(of_side, "edge_factor", missing="no_edge")
         row[f"{side}_says"] = against(1, of_side, "edge_factor")
     return row
 
@@ -84,9 +84,9 @@ def _fits(law: xr.Dataset) -> Cells:
     }.get(str(law["law"].item()), (np.nan, np.nan, "1"))
     return {
         "law": str(law["law_label"].item()),
-        "fitted": percent(bounded(law.sel(case="fitted"), "fit_error")),
-        "atomic": percent(bounded(law.sel(case="atomic"), "fit_error")),
-        "beyond": percent(number("beyond", law["window_growth"].max().item())),
+        "fitted": percent(number_of(law.sel(case="fitted"), "fit_error")),
+        "atomic": percent(number_of(law.sel(case="atomic"), "fit_error")),
+        "beyond": percent(Number("beyond", law["window_growth"].max().item())),
         "known": number("known", known[0], known[2], "none"),
         "implied": number("implied", known[1], known[2], "none"),
     }
@@ -102,19 +102,19 @@ def map_facts(maps: xr.Dataset) -> dict[str, Any]:
         if array in maps["contacts"]:
             error = maps.attrs["normal_quantile"] * one["array_error"].sel(contacts=array).item()
         row |= {
-            "contacts": bounded(one.sel(sampling="random"), "contacts_needed"),
-            "array": percent(number("array_error", error, missing="not_examined")),
-            "touched": bounded(one, "touched_pixels"),
+            "contacts": number_of(one.sel(sampling="random"), "contacts_needed"),
+            "array": percent(number("array_error", error, "1", "not_examined")),
+            "touched": number_of(one, "touched_pixels"),
         }
         for name in ("scans_needed", "worth_of_scan"):
-            row[name] = bounded(one, name, missing="one_scan")
+            row[name] = number_of(one, name, missing="one_scan")
         rows.append(row)
     return {
         "rows": rows,
         "needed": span("contacts", at_range["contacts_needed"].sel(sampling="random")),
         "scans": span("scans", at_range["scans_needed"]),
-        "tolerance": percent(number("tolerance", maps.attrs["tolerance"])),
-        "range": number("range", maps.attrs["reference_rho"], "nm"),
+        "tolerance": percent(Number("tolerance", maps.attrs["tolerance"])),
+        "range": Number("range", maps.attrs["reference_rho"], "nm"),
         "array": array,
     }
 
@@ -142,13 +142,13 @@ def repeated_contact_facts(repeated: xr.Dataset) -> dict[str, Any]:
 
 def _contacts(one: xr.Dataset) -> Cells:
     row: Cells = {
-        "preload": bounded(one, "preload", "N"),
-        "force": bounded(one, "mean_ratio"),
+        "preload": number_of(one, "preload", "N"),
+        "force": number_of(one, "mean_ratio"),
         "force_says": against(1, one, "mean_ratio"),
     }
     for name in SIZES:
-        row[f"{name}_first"] = bounded(one.isel(stage=0), name, "nm")
-        row[name] = bounded(one.isel(stage=-1), name, "nm")
+        row[f"{name}_first"] = number_of(one.isel(stage=0), name, "nm")
+        row[name] = number_of(one.isel(stage=-1), name, "nm")
     return row
 
 
@@ -172,13 +172,13 @@ def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:
     for row, one in surfaces(limit):
         area = one["solved_area"].max().item() / limit.attrs["bearing_area"]
         row |= {
-            "yields": percent(bounded(one, "plastic_share")),
-            "solved": percent(bounded(one, "solved_plastic_share", missing="not_solved")),
+            "yields": percent(number_of(one, "plastic_share")),
+            "solved": percent(number_of(one, "solved_plastic_share", missing="not_solved")),
             "says": _yielding(one),
-            "area": number("area", area, missing="not_solved"),
+            "area": number("area", area, "1", "not_solved"),
         }
         for variant in ("larger_area", "recovered", "rigid"):
-            row[variant] = bounded(one.sel(variant=variant), "force_ratio")
+            row[variant] = number_of(one.sel(variant=variant), "force_ratio")
         rows.append(row)
     answer = "open" if count(rows, "says", "disputed") else "yes"
     factors = limit["estimated_area"].values / limit["solved_area"].values
@@ -192,7 +192,7 @@ def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:
             "fewer": count(rows, "says", "some", "none"),
             "disputed": count(rows, "says", "disputed"),
         },
-        "estimated": number("estimated", middle)._replace(low=known(low), high=known(high)),
+        "estimated": Number("estimated", middle, low=low, high=high),
         "cases": solved.size,
     }
 

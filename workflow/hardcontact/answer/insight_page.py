@@ -14,9 +14,10 @@ import xarray as xr
 from hardcontact.answer import insight_facts as facts
 from hardcontact.answer import insight_force_facts as force_facts
 from hardcontact.answer.captions import Caption
-from hardcontact.answer.facts import number, percent, surfaces
+from hardcontact.answer.facts import percent, surfaces
 from hardcontact.answer.templates import rendered
 from hardcontact.figures.catalogue import OF_INSIGHT
+from hardcontact.numbers.number import Number
 
 #: What returns the numbers of each part, by its figure, from the dataset of that figure and the
 #: band.
@@ -37,23 +38,11 @@ def insight_page(
     figures: Mapping[str, tuple[bytes, Caption]],
     constants: pd.DataFrame,
 ) -> str:
-    """Write the page.
+    """Return the page, HTML.
 
-    Parameters
-    ----------
-    datasets : mapping of str to xarray.Dataset
-        By the figures of the parts.
-    band : xarray.Dataset
-        Computed edges, as from `critical_band.critical_band`, with labels and bases.
-    figures : mapping of str to (bytes, Caption)
-        PNG and caption of the figure of each part, in the order of the page.
-    constants : pandas.DataFrame
-        As from `published.constants`.
-
-    Returns
-    -------
-    str
-        HTML.
+    Datasets, and figures as PNG with their captions, are by the figures of the parts, in the order
+    of the page. The band is as from `critical_band.critical_band`, with labels and bases; constants
+    are as from `published.constants`.
     """
     rows = (row for one in (band, *datasets.values()) for row, _ in surfaces(one))
     bases = {row["surface"]: row["basis"] for row in rows}
@@ -64,5 +53,5 @@ def insight_page(
         catalogue=OF_INSIGHT,
         band=facts.band_facts(band, constants),
         substitutes=[label for label, basis in bases.items() if basis == "substitute"],
-        confidence=percent(number("confidence", band.attrs["confidence"])),
+        confidence=percent(Number("confidence", band.attrs["confidence"])),
     )

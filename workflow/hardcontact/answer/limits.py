@@ -19,7 +19,7 @@ from hardcontact.answer.artificial import (
     single,
 )
 from hardcontact.answer.datasets import Datasets, at_range
-from hardcontact.answer.facts import Fact, fact_of, known, number
+from hardcontact.answer.facts import between, number_of
 from hardcontact.answer.surface_facts import (
     EDGES,
     continuation,
@@ -27,6 +27,7 @@ from hardcontact.answer.surface_facts import (
     differing_sides,
     edge_fact,
 )
+from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs
 
 Limit = Mapping[str, Any]
@@ -42,22 +43,11 @@ DESCRIPTION = "description"
 
 
 def limits(of: Datasets) -> list[Limit]:
-    """Return what limits the answer of one surface, the gravest first.
-
-    Parameters
-    ----------
-    of : Datasets
-        Parts of one surface.
-
-    Returns
-    -------
-    list of mapping
-        Each with its `code` and what it names, numbers as `Fact`.
-    """
+    """Return what limits the answer of one surface, the gravest first."""
     substitute = of.topography["basis"].item() == "substitute"
     return [
         *([{"code": "substitute"}] if substitute else []),
-        *(limit for side in EDGES for limit in _of_edge(side, of.edges)),
+        *(limit for side in EDGES for limit in _of_edge(side, of.edges.sel(side=side))),
         *_artificial_edges(of),
         *_of_blind_scans(of),
         *_of_window(of.force),
@@ -88,21 +78,17 @@ def grave_limits(of: Datasets) -> list[Limit]:
     ]
 
 
-def _of_edge(side: str, edges: xr.Dataset) -> list[Limit]:
+def _of_edge(side: str, of_side: xr.Dataset) -> list[Limit]:
     """Return that an edge, or an end of its interval, lies beyond what was computed."""
-    of_side = edges.sel(side=side)
-    edge = edge_fact(of_side, EDGES[side], "computed")
+    edge = edge_fact(of_side, EDGES[side])
     if edge.status in ("open_above", "open_below"):
         reason = str(of_side["edge_status"].item())
         return [{"code": "open_edge", "side": side, "edge": edge, "reason": reason}]
-    if edge.low is None and edge.high is None:
-        return []
     ends = {"low": edge.low, "high": edge.high}
-    return [
-        {"code": "open_interval", "side": side, "end": end}
-        for end, value in ends.items()
-        if value is None
-    ]
+    unknown = [end for end, value in ends.items() if not np.isfinite(value)]
+    if len(unknown) == len(ends):
+        return []
+    return [{"code": "open_interval", "side": side, "end": end} for end in unknown]
 
 
 def _artificial_edges(of: Datasets) -> list[Limit]:
@@ -133,15 +119,16 @@ def _of_window(force: xr.Dataset) -> list[Limit]:
     if here["window_share"] < WHOLE:
         first, place, held = None, here["rho"].item(), here["window_share"].item()
     elif (share < WHOLE).any():
-        first, place, held = float(rho[share < WHOLE].min()), rho.max(), share.min()
+        first, place, held = float(rho[share < WHOLE].min()), float(rho.max()), float(share.min())
     else:
         return []
-    lengths = {"window": force.attrs["window"], "at": place, "from": first}
     return [
-        {"code": "window", "share": Fact("share", float(held), "1")}
-        | {
-            name: None if value is None else number(name, value, "nm")
-            for name, value in lengths.items()
+        {
+            "code": "window",
+            "share": Number("share", held),
+            "window": Number("window", float(force.attrs["window"]), "nm"),
+            "at": Number("at", place, "nm"),
+            "from": None if first is None else Number("from", first, "nm"),
         }
     ]
 
@@ -156,11 +143,11 @@ def _of_scan_size(of: Datasets) -> list[Limit]:
     return [
         {
             "code": "small_scan",
-            "size": number("size", size, "nm"),
-            "draw_size": number("draw_size", draw_size, "nm"),
-            "share": Fact("share", share, "1"),
-            "ratio": Fact("ratio", None, "1", least, most, "between"),
-            "tried": Fact("tried", LEAST_TRIED, "1") if share < LEAST_TRIED / 2 else None,
+            "size": Number("size", size, "nm"),
+            "draw_size": Number("draw_size", draw_size, "nm"),
+            "share": Number("share", share),
+            "ratio": between("ratio", least, most),
+            "tried": Number("tried", LEAST_TRIED) if share < LEAST_TRIED / 2 else None,
         }
     ]
 
@@ -181,9 +168,9 @@ def _of_pixels(force: xr.Dataset) -> list[Limit]:
     return [
         {
             "code": "few_pixels" if area >= pixel else "one_pixel",
-            "area": Fact("area", area, "nm2"),
-            "pixel_area": Fact("pixel_area", pixel, "nm2"),
-            "pixels": Fact("pixels", area / pixel, "1"),
+            "area": Number("area", area, "nm2"),
+            "pixel_area": Number("pixel_area", pixel, "nm2"),
+            "pixels": Number("pixels", area / pixel),
         }
     ]
 
@@ -198,7 +185,7 @@ def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[Limit]:
     ]
     if not force["conditional"].item() or len(missing) == len(parts):
         return missing
-    shared = fact_of(force, "correlation_of_parts", "correlation")
+    shared = number_of(force, "correlation_of_parts", name="correlation", strict=False)
     scans = int(force["interval_scans"].item())
     return [*missing, {"code": "conditional", "scans": scans, "correlation": shared}]
 
@@ -212,8 +199,8 @@ def _sparse_cutoffs(edges: xr.Dataset) -> list[Limit]:
             continue
         shorter, longer = cutoffs[cutoffs <= edge].max(), cutoffs[cutoffs >= edge].min()
         if longer > SPARSE * shorter:
-            between = Fact("cutoffs", None, "nm", float(shorter), float(longer), "between")
-            found.append({"code": "sparse_cutoffs", "side": side, "between": between})
+            cutoffs_beside = between("cutoffs", float(shorter), float(longer), "nm")
+            found.append({"code": "sparse_cutoffs", "side": side, "between": cutoffs_beside})
     return found
 
 
@@ -227,7 +214,7 @@ def _of_spectrum(spectra: xr.Dataset) -> list[Limit]:
         {
             "code": "spectrum_end",
             "side": side,
-            "at": number("at", one[f"{end}_reliable"].item(), "nm"),
+            "at": Number("at", one[f"{end}_reliable"].item(), "nm"),
             "reason": str(one[f"{end}_reason"].item()),
             "measurement": measurement_name(one),
             "described": one["kind"].item() == DESCRIPTION,
@@ -261,9 +248,9 @@ def tail(spectra: xr.Dataset) -> dict[str, Any]:
     added = (used > 0) & (wavelength < spectra["shortest_measured"].item() * (1 - 1e-9))
     # The first and the last step lead from and to what is no power law.
     slopes = np.diff(np.log(used[added])) / np.diff(-np.log(wavelength[added]))
-    hurst = known(-1 - float(np.median(slopes)) / 2) if slopes.size else None
+    hurst = -1 - float(np.median(slopes)) / 2 if slopes.size else np.nan
     return {
-        "hurst": Fact("hurst", hurst, "1", source="extrapolated"),
-        "ends_at": number("ends_at", float(wavelength[used > 0].min()), "nm"),
+        "hurst": Number("hurst", hurst, source="extrapolated"),
+        "ends_at": Number("ends_at", float(wavelength[used > 0].min()), "nm"),
         "note": str(spectra["tail_note"].item()),
     }

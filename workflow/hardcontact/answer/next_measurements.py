@@ -13,27 +13,17 @@ import xarray as xr
 from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan
 from hardcontact.answer.artificial import artificial_bands, place_of_edge
 from hardcontact.answer.datasets import Datasets
-from hardcontact.answer.facts import Fact
+from hardcontact.answer.facts import between
 from hardcontact.answer.limits import FEW_PIXELS, scans_without_tip
 from hardcontact.answer.surface_facts import differing_sides
+from hardcontact.numbers.number import Number
 
 #: What a measurement settles, in the order of what it is worth.
 WORTH = ("edge", "force", "input")
 
 
 def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
-    """Return what to measure next.
-
-    Parameters
-    ----------
-    of : Datasets
-        Parts of one surface, with the fit of all surfaces if there is one.
-
-    Returns
-    -------
-    list of mapping
-        Each with its `code`, with what it `settles`, of WORTH, and with what it names.
-    """
+    """Return what to measure next on one surface, each with what it `settles`, of `WORTH`."""
     found = [
         *_shorter_waves(of),
         *_longer_waves(of),
@@ -63,7 +53,7 @@ def _shorter_waves(of: Datasets) -> list[dict[str, Any]]:
     ]
     if not gaps:
         return []
-    bands = [Fact("band", None, "nm", low, high, "between", "artificial") for low, high in gaps]
+    bands = [between("band", *gap, "nm")._replace(source="artificial") for gap in gaps]
     return [
         {
             "code": "shorter_waves",
@@ -89,7 +79,7 @@ def _larger_scans(of: Datasets) -> list[dict[str, Any]]:
     needed = LARGE_ENOUGH * finite_scan(size, height, of.force.attrs["sphere_radius"]).draw_size
     if size >= needed:
         return []
-    return [{"code": "larger_map", "settles": "force", "size": Fact("size", needed, "nm")}]
+    return [{"code": "larger_map", "settles": "force", "size": Number("size", needed, "nm")}]
 
 
 def _finer_pixels(force: xr.Dataset) -> list[dict[str, Any]]:
@@ -97,7 +87,7 @@ def _finer_pixels(force: xr.Dataset) -> list[dict[str, Any]]:
     area = force.attrs["contact_area"]
     if area >= FEW_PIXELS * force["pixel_area"].item():
         return []
-    size = Fact("size", float(np.sqrt(area / FEW_PIXELS)), "nm")
+    size = Number("size", float(np.sqrt(area / FEW_PIXELS)), "nm")
     return [{"code": "finer_pixels", "settles": "force", "size": size, "pixels": FEW_PIXELS}]
 
 

@@ -1,15 +1,22 @@
-"""What the study of the paper answers: its numbers, as they stand in claims and datasets."""
+"""What the study of the paper answers: numbers of claims and datasets, and the page of them."""
 
 import math
 from collections.abc import Mapping
+from itertools import groupby
 from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.answer.facts import Fact, bounded, known, on_scans
+from hardcontact.answer.captions import Caption
+from hardcontact.answer.facts import number_of, on_scans
+from hardcontact.answer.report_pages import chapter, claim_facts, plain_rows
+from hardcontact.answer.templates import rendered
 from hardcontact.claims.verdicts import summary, with_open_ends
+from hardcontact.figures.catalogue import OF_PAPER
+from hardcontact.numbers.number import Number, plain
+from hardcontact.numbers.printing import DIGITS, print_as_paper
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import POOLED
 
@@ -47,46 +54,33 @@ FITTED = ("range_of_adhesion", "work_of_adhesion")
 SUMMARY = ("count", "median", "min", "max")
 #: Sizes of the study that the paper prints too.
 GRIDS = ("scan_pixels", "scan_size", "contacts_per_side")
+#: Level of the headings within the departures, which are one section of the page.
+WITHIN_SECTION = 3
 
 
 class PaperAnswer(NamedTuple):
-    """What the page, and its numbers for machines, are made of.
+    """What the page, and its numbers for machines, are made of."""
 
-    Attributes
-    ----------
-    claims : pandas.DataFrame
-        As from `verdicts.with_open_ends`.
-    open_edges : dict of str to str
-        What the number of an edge is, "at least" or "at most", where the edge of the band lies
-        beyond the cutoffs; by its name in `ANSWERS`.
-    fits : pandas.DataFrame
-        Best `range_of_adhesion` (nm) and `work_of_adhesion` (J/m2) of each set of scans, with
-        plastic contact.
-    forces_on_scans : dict of str to Fact
-        Mean force on mirrored scans over that on the largest surfaces, by substrate.
-    size_of_scans, size_of_surfaces : float
-        Sides (nm) of these scans and surfaces.
-    curves : dict
-        As from `cutoff_curves`.
-    surfaces : pandas.DataFrame
-        Columns label and basis, indexed by name: the substrates, then the sphere.
-    settings : dict of str to float
-        `rho`, the range of adhesion (nm) that the band is computed at; `tolerance`, the relative
-        change of the force that ends it; `confidence` of the intervals; `sets`, the number of sets
-        of scans that frequencies are shares of; `realizations` of each surface; the `GRIDS`.
-    printed : dict of str to float
-        The `GRIDS` of the paper, sizes in nm.
-    """
-
+    #: As from `verdicts.with_open_ends`.
     claims: pd.DataFrame
+    #: By name in `ANSWERS`: that an edge beyond the cutoffs is "at least" or "at most" its number.
     open_edges: dict[str, str]
+    #: Best `FITTED` (nm, J/m2) of each set of scans, with plastic contact.
     fits: pd.DataFrame
-    forces_on_scans: dict[str, Fact]
+    #: Mean force on mirrored scans over that on the largest surfaces, by substrate.
+    forces_on_scans: dict[str, Number]
+    #: Sides (nm) of these scans and surfaces.
     size_of_scans: float
     size_of_surfaces: float
+    #: As from `cutoff_curves`.
     curves: dict[str, Any]
+    #: Columns label and basis, indexed by name: the substrates, then the sphere.
     surfaces: pd.DataFrame
+    #: `rho`, the range of adhesion (nm) that the band is computed at; `tolerance`, the relative
+    #: change of the force that ends it; `confidence` of the intervals; `sets`, the number of sets
+    #: of scans that frequencies are shares of; `realizations` of each surface; the `GRIDS`.
     settings: dict[str, float]
+    #: The `GRIDS` of the paper, sizes in nm.
     printed: dict[str, float]
 
     @property
@@ -103,7 +97,7 @@ class PaperAnswer(NamedTuple):
         return any(self.settings[name] < self.printed[name] for name in sizes)
 
     @property
-    def fit_groups(self) -> dict[bool, dict[str, dict[str, float]]]:
+    def fit_groups(self) -> dict[bool, dict[Any, dict[str, float]]]:
         """Fits of the sets whose range exceeds that of the paper's statement, and of the others.
 
         Count, median, min and max of each column of `fits`, of groups that have a set. Empty where
@@ -113,32 +107,17 @@ class PaperAnswer(NamedTuple):
         if row is None or math.isnan(row.frequency):
             return {}
         exceeds = self.fits["range_of_adhesion"] > row.published
-        return {
-            bool(group): {
-                name: {said: float(of_group[name].agg(said)) for said in SUMMARY} for name in FITTED
-            }
-            for group, of_group in self.fits.groupby(exceeds)
-        }
+        groups = self.fits.groupby(exceeds)
+        return {bool(group): of_group.agg([*SUMMARY]).to_dict() for group, of_group in groups}
 
 
 def paper_answer(
     claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> PaperAnswer:
-    """Gather what the page shows.
+    """Gather what the page shows, in the units of the claims.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
-    datasets : mapping of str to xarray.Dataset
-        `topography`, `scales`, `band`, `sets` and `scan_size`, as in the final netCDF files.
-    constants : pandas.DataFrame
-        As from `published.constants`.
-
-    Returns
-    -------
-    PaperAnswer
-        Numbers in the units of the claims.
+    Claims are as from `verdicts.read_verdicts`, constants as from `published.constants`; datasets
+    are `topography`, `scales`, `band`, `sets` and `scan_size`, as in the final netCDF files.
     """
     topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
     critical = band["critical_wavelength"]
@@ -156,7 +135,7 @@ def paper_answer(
         },
         fits[list(FITTED)].to_dataframe()[list(FITTED)],
         {
-            name: bounded(of_scans.sel(surface=name), "force_over_largest")._replace(name=name)
+            name: number_of(of_scans.sel(surface=name), "force_over_largest", name=name)
             for name in of_scans["surface"].values.tolist()
         },
         float(of_scans["edge_size"]),
@@ -178,71 +157,39 @@ def paper_answer(
 
 
 def cutoff_curves(band: xr.Dataset) -> dict[str, Any]:
-    """Return the mean force ratio against the cutoff, for curves that show their values.
+    """Return the mean force ratio of band.nc against the cutoff, for curves that show their values.
 
-    Parameters
-    ----------
-    band : xarray.Dataset
-        As in band.nc.
-
-    Returns
-    -------
-    dict
-        By side: `cutoffs` (nm), `limits` of the axis of ratios, and `surfaces`, each with `name`,
-        `label`, `basis`, `colour`, and at every cutoff `ratios`, `low` and `high`, None of what is
-        unknown.
+    By side these are `cutoffs` (nm), `limits` of the axis of ratios, and `surfaces`, each with
+    `name`, `label`, `basis`, `colour`, and at every cutoff `ratios`, `low` and `high`, None of what
+    is unknown.
     """
     # Imported here: matplotlib is loaded where colours are needed, and not by the rules.
     from hardcontact.figures.style import BEYOND, colours
 
     curves = {}
-    names = band["surface"].values
     for side in band["side"].values.tolist():
         of_side = band.sel(side=side).dropna("cutoff_wavelength", how="all", subset=["scale_ratio"])
-        ratio = of_side["scale_ratio"]
-        ends = bounds(of_side, "scale_ratio")
-        low, high = ends[0].min().item(), ends[1].max().item()
+        ratio, (low, high) = of_side["scale_ratio"], bounds(of_side, "scale_ratio")
+        values = {"ratios": ratio, "low": low, "high": high}
         curves[side] = {
             "cutoffs": of_side["cutoff_wavelength"].values.tolist(),
             # An interval of few realizations spans many decades, and curves would be flat lines.
             "limits": [
-                float(np.fmax(low, ratio.min().item() / BEYOND)),
-                float(np.fmin(high, ratio.max().item() * BEYOND)),
+                float(np.fmax(low.min(), ratio.min() / BEYOND)),
+                float(np.fmin(high.max(), ratio.max() * BEYOND)),
             ],
             "surfaces": [
-                {
-                    "name": str(name),
-                    "label": str(of_side["label"].sel(surface=name).item()),
-                    "basis": str(of_side["basis"].sel(surface=name).item()),
-                    "colour": colour,
-                }
-                | {
-                    key: [known(one) for one in values.sel(surface=name).values]
-                    for key, values in zip(("ratios", "low", "high"), (ratio, *ends), strict=True)
-                }
-                for name, colour in colours(names).items()
+                {"name": name, "colour": colour}
+                | {text: str(of_side[text].sel(surface=name).item()) for text in ("label", "basis")}
+                | {key: plain(one.sel(surface=name).values.tolist()) for key, one in values.items()}
+                for name, colour in colours(band["surface"].values).items()
             ],
         }
     return curves
 
 
 def as_plain(answer: PaperAnswer) -> dict[str, Any]:
-    """Return the answer in plain values, for JSON: None where there is no number.
-
-    Parameters
-    ----------
-    answer : PaperAnswer
-        Of the study.
-
-    Returns
-    -------
-    dict
-        `answer`: claims by what the answer calls them, each with its `bound` and `open_end`, None
-        where its number and the ends of its interval are none; `fit_groups` of sets,
-        whose range `exceeds` that of the statement `range_exceeds` or not; `verdicts`: independent
-        findings and all statements by verdict; `claims`: every row of claims.csv;
-        `open_ends` of their intervals by id; `surfaces`; `settings`.
-    """
+    """Return the answer for JSON, as answer_paper.schema.json describes it."""
     rows = plain_rows(answer.claims.drop(columns="open_end"))
     is_open = answer.claims["open_end"] != ""
     by_claim = {row["id"]: row for row in rows}
@@ -263,12 +210,41 @@ def as_plain(answer: PaperAnswer) -> dict[str, Any]:
     }
 
 
-def plain_rows(table: pd.DataFrame) -> list[dict[str, Any]]:
-    """Return the rows of a table as plain values, None for NaN, which JSON lacks."""
-    return [
-        {
-            str(name): None if isinstance(value, float) and math.isnan(value) else value
-            for name, value in row.items()
-        }
-        for row in table.to_dict("records")
-    ]
+def paper_page(
+    answer: PaperAnswer,
+    figures: Mapping[str, bytes],
+    captions: Mapping[str, Caption],
+    departures: str,
+    citation: Mapping[str, Any],
+) -> str:
+    """Return the page, HTML.
+
+    Figures are PNG and captions by their names in the catalogue; departures are the chapter of that
+    name in Markdown, as `report_pages.chapter` takes it; the citation is CITATION.cff.
+    """
+    return rendered(
+        "paper.html",
+        answer=answer,
+        said={name: _said(row) for name, row in answer.numbers.items()},
+        main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
+        chapters=[
+            (heading, [name for name, _ in members])
+            for heading, members in groupby(OF_PAPER.items(), key=lambda pair: pair[1].chapter)
+        ],
+        catalogue=OF_PAPER,
+        figures=figures,
+        captions=captions,
+        departures=chapter(departures, level=WITHIN_SECTION),
+        citation=citation,
+        **claim_facts(answer.claims),
+    )
+
+
+def _said(row: Any) -> dict[str, str]:
+    """Return the numbers of a claim with as many digits as its interval gives reason for."""
+    interval = row.low, row.high
+    return {
+        "alone": print_as_paper(row.computed, row.unit, digits=DIGITS),
+        "computed": print_as_paper(row.computed, row.unit, interval, DIGITS, row.open_end),
+        "published": print_as_paper(row.published, row.unit),
+    }

@@ -47,18 +47,7 @@ def map_figure(of_surface: xr.Dataset) -> Figure:
 
 @_larger_text()
 def curve_figure(curve: Mapping[str, Any]) -> Figure:
-    """Draw curves as a page does.
-
-    Parameters
-    ----------
-    curve : mapping
-        As from `hardcontact.answer.curves`.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
-        The figure.
-    """
+    """Draw curves, as from `hardcontact.answer.curves`, as a page does."""
     figure = Figure(figsize=(WIDTH, 3.4 + 0.16 * len(curve["series"])), layout="constrained")
     axes = figure.subplots()
     x = np.array(curve["x"]["values"], float)

@@ -10,29 +10,17 @@ import yaml
 from markdown_it import MarkdownIt
 from markdown_it.token import Token
 
-from hardcontact.answer.paper_answer import plain_rows
 from hardcontact.answer.templates import rendered
-from hardcontact.claims.set_spread import STABLE
-from hardcontact.claims.verdicts import BY_CONSTRUCTION, summary
+from hardcontact.claims.verdicts import BY_CONSTRUCTION, STABLE, summary
 from hardcontact.numbers.printing import print_as_paper
 
 
 class Chapter(NamedTuple):
-    """A chapter in Markdown as a page takes it.
+    """A chapter in Markdown as a page takes it."""
 
-    Attributes
-    ----------
-    title : str
-        Plain text.
-    html : str
-        The rest.
-    sections : list of tuple of str
-        Anchor and heading of each section, in their order.
-    """
-
-    title: str
-    html: str
-    sections: list[tuple[str, str]]
+    title: str  #: Plain text.
+    html: str  #: The rest.
+    sections: list[tuple[str, str]]  #: Anchor and heading of each section, in their order.
 
 
 def pages(
@@ -41,23 +29,10 @@ def pages(
     configuration: Mapping[str, Any],
     versions: Mapping[str, str],
 ) -> dict[str, str]:
-    """Write all pages.
+    """Return the HTML of `claims`, of each text under its name, and of `parameters`.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        As from `verdicts.with_open_ends`.
-    texts : mapping of str to str
-        Chapters in Markdown.
-    configuration : mapping
-        Of the study, as it was given.
-    versions : mapping of str to str
-        Of packages.
-
-    Returns
-    -------
-    dict of str to str
-        HTML of `claims`, of each text under its name, and of `parameters`.
+    Claims are as from `verdicts.with_open_ends`, texts are chapters in Markdown, the configuration
+    is that of the study as it was given, versions are those of packages.
     """
     confidence = configuration["inference"]["confidence"]
     parameters = yaml.safe_dump(configuration, allow_unicode=True)
@@ -68,21 +43,19 @@ def pages(
     }
 
 
+def plain_rows(table: pd.DataFrame) -> list[dict[Any, Any]]:
+    """Return the rows of a table as plain values, None for NaN, which JSON lacks."""
+    return table.astype(object).where(table.notna(), None).to_dict("records")
+
+
 def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
-    """Return the claims as plain values, and how many of them have each verdict.
+    """Return what templates show of claims as from `verdicts.with_open_ends`.
 
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        As from `verdicts.with_open_ends`.
-
-    Returns
-    -------
-    dict
-        `claims`: rows by their ids, each with what `claim_values` adds; `counts`: rows of
-        `verdicts.summary`; `unstable`: the number of verdicts that may change with the seed.
+    `claims` are rows by their ids, each with its `_meaning`; `counts` rows of
+    `verdicts.summary`; `unstable` is the number of verdicts that may change with the seed.
     """
-    facts = {str(row["id"]): row | claim_values(row) for row in plain_rows(claims)}
+    pairs = zip(plain_rows(claims), claims.to_dict("records"), strict=True)
+    facts = {str(row["id"]): plain | _meaning(row) for plain, row in pairs}
     return {
         "claims": facts,
         "counts": summary(claims).to_dict("records"),
@@ -90,44 +63,24 @@ def claim_facts(claims: pd.DataFrame) -> dict[str, Any]:
     }
 
 
-def claim_values(row: Mapping[str, Any]) -> dict[str, Any]:
-    """Return what a plain row of the claims means: its numbers as printed, and its kind."""
-    published, computed = (_number(row[name]) for name in ("published", "computed"))
-    interval = _number(row["low"]), _number(row["high"])
+def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
+    """Return what a row of the claims means: its numbers as printed, and its kind."""
+    unit, interval = row["unit"], (row["low"], row["high"])
     kind = "follows" if row["follows_from"] else "independent"
     return {
-        "published_text": print_as_paper(published, row["unit"]),
-        "computed_text": print_as_paper(computed, row["unit"], interval, open_end=row["open_end"]),
-        "may_change": row["stability"] is not None and row["stability"] < STABLE,
+        "published_text": print_as_paper(row["published"], unit),
+        "computed_text": print_as_paper(row["computed"], unit, interval, open_end=row["open_end"]),
+        "may_change": row["stability"] < STABLE,
         "kind": BY_CONSTRUCTION if row["verdict"] == BY_CONSTRUCTION else kind,
     }
 
 
-def _number(value: float | None) -> float:
-    return float("nan") if value is None else value
-
-
 def chapter(text: str, level: int = 2) -> Chapter:
-    """Return a chapter as HTML.
+    """Return a chapter in Markdown as HTML, with anchors at its headings.
 
-    Links into the repository are replaced by their text, because they do not work from a page.
-
-    Parameters
-    ----------
-    text : str
-        Markdown that begins with its title, ``# ...``.
-    level : int
-        Of the headings of its sections, ``## ...``.
-
-    Returns
-    -------
-    Chapter
-        Its headings have anchors.
-
-    Raises
-    ------
-    ValueError
-        If the text does not begin with a title.
+    The text begins with its title, ``# ...``, or is a ValueError; the level is that of the headings
+    of its sections, ``## ...``. Links into the repository are replaced by their text, because they
+    do not work from a page.
     """
     first, _, body = text.partition("\n")
     if not first.startswith("# "):

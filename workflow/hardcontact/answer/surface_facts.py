@@ -9,8 +9,8 @@ import xarray as xr
 
 from hardcontact.answer.artificial import artificial_bands, measurements, place_of_edge, single
 from hardcontact.answer.datasets import Datasets, Setting, at_range, model_of
-from hardcontact.answer.facts import Fact, fact_of, known
-from hardcontact.numbers.statistics import bounds
+from hardcontact.answer.facts import bare, between, ends, number_of
+from hardcontact.numbers.number import Number
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
@@ -22,62 +22,35 @@ LOPSIDED = 2.0
 #: J/m², to part diamond along (111): no known solids adhere more strongly. Source: J. E. Field, The
 #: Properties of Diamond (Academic Press, 1979).
 STRONGEST = 10.6
+#: Endings of the names of surfaces that are described by the quartiles of a source.
+QUARTILES = ("_lower", "_upper")
 
 
 class Row(NamedTuple):
-    """A row of the table of an answer.
+    """A row of the table of an answer: a number whose name and source are codes.
 
-    Attributes
-    ----------
-    surface : str
-        Its label; empty for all surfaces together.
-    fact : Fact
-        The number, whose name and source are codes.
-    about : dict
-        What else is known of it: `reason` of an open edge, `side`, `start` and `end` of continued
-        roughness, `tests` of a measured force.
+    What else is known of it is `reason` of an open edge, `side`, `start` and `end` of continued
+    roughness, `tests` of a measured force.
     """
 
-    surface: str
-    fact: Fact
+    fact: Number
     about: dict[str, Any]
 
 
-def edge_fact(of_side: xr.Dataset, name: str, source: str, prefix: str = "") -> Fact:
-    """Return the edge at one side, or the bound of an open one, with the ends that are known.
+def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: str = "") -> Number:
+    """Return the edge at one side in nm, or the bound of an open one, with the ends that are known.
 
-    Parameters
-    ----------
-    of_side : xarray.Dataset
-        Part of edges.nc at one side, of one surface or, with the prefix "pooled_", of all.
-    name, source : str
-        Of the fact.
-    prefix : str
-        Of the variables.
-
-    Returns
-    -------
-    Fact
-        In nm. An interval without ends is "not_bounded" if the force ratios have intervals.
+    `of_side` is the part of edges.nc at one side, of one surface or, with the prefix "pooled_" of
+    its variables, of all. An interval without ends is "not_bounded" if force ratios have intervals.
     """
     edge, bound = (of_side[f"{prefix}{part}"].item() for part in ("edge", "edge_bound"))
-    low, high = (known(end.item()) for end in bounds(of_side, f"{prefix}edge"))
+    low, high = ends(of_side, f"{prefix}edge")
     if np.isnan(edge):
         status = "open_above" if of_side[f"{prefix}edge_at_least"].item() else "open_below"
-        return Fact(name, known(bound), "nm", low, high, status, source)
+        return Number(name, bound, "nm", low, high, status, source)
     scatter = of_side["pooled_change_interval" if prefix else "scale_ratio_interval"]
-    endless = low is None and high is None and bool(np.isfinite(scatter).any())
-    return Fact(name, known(edge), "nm", low, high, "not_bounded" if endless else "known", source)
-
-
-def edge_facts(of: Datasets) -> dict[str, Fact]:
-    """Return the edge at each side of one surface, with its place among artificial wavelengths."""
-    bands = artificial_bands(of.spectra)
-    sides = {side: of.edges.sel(side=side) for side in SIDES}
-    return {
-        side: edge_fact(part, EDGES[side], SOURCES[place_of_edge(part, bands)])
-        for side, part in sides.items()
-    }
+    endless = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
+    return Number(name, edge, "nm", low, high, "not_bounded" if endless else "", source)
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:
@@ -87,38 +60,43 @@ def differing_sides(data: xr.Dataset) -> list[str]:
 
 def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
     """Return between which wavelengths roughness continues that of the scans at one side."""
-    names = {"start": "transition", "end": "continued_end"}
     of_side = force.sel(side=side)
-    return {"side": side} | {
-        name: fact_of(of_side, of, name, unit="nm") for name, of in names.items()
-    }
+    start, end = (
+        number_of(of_side, variable, "nm", name=name, strict=False)
+        for name, variable in (("start", "transition"), ("end", "continued_end"))
+    )
+    return {"side": side, "start": start, "end": end}
 
 
-def continued_fact(force: xr.Dataset, side: str) -> Fact:
-    """Return the force with roughness continued at one side."""
-    return fact_of(force.sel(side=side), "continued_force", "force_continued", "extrapolated")
+def continued_fact(
+    data: xr.Dataset, side: str, variable: str = "continued_force", name: str = "force_continued"
+) -> Number:
+    """Return the force, or the work of adhesion, with roughness continued at one side."""
+    of_side = data.sel(side=side)
+    return number_of(of_side, variable, name=name, source="extrapolated", strict=False)
 
 
-def force_rows(label: str, force: xr.Dataset) -> list[Row]:
+def force_rows(force: xr.Dataset) -> list[Row]:
     """Return the predicted forces of one surface at the range asked for, and the smooth limit."""
     here = at_range(force)
     quantiles = here["force_quantile"]
     least, median, most = (
-        known(quantiles.sel(quantile=share, method="nearest").item()) for share in (0, 0.5, 1)
+        quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
     )
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     smooth = 2 * np.pi * 1e-9 * radius * work
     continued = [
-        Row(label, continued_fact(force, side), continuation(force, side))
+        Row(continued_fact(force, side), continuation(force, side))
         for side in differing_sides(force)
     ]
-    share = Fact("share", float(np.ptp(quantiles["quantile"].values)), "1")
+    share = Number("share", float(np.ptp(quantiles["quantile"].values)))
+    mean = number_of(here, "force", name="force_mean", strict=False)
     return [
-        Row(label, fact_of(here, "force", "force_mean"), {"model": model_of(force)}),
+        Row(mean, {"model": model_of(force)}),
         *continued,
-        Row(label, Fact("force_median", median, "N"), {}),
-        Row(label, Fact("force_middle", None, "N", least, most, "between"), {"share": share}),
-        Row(label, Fact("smooth_sphere", float(smooth), "N"), {}),
+        Row(Number("force_median", median, "N"), {}),
+        Row(between("force_middle", least, most, "N"), {"share": share}),
+        Row(Number("smooth_sphere", float(smooth), "N"), {}),
     ]
 
 
@@ -127,93 +105,112 @@ def of_answer(fit: xr.Dataset) -> xr.Dataset:
     return fit.sel(contact_model=model_of(fit))
 
 
-def measured_rows(label: str, fit: xr.Dataset) -> list[Row]:
+def measured_rows(fit: xr.Dataset) -> list[Row]:
     """Return the force measured on one surface, and what works of adhesion it means."""
     here = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
-    force = fact_of(fit, "measured_force", "measured_force", "measured")
-    about = {"tests": int(fit["tests"].item()), "lopsided": _is_lopsided(force)}
-    work = fact_of(here, "work_of_adhesion", "measured_work", "from_measured")
-    strong = work.value is not None and work.value > STRONGEST
-    continued = [
-        Row(
-            label,
-            fact_of(fit.sel(side=side), "continued_work", "continued_work", "extrapolated"),
-            {"side": side, "start": fact_of(fit.sel(side=side), "transition", "start")},
-        )
-        for side in differing_sides(fit)
+    force = number_of(fit, "measured_force", source="measured", strict=False)
+    lopsided = np.log(force.high / force.value) > LOPSIDED * np.log(force.value / force.low)
+    work = number_of(
+        here, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
+    )
+    rows = [
+        Row(force, {"tests": int(fit["tests"].item()), "lopsided": bool(lopsided)}),
+        Row(work, {"beyond_solids": work.value > STRONGEST}),
     ]
-    return [Row(label, force, about), Row(label, work, {"beyond_solids": strong}), *continued]
+    for side in differing_sides(fit):
+        start = number_of(fit.sel(side=side), "transition", name="start")
+        continued = continued_fact(fit, side, "continued_work", "continued_work")
+        rows.append(Row(continued, {"side": side, "start": start}))
+    return rows
 
 
-def _is_lopsided(fact: Fact) -> bool:
-    """Return whether the upper end of an interval lies much farther than the lower one."""
-    if fact.value is None or fact.low is None or fact.high is None:
-        return False
-    return bool(np.log(fact.high / fact.value) > LOPSIDED * np.log(fact.value / fact.low))
-
-
-def answer_rows(label: str, of: Datasets, fit: xr.Dataset | None) -> list[Row]:
-    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces.
-
-    Parameters
-    ----------
-    label : str
-        Of the surface.
-    of : Datasets
-        Its parts.
-    fit : xarray.Dataset or None
-        As fit.nc, of all surfaces with forces.
-
-    Returns
-    -------
-    list of Row
-        In the order of the table.
-    """
-    edges = [
-        Row(label, fact, {"reason": str(of.edges["edge_status"].sel(side=side).item())})
-        for side, fact in edge_facts(of).items()
-    ]
+def answer_rows(of: Datasets) -> list[Row]:
+    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces."""
+    bands, edges = artificial_bands(of.spectra), []
+    for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
+        edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of_side, bands)])
+        edges.append(Row(edge, {"reason": str(of_side["edge_status"].item())}))
     surface = str(of.edges["surface"].item())
     own = []
-    if fit is not None and surface in fit["surface"].values:
-        own = measured_rows(label, of_answer(fit).sel(surface=surface))
-    return [*edges, *force_rows(label, of.force), *own]
+    if of.fit is not None and surface in of.fit["surface"].values:
+        own = measured_rows(of_answer(of.fit).sel(surface=surface))
+    return [*edges, *force_rows(of.force), *own]
 
 
 def pooled_rows(edges: xr.Dataset) -> list[Row]:
     """Return the edges of the mean change over several surfaces, none of a single one."""
     if "pooled_edge" not in edges:
         return []
-    sides = {side: edges.sel(side=side) for side in SIDES}
     return [
-        Row("", edge_fact(part, f"pooled_{EDGES[side]}", "computed", "pooled_"), {})
-        for side, part in sides.items()
+        Row(edge_fact(edges.sel(side=side), f"pooled_{EDGES[side]}", prefix="pooled_"), {})
+        for side in SIDES
     ]
 
 
-class Verdict(NamedTuple):
-    """The answer of a surface at a glance, without intervals."""
-
-    label: str  #: Of the surface.
-    edges: tuple[Fact, Fact]  #: Short and long.
-    forces: tuple[Fact, Fact]  #: Least and greatest, the same where the scans say all.
+def _by_value(numbers: Sequence[Number]) -> list[Number]:
+    """Return numbers from the least to the greatest; one without a value counts as zero."""
+    return sorted(numbers, key=lambda one: np.nan_to_num(one.value))
 
 
-def verdict(rows: Sequence[Row]) -> Verdict:
-    """Return the verdict of one surface from its rows."""
-    bare = {row.fact.name: row.fact._replace(low=None, high=None) for row in rows}
-    forces = sorted(
-        (row.fact for row in rows if row.fact.name in ("force_mean", "force_continued")),
-        key=lambda fact: fact.value or 0.0,
-    )
-    least, most = (
-        one._replace(low=None, high=None, status="known") for one in (forces[0], forces[-1])
-    )
-    short, long = (
-        bare[name]._replace(status="known") if bare[name].status == "not_bounded" else bare[name]
-        for name in EDGES.values()
-    )
-    return Verdict(rows[0].surface, (short, long), (least, most))
+def verdict(rows: Sequence[Row]) -> dict[str, list[Number]]:
+    """Return the answer of one surface at a glance, without intervals.
+
+    `edges` are the short and the long one, `forces` the least and the greatest, the same where the
+    scans say all.
+    """
+    facts = [bare(row.fact) for row in rows]
+    forces = _by_value([one for one in facts if one.name in ("force_mean", "force_continued")])
+    edges = [one for one in facts if one.name in EDGES.values()]
+    return {"edges": edges, "forces": [forces[0], forces[-1]]}
+
+
+class Span(NamedTuple):
+    """A quantity of a surface and how far it differs over the quartiles of its source."""
+
+    surface: str  #: Its label.
+    fact: Number  #: Of the median, without an interval.
+    least: Number  #: Of the median and both quartiles.
+    most: Number  #: The same.
+    intervals: Number  #: The span of all their intervals; unknown where one of them is.
+
+
+def surfaces_with_quartiles(given: Datasets) -> dict[str, list[str]]:
+    """Return, by surface, itself and both quartiles; only substitutes have quartiles.
+
+    A surface with the id `x` is described by a median if surfaces `x_lower` and `x_upper` stand
+    beside it, described by the quartiles of the same source. How far these lie apart is how far
+    measurements of one surface differ between laboratories, which no number of realizations shows.
+    """
+    ids = given.topography["surface"].values[given.topography["basis"].values == "substitute"]
+    groups = {name: [name, *(name + ending for ending in QUARTILES)] for name in map(str, ids)}
+    return {name: group for name, group in groups.items() if groups.keys() >= set(group)}
+
+
+def quartile_spans(given: Datasets) -> list[Span]:
+    """Return the spans of both edges and of the force of each surface with quartiles."""
+    labels, spans = given.labels(), []
+    for name, group in surfaces_with_quartiles(given).items():
+        edges, force = (part.sel(surface=group) for part in (given.edges, at_range(given.force)))
+        for side, of_side in ((side, edges.sel(side=side)) for side in EDGES):
+            facts = [edge_fact(of_side.sel(surface=one), EDGES[side]) for one in group]
+            spans.append(_span(labels[name], facts, of_side["edge_interval"]))
+        forces = [number_of(force.sel(surface=one), "force", name="force_mean") for one in group]
+        spans.append(_span(labels[name], forces, force["force_interval"]))
+    return spans
+
+
+def _span(label: str, facts: Sequence[Number], intervals: xr.DataArray) -> Span:
+    """Return the span of facts, and that of their intervals (surface, bound).
+
+    An end of the latter is bounded if that of every interval is: zero and infinity bound nothing.
+    """
+    bounded = intervals.where((intervals > 0) & np.isfinite(intervals))
+    low, high = bounded.min("surface", skipna=False), bounded.max("surface", skipna=False)
+    low, high = low.sel(bound="low").item(), high.sel(bound="high").item()
+    known = [bare(one) for one in facts]
+    least, *_, most = _by_value(known)
+    whole = between("intervals", low, high, facts[0].unit, "not_bounded")
+    return Span(label, known[0], least, most, whole)
 
 
 def contact_inputs(setting: Setting) -> list[dict[str, str]]:
@@ -230,39 +227,31 @@ def _source(name: str, text: str, of_paper: Sequence[str]) -> str:
     return "assumed" if name in of_paper else "given"
 
 
-def scan_inputs(label: str, spectra: xr.Dataset) -> list[dict[str, Any]]:
+def scan_inputs(spectra: xr.Dataset) -> list[dict[str, Any]]:
     """Return the measurements of one surface: those alike are counted together."""
     names = ("size", "pixel_size", "tip_radius")
     alike = Counter(
-        (str(one["kind"].item()), tuple(known(one[name].item()) for name in names))
+        # What is not a number would not equal itself.
+        (str(one["kind"].item()), *(np.nan_to_num(one[name].item()) for name in names))
         for one in single(measurements(spectra))
     )
     return [
-        {"surface": label, "kind": kind, "count": count}
+        {"kind": kind, "count": count}
         | {
-            name: Fact(name, value, "nm", status="known" if value else "not_known", source="file")
+            name: Number(name, value or np.nan, "nm", source="file")
             for name, value in zip(names, values, strict=True)
         }
-        for (kind, values), count in alike.items()
+        for (kind, *values), count in alike.items()
     ]
 
 
 def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     """Return what the forces measured on several surfaces allow together, as a status and facts.
 
-    Parameters
-    ----------
-    fit : xarray.Dataset
-        Part of fit.nc of one contact model: `work_of_adhesion` (surface, rho) with its interval,
-        `region` (rho, bound), its extent and, of several surfaces, the best fit.
-
-    Returns
-    -------
-    dict
-        ``status``: "one_surface", "no_interval" (of a surface, so that there is no region), "none"
-        (no pair agrees with all forces) or "region"; ``best_range``, ``best_work``, ``best_error``,
-        ``region_range`` and ``region_work`` (Fact), and ``gaps``, pairs of ranges (nm) between
-        which the region has none.
+    The fit is a part of fit.nc of one contact model. `status` is "one_surface", "no_interval" (of a
+    surface, so that there is no region), "none" (no pair agrees with all forces) or "region";
+    `best_range`, `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps`
+    pairs of ranges (nm) between which the region has none.
     """
     allowed = np.isfinite(fit["region"].values).all(axis=-1)
     status = "region" if allowed.any() else "none"
@@ -271,16 +260,11 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     if fit.sizes["surface"] == 1:
         status = "one_surface"
     units = {"best_range": "nm", "best_work": "J m-2", "best_error": "1"}
-    extents = {"region_range": "nm", "region_work": "J m-2"}
-    spans: dict[str, Any] = {}
-    for name, unit in extents.items():
-        low, high = map(known, fit[name].values.tolist())
-        spans[name] = Fact(name, None, unit, low, high, "between")
-    return (
-        {"status": status, "gaps": _gaps(fit["rho"].values, allowed)}
-        | {name: Fact(name, known(fit[name].item()), unit) for name, unit in units.items()}
-        | spans
-    )
+    found = {name: Number(name, fit[name].item(), unit) for name, unit in units.items()}
+    for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
+        low, high = fit[name].values.tolist()
+        found[name] = between(name, low, high, unit)
+    return {"status": status, "gaps": _gaps(fit["rho"].values, allowed)} | found
 
 
 def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:

@@ -2,12 +2,14 @@
 
 import base64
 import hashlib
+import math
 import re
 from pathlib import Path
 from typing import Any
 
 from hardcontact.answer.facts import printed
-from hardcontact.numbers.printing import print_as_paper
+from hardcontact.numbers.number import plain
+from hardcontact.numbers.printing import print_as_paper, print_share
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
 
@@ -18,25 +20,10 @@ BEFORE_UNIT = re.compile(r"(?<=\d) (?=\[)|(?<=[\d\]]) (?=(?:[pnµm]?[Nm]|m?J/m²
 def rendered(template: str, **facts: Any) -> str:
     """Return a page as one HTML document that needs no network.
 
-    Everything that a template prints is escaped. The page carries a policy that lets no script run
-    but those of the templates, which it names by their digests.
-
-    Parameters
-    ----------
-    template : str
-        Name of a file of workflow/report/templates.
-    **facts
-        What it names.
-
-    Returns
-    -------
-    str
-        HTML.
-
-    Raises
-    ------
-    jinja2.UndefinedError
-        If the template names what is not given.
+    The template is a file of workflow/report/templates, the facts are what it names; one that is
+    not given is a jinja2.UndefinedError. Everything that a template prints is escaped. The page
+    carries a policy that lets no script run but those of the templates, which it names by their
+    digests.
     """
     # Imported here: it takes longer than most jobs compute.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -47,9 +34,10 @@ def rendered(template: str, **facts: Any) -> str:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "printed": printed, "as_paper": print_as_paper, "percent": _percent,
+        "printed": printed, "as_paper": print_as_paper, "percent": print_share, "plain": plain,
         "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
+    environment.tests["known"] = math.isfinite
     scripts = [_file("uplot/uPlot.iife.min.js"), _file("page.js")]
     return environment.get_template(template).render(
         style=Markup(_file("uplot/uPlot.min.css") + _file("style.css")),
@@ -74,11 +62,6 @@ def _unbroken(text: Any) -> str:
     """Return a text in which no line ends between a number and its unit."""
     made = BEFORE_UNIT.sub("\N{NO-BREAK SPACE}", str(text))
     return type(text)(made) if hasattr(text, "__html__") else made  # what is escaped stays so
-
-
-def _percent(share: float, digits: int | None = None) -> str:
-    """Return a share of 1 in percent, with so many digits after the point, or with all it has."""
-    return f"{100 * share:g} %" if digits is None else f"{100 * share:.{digits}f} %"
 
 
 def _base64(data: bytes) -> str:

@@ -18,17 +18,7 @@ from hardcontact.claims.numbers import (
     variable_as_number,
 )
 
-__all__ = [
-    "classical_over_numerical",
-    "contact_height",
-    "contact_pixel_share",
-    "deformation_over_adhesion",
-    "effective_work_decades",
-    "elastic_change",
-    "peak_over_hardness",
-    "plastic_contact_area",
-    "plastic_over_elastic_area",
-]
+NM2 = 1e-18  # in m²
 
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
@@ -45,9 +35,6 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
         variable_as_number(classical, "mean_relative_error"),
         variable_as_number(inference, "best_error"),
     )
-
-
-NM2 = 1e-18  # in m²
 
 
 def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:

@@ -8,6 +8,7 @@ of `value` and `value_interval`, as `numbers.number` returns it.
 import json
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
+from inspect import getmembers, isfunction
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -26,16 +27,25 @@ from hardcontact.claims.selection import (
     selection,
     surfaces_of,
 )
-from hardcontact.claims.set_spread import sets_interval, stability, stretched
-from hardcontact.claims.verdicts import BY_CONSTRUCTION, UNTESTABLE, accepts, verdict
+from hardcontact.claims.verdicts import (
+    BY_CONSTRUCTION,
+    UNTESTABLE,
+    accepts,
+    sets_interval,
+    stability,
+    stretched,
+    verdict,
+)
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import bounds
 
-#: Functions of one dataset or several, by the name that a claim gives the quantity.
+#: Functions of one dataset or several, by the name that a claim gives the quantity: all that these
+#: modules define for others.
 DERIVED = {
-    name: getattr(module, name)
+    name: function
     for module in (contact_quantities, force_quantities, inference_quantities)
-    for name in module.__all__
+    for name, function in getmembers(module, isfunction)
+    if function.__module__ == module.__name__ and not name.startswith("_")
 }
 
 
@@ -101,36 +111,13 @@ def evaluate(
     sets: xr.Dataset,
     seed: int,
 ) -> pd.DataFrame:
-    """Compare every claim with the computed number.
+    """Compare every claim with the computed number: one row a claim with the columns `COLUMNS`.
 
-    Parameters
-    ----------
-    statements : pandas.DataFrame
-        As from `read_statements`. One about a surface or contact model that the study does not have
-        is left out.
-    datasets : mapping of str to xarray.Dataset
-        `topography`, which says what scans are substitutes, and whichever else the claims name,
-        each as in the final netCDF files.
-    constants : pandas.DataFrame
-        As from `published.constants`: the dataset `paper` of the claims.
-    confidence : float
-        Of the intervals.
-    sets : xarray.Dataset
-        As in sets.nc: `value` (set, claim), the numbers of many equally good sets of scans. Those
-        of a replicated claim give its frequency and, if they vary, its interval and the stability
-        of its verdict.
-    seed : int
-        The seed of the study.
-
-    Returns
-    -------
-    pandas.DataFrame
-        One row a claim with the columns `COLUMNS`.
-
-    Raises
-    ------
-    ValueError
-        With the name of the claim and what is missing.
+    Arguments and errors are as of `values`; a claim about a surface or contact model that the study
+    does not have is left out. The dataset `topography` says what scans are substitutes. `sets` is
+    as in sets.nc: `value` (set, claim), the numbers of many equally good sets of scans. Those of a
+    replicated claim give its frequency and, if they vary, its interval, with this confidence, and
+    the stability of its verdict.
     """
     rows = []
     for claim, computed in _all_computed(statements, datasets, constants, confidence):

@@ -20,22 +20,6 @@ from hardcontact.claims.numbers import (
     variable_as_number,
 )
 
-__all__ = [
-    "area_slope",
-    "curvature_over_height",
-    "force_decades",
-    "force_slope",
-    "half_gaussian_misfit",
-    "inverse_gaussian_misfit",
-    "lognormal_misfit",
-    "mean_over_median",
-    "plastic_over_rigid",
-    "short_range_rise",
-    "slope_by_scales",
-    "slope_over_height",
-    "smooth_sphere_change",
-]
-
 
 def slope_by_scales(topography: xr.Dataset) -> xr.Dataset:
     """Return the rms slope of all scales over that of the AFM scans (surface)."""

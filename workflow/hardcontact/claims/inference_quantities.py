@@ -20,28 +20,6 @@ from hardcontact.claims.numbers import (
 from hardcontact.numbers.statistics import bounds
 from hardcontact.surfaces.synthesis import SIDES
 
-__all__ = [
-    "band_edge",
-    "change_inside_band",
-    "change_outside_band",
-    "critical_over_interaction_radius",
-    "flat_limit_fraction",
-    "half_width_of_range",
-    "half_width_of_work",
-    "interaction_radius",
-    "interaction_radius_at_fit",
-    "interaction_share",
-    "least_ratio_error",
-    "only_longer_range_fits",
-    "only_one_minimum_fits",
-    "only_plastic_fits",
-    "short_range_force",
-    "sinusoid_share",
-    "small_scale_change",
-    "smoothest_ratio",
-    "stylus_change",
-]
-
 
 def short_range_force(inference: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
     """Return the mean force at the published work and the longest range of atomic interactions.

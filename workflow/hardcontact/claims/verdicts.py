@@ -1,6 +1,9 @@
-"""Rules that turn a number, its interval and the published limits into a verdict."""
+"""Rules that turn a number, its interval and the published limits into a verdict.
 
-from collections.abc import Sequence
+Many equally good sets of scans tell the interval of a number, and whether its verdict holds.
+"""
+
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -8,6 +11,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike
 
+from hardcontact.numbers.statistics import percentile_interval
 from hardcontact.scales.critical_band import last_cutoff
 
 BY_CONSTRUCTION = "by construction"
@@ -18,6 +22,10 @@ VERDICTS = (
 
 #: Rules of a single limit. The limit itself is rejected, that of the other rules accepted.
 ONE_SIDED = ("below", "above", "order")
+#: How often all sets are drawn again: an error of 0.015 of a share near 0.9.
+REDRAWS = 400
+#: A verdict may change with the seed if less than this share of the redraws gives it.
+STABLE = 0.95
 
 
 def accepted_range(rule: str, published_low: float, published_high: float) -> tuple[float, float]:
@@ -57,31 +65,15 @@ def accepts(
 def verdict(
     rule: str, computed: float, low: float, high: float, published_low: float, published_high: float
 ) -> str:
-    """Judge one number and its interval, by the same logic whatever the rule.
+    """Judge one number and its interval, by the same logic whatever the rule: one of `VERDICTS`.
 
     Reproduced: all of the interval is accepted. Undecided: it holds accepted and rejected numbers.
     Not reproduced: all of it is rejected, or there is no number. A number without an interval is
     consistent if it is accepted, else not reproduced.
 
-    Parameters
-    ----------
-    rule : str
-        As in `accepted_range`.
-    computed, low, high : float
-        The number and the ends of the interval that holds it, in the unit of the limits; NaN ends
-        mean no interval, equal ends one that is known to be of zero width.
-    published_low, published_high : float
-        As in `accepted_range`.
-
-    Returns
-    -------
-    str
-        One of `VERDICTS`.
-
-    Raises
-    ------
-    ValueError
-        As `accepted_range`.
+    The ends are those of the interval that holds the number, in the unit of the limits; NaN ends
+    mean no interval, equal ends one that is known to be of zero width. Rule, limits and errors are
+    as of `accepted_range`.
     """
     limits = published_low, published_high
     if np.isnan(computed):
@@ -96,6 +88,51 @@ def verdict(
     else:
         overlaps = low <= upper and lower <= high
     return "undecided" if overlaps else "not reproduced"
+
+
+def sets_interval(replicas: np.ndarray, confidence: float) -> np.ndarray:
+    """Return the central interval (..., 2) of the numbers (set, ...) of the sets.
+
+    The confidence is the share of the sets inside. A set without a number has NaN; so has the
+    interval where fewer sets than that share have one.
+    """
+    enough = np.isfinite(replicas).sum(axis=0) >= confidence * len(replicas)
+    return np.where(enough[..., None], percentile_interval(replicas, confidence), np.nan)
+
+
+def stretched(ends: ArrayLike, value: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Return an interval that holds its number, so that what is judged is what is printed.
+
+    Ends (..., 2) are NaN where there is no interval; it stays where the number (...) is NaN. The
+    low and the high end are returned one by one, (...).
+    """
+    low, high = np.moveaxis(np.asarray(ends, dtype=float), -1, 0)
+    none = np.isnan(value)
+    return np.where(none, low, np.minimum(low, value)), np.where(
+        none, high, np.maximum(high, value)
+    )
+
+
+def stability(
+    judge: Callable[[float, float, float], str],
+    given: str,
+    replicas: np.ndarray,
+    confidence: float,
+    rng: np.random.Generator,
+) -> float:
+    """Return the share of `REDRAWS` redraws of all sets in which the verdict stays as given.
+
+    Another seed gives other sets, and another set as the study's own. The sets at hand stand for
+    both: they are drawn again with replacement, and one of them is the study's own (the bootstrap:
+    B. Efron, The Annals of Statistics 7, 1979, 1). The judge takes a number and the ends of its
+    interval and returns a verdict; the numbers (set,) of the sets are NaN where one has none, and
+    the confidence is the share of the sets inside the interval.
+    """
+    drawn = rng.choice(replicas, size=(len(replicas), REDRAWS))
+    own = rng.choice(replicas, size=REDRAWS)
+    low, high = stretched(sets_interval(drawn, confidence), own)
+    redraws = zip(own.tolist(), low.tolist(), high.tolist(), strict=True)
+    return float(np.mean([judge(*redraw) == given for redraw in redraws]))
 
 
 def read_verdicts(path: str | Path) -> pd.DataFrame:
@@ -131,23 +168,11 @@ OPEN_END = {"small": "high", "large": "low"}
 
 
 def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.DataFrame:
-    """Add which end of each interval is open, because no cutoff was computed beyond it.
+    """Add the column `open_end`: "low" or "high" where no cutoff was computed beyond it, or "".
 
     An edge beyond the cutoffs counts as the last one. Sets have fewer cutoffs than the study, whose
-    own number may lie beyond theirs: an interval that is stretched to it is open there too.
-
-    Parameters
-    ----------
-    claims : pandas.DataFrame
-        As from `verdicts.read_verdicts`.
-    bands : sequence of xarray.Dataset
-        What the intervals come from, band.nc and sets.nc: scale_change (..., side, group,
-        cutoff_wavelength).
-
-    Returns
-    -------
-    pandas.DataFrame
-        The claims with the column `open_end`: "low", "high" or "".
+    own number may lie beyond theirs: an interval that is stretched to it is open there too. The
+    intervals come from band.nc and sets.nc: scale_change (..., side, group, cutoff_wavelength).
     """
     marked = claims.assign(open_end="")
     for side, end in OPEN_END.items():

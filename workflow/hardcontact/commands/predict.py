@@ -28,11 +28,11 @@ from hardcontact.insight.prediction import (
     MATTERS,
     OUTSIDE,
     UNKNOWN,
-    Number,
     prediction,
     rough_part,
     too_wide,
 )
+from hardcontact.numbers.number import Number, plain
 from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.records.whole_file import whole_file
 
@@ -106,7 +106,9 @@ def predict(arguments: Namespace) -> str:
     tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
     numbers = prediction(rough_part(spectrum, arguments.file), contact, tolerance)
     of_options = {
-        name: Number(given[name].number, unit, status="given" if given[name].given else "paper")
+        name: Number(
+            name, given[name].number, unit, status="given" if given[name].given else "paper"
+        )
         for name, unit in UNITS.items()
     }
     told = "\n".join([*notes, *_told(numbers, given)])
@@ -130,7 +132,7 @@ def _contact(given: Mapping[str, Option]) -> Contact:
 def _json(numbers: Mapping[str, Number]) -> str:
     """Return numbers by name, each with value and unit; interval and status where there are any."""
     entries = {
-        name: {"value": one.value if math.isfinite(one.value) else None, "unit": one.unit}
+        name: {"value": plain(one.value), "unit": one.unit}
         | ({"interval": [one.low, one.high]} if math.isfinite(one.low + one.high) else {})
         | ({"status": one.status} if one.status else {})
         for name, one in numbers.items()
@@ -143,10 +145,7 @@ def _csv(numbers: Mapping[str, Number]) -> str:
     text = io.StringIO()
     rows = csv.writer(text, lineterminator="\n")
     rows.writerow(["quantity", "value", "unit", "low", "high", "status"])
-    for name, (value, unit, low, high, status) in numbers.items():
-        shown = (repr(one) if math.isfinite(one) else "" for one in (value, low, high))
-        value_text, low_text, high_text = shown
-        rows.writerow([name, value_text, unit, low_text, high_text, status])
+    rows.writerows(plain([*one[:6]]) for one in numbers.values())
     return text.getvalue().rstrip("\n")
 
 

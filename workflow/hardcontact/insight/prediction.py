@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
 import numpy as np
 
@@ -15,6 +14,7 @@ from hardcontact.insight.closed_form import (
     edges,
     smooth_force,
 )
+from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
@@ -38,19 +38,6 @@ MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
 FOUND, NONE = "found", "none"
 
 
-class Number(NamedTuple):
-    """A number and its unit, the interval that belongs to it, and a status.
-
-    Value and interval are NaN where there is none; the status is a code, or empty.
-    """
-
-    value: float
-    unit: str
-    low: float = math.nan
-    high: float = math.nan
-    status: str = ""
-
-
 def prediction(spectrum: Spectrum, contact: Contact, tolerance: float) -> dict[str, Number]:
     """Return all that the closed form says of a sphere on a surface of a spectrum, by name.
 
@@ -63,30 +50,34 @@ def prediction(spectrum: Spectrum, contact: Contact, tolerance: float) -> dict[s
     longest, shortest = map(float, 2 * np.pi / spectrum.wavevector[[0, -1]])
     found, smooth = closed_form(spectrum, contact), smooth_force(contact)
     gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
-    checks = dict(_last_octaves(spectrum, contact, found)) | _tried(contact, found)
-    checks["widest_gap"] = Number(gap, "1", status=UNKNOWN if gap > GAP else NEGLIGIBLE)
-    sure = all(one.status in (NEGLIGIBLE, INSIDE) for one in checks.values())
+    checks = [
+        *_last_octaves(spectrum, contact, found),
+        *_tried(contact, found),
+        Number("widest_gap", gap, status=UNKNOWN if gap > GAP else NEGLIGIBLE),
+    ]
+    sure = all(one.status in (NEGLIGIBLE, INSIDE) for one in checks)
     error, status = (ERROR, INSIDE) if sure else (math.nan, OUTSIDE)
-    short_edge, long_edge = (
-        Number(edge, "nm", status=FOUND if math.isfinite(edge) else NONE)
-        for edge in edges(spectrum, contact, tolerance)
-    )
-    return {
-        "shortest_wavelength": Number(shortest, "nm"),
-        "longest_wavelength": Number(longest, "nm"),
-        "rms_height": Number(height, "nm"),
-        "rms_gradient": Number(gradient, "1"),
-        "pull_off_force": Number(
-            found.force, "N", found.force / error, found.force * error, status
+    ends = zip(("short_edge", "long_edge"), edges(spectrum, contact, tolerance), strict=True)
+    numbers = [
+        Number("shortest_wavelength", shortest, "nm"),
+        Number("longest_wavelength", longest, "nm"),
+        Number("rms_height", height, "nm"),
+        Number("rms_gradient", gradient),
+        Number(
+            "pull_off_force", found.force, "N", found.force / error, found.force * error, status
         ),
-        "smooth_force": Number(smooth, "N"),
-        "force_ratio": Number(found.force / smooth, "1"),
-        "closest_approach": Number(found.closest_approach, "nm"),
-        "freezing": Number(found.freezing, "1", status=found.regime.replace(" ", "_")),
-        "short_edge": short_edge,
-        "long_edge": long_edge,
-        "tolerance": Number(tolerance, "1"),
-    } | checks
+        Number("smooth_force", smooth, "N"),
+        Number("force_ratio", found.force / smooth),
+        Number("closest_approach", found.closest_approach, "nm"),
+        Number("freezing", found.freezing, status=found.regime.replace(" ", "_")),
+        *(
+            Number(name, edge, "nm", status=FOUND if math.isfinite(edge) else NONE)
+            for name, edge in ends
+        ),
+        Number("tolerance", tolerance),
+        *checks,
+    ]
+    return {one.name: one for one in numbers}
 
 
 def rough_part(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
@@ -130,10 +121,8 @@ def too_wide(contact: Contact, preload: float) -> str:
     )
 
 
-def _last_octaves(
-    spectrum: Spectrum, contact: Contact, found: ClosedForm
-) -> Iterator[tuple[str, Number]]:
-    """Yield how much the last octave of either end of a spectrum changes the force, by name.
+def _last_octaves(spectrum: Spectrum, contact: Contact, found: ClosedForm) -> Iterator[Number]:
+    """Yield how much the last octave of either end of a spectrum changes the force.
 
     It is not known of a spectrum that has hardly more than this octave.
     """
@@ -148,22 +137,21 @@ def _last_octaves(
             inner = Spectrum(wavevector[kept], spectrum.density[kept])
             change = abs(closed_form(inner, contact).force / found.force - 1)
             status = MATTERS if change > CHANGE else NEGLIGIBLE
-        yield name, Number(change, "1", status=status)
+        yield Number(name, change, status=status)
 
 
-def _tried(contact: Contact, found: ClosedForm) -> dict[str, Number]:
-    """Return what the error depends on, with the interval that it was measured in."""
-    least, most = RANGES
-    tried = {
-        "tried_range": (contact.rho, "nm", least, most, least <= contact.rho <= most),
-        "tried_radius": (contact.radius, "nm", RADIUS, RADIUS, np.isclose(contact.radius, RADIUS)),
-        "tried_area": (contact.area, "nm2", AREA, AREA, np.isclose(contact.area, AREA)),
-        "tried_freezing": (
-            found.freezing, "1", 0.0, FREEZING,
-            found.freezing <= FREEZING or found.regime == SMOOTH,
+def _tried(contact: Contact, found: ClosedForm) -> Iterator[Number]:
+    """Yield what the error depends on, with the interval that it was measured in."""
+    (least, most), freezing = RANGES, found.freezing
+    radius, area = np.isclose([contact.radius, contact.area], [RADIUS, AREA])
+    tried = [
+        (Number("tried_range", contact.rho, "nm", least, most), least <= contact.rho <= most),
+        (Number("tried_radius", contact.radius, "nm", RADIUS, RADIUS), radius),
+        (Number("tried_area", contact.area, "nm2", AREA, AREA), area),
+        (
+            Number("tried_freezing", freezing, "1", 0.0, FREEZING),
+            freezing <= FREEZING or found.regime == SMOOTH,
         ),
-    }  # fmt: skip
-    return {
-        name: Number(value, unit, low, high, INSIDE if holds else OUTSIDE)
-        for name, (value, unit, low, high, holds) in tried.items()
-    }
+    ]
+    for one, holds in tried:
+        yield one._replace(status=INSIDE if holds else OUTSIDE)

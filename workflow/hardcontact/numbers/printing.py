@@ -140,9 +140,9 @@ def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
     return max(abs(low), abs(high)) > BOUNDLESS * scale or 0 < low * BOUNDLESS < value
 
 
-def print_share(share: float) -> str:
+def print_share(share: float, form: str = "g") -> str:
     """Return a share of 1 in percent, as a confidence of 0.95 is printed: "95 %"."""
-    return f"{100 * share:g} %"
+    return f"{100 * share:{form}} %"
 
 
 def print_formatted(ends: Mapping[str, float], form: str) -> str:

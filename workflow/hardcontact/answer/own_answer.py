@@ -1,8 +1,8 @@
-"""The numbers of an answer for machines: answer.json."""
+"""The answer of a study of own surfaces: computed once, for its page and for answer.json."""
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, NamedTuple
 
-import numpy as np
 import xarray as xr
 
 from hardcontact.answer.artificial import (
@@ -13,15 +13,15 @@ from hardcontact.answer.artificial import (
     single,
 )
 from hardcontact.answer.datasets import Datasets, Setting, at_range
-from hardcontact.answer.facts import Fact, known
-from hardcontact.answer.limits import limits, tail
+from hardcontact.answer.limits import Limit, limits, tail
 from hardcontact.answer.next_measurements import next_measurements
-from hardcontact.answer.surface_facts import SOURCES, answer_rows
+from hardcontact.answer.surface_facts import SOURCES, Row, answer_rows
+from hardcontact.numbers.number import plain
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Metrics of a scan that the answer shows, with their units.
+#: Metrics of a scan, with their units.
 METRICS = {
     "rms_height": "nm",
     "rms_gradient": "1",
@@ -30,73 +30,92 @@ METRICS = {
     "skewness": "1",
     "kurtosis": "1",
 }
-
-#: Texts that answer.json has of each measurement, beside its lengths.
+#: Texts of each measurement, beside its lengths.
 MEASUREMENT_TEXTS = ("path", "dataset", "kind", "shortest_reason", "longest_reason", "notes")
 
 
-def answer_numbers(given: Datasets, setting: Setting) -> dict[str, Any]:
-    """Return the numbers of an answer, ready for JSON: what is not known is None."""
-    force = given.force
-    return {
+class OwnSurface(NamedTuple):
+    """The answer of one surface: codes with values, of which page and answer.json are made."""
+
+    label: str
+    of: Datasets
+    rows: list[Row]
+    limits: list[Limit]
+    next: list[Mapping[str, Any]]
+
+    @property
+    def basis(self) -> str:
+        """Whether it is "measured" or a "substitute"."""
+        return str(self.of.topography["basis"].item())
+
+    @property
+    def scans(self) -> list[xr.Dataset]:
+        """The metrics of each scan that there is."""
+        seen = self.of.topography.dropna("scan", subset=["rms_height"])
+        return [seen.sel(scan=scan) for scan in seen["scan"].values]
+
+
+class OwnAnswer(NamedTuple):
+    """The answer of a study of own surfaces, by their names, and what it was made from."""
+
+    given: Datasets
+    setting: Setting
+    surfaces: dict[str, OwnSurface]
+
+
+def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
+    """Return what the datasets answer."""
+    surfaces = {}
+    for name, label in given.labels().items():
+        of = given.of_surface(name)
+        surfaces[name] = OwnSurface(label, of, answer_rows(of), limits(of), next_measurements(of))
+    return OwnAnswer(given, setting, surfaces)
+
+
+def as_plain(answer: OwnAnswer) -> dict[str, Any]:
+    """Return the numbers of the answer for JSON, as answer_surfaces.schema.json describes them."""
+    given, setting, surfaces = answer
+    numbers: dict[str, Any] = {
         "study": setting.study,
         "effort": setting.effort,
         "contact": dict(setting.contact),
         "of_paper": list(setting.of_paper),
-        "range_of_adhesion": _number(force.attrs["range_of_adhesion"], "nm"),
-        "work_of_adhesion": _number(force.attrs["work_of_adhesion"], "J m-2"),
+        "range_of_adhesion": _number(given.force.attrs["range_of_adhesion"], "nm"),
+        "work_of_adhesion": _number(given.force.attrs["work_of_adhesion"], "J m-2"),
         "tolerance": _number(given.edges.attrs["tolerance"], "1"),
         "confidence": _number(given.edges.attrs["confidence"], "1"),
-        "surfaces": {
-            surface: _of_surface(label, given.of_surface(surface), given.fit)
-            for surface, label in given.labels().items()
-        },
+        "surfaces": {name: _of_surface(one) for name, one in surfaces.items()},
         "pooled_band": _pooled(given.edges),
         "fit": None if given.fit is None else _fit(given.fit),
         "left_out": [{"part": part, "reason": reason} for part, reason in setting.left_out],
     }
+    return {name: plain(one) for name, one in numbers.items()}
 
 
-def _of_surface(label: str, given: Datasets, fit: xr.Dataset | None) -> dict[str, Any]:
-    """Return the numbers of one surface from its parts of the datasets, and the fit of all."""
-    bands = artificial_bands(given.spectra)
+def _of_surface(surface: OwnSurface) -> dict[str, Any]:
+    """Return the numbers of one surface."""
+    of = surface.of
+    bands = artificial_bands(of.spectra)
     return {
-        "answer": [
-            row.fact._asdict() | {"about": plain(row.about)}
-            for row in answer_rows(label, given, fit)
+        "answer": [plain(row.fact) | {"about": row.about} for row in surface.rows],
+        "label": str(of.topography["label"].item()),
+        "basis": surface.basis,
+        "scan_size": _of(of.topography, "scan_size", "nm"),
+        "pixel_size": _of(of.topography, "pixel_size", "nm"),
+        "scans": [
+            {"scan": int(scan["scan"])}
+            | {name: _of(scan, name, unit) for name, unit in METRICS.items()}
+            for scan in surface.scans
         ],
-        "label": str(given.topography["label"].item()),
-        "basis": str(given.topography["basis"].item()),
-        "scan_size": _of(given.topography, "scan_size", "nm"),
-        "pixel_size": _of(given.topography, "pixel_size", "nm"),
-        "scans": _scans(given.topography),
-        "spectrum": _spectrum(given.spectra),
-        "band": {side: _edge(given.edges.sel(side=side), bands) for side in SIDES},
-        "force": _force(given.force),
-        "limits": plain(limits(given)),
-        "next_measurements": plain(next_measurements(given._replace(fit=fit))),
+        "spectrum": _spectrum(of.spectra, bands),
+        "band": {side: _edge(of.edges.sel(side=side), bands) for side in SIDES},
+        "force": _force(of.force),
+        "limits": surface.limits,
+        "next_measurements": surface.next,
     }
 
 
-def plain(value: Any) -> Any:
-    """Return codes with values ready for JSON: facts as mappings."""
-    if isinstance(value, Fact):
-        return value._asdict()
-    if isinstance(value, dict):
-        return {key: plain(one) for key, one in value.items()}
-    return [plain(one) for one in value] if isinstance(value, list) else value
-
-
-def _scans(of_surface: xr.Dataset) -> list[dict[str, Any]]:
-    """Return the metrics of each scan of a surface."""
-    seen = of_surface.dropna("scan", subset=["rms_height"])
-    return [
-        {"scan": int(number)} | {name: _of(one, name, unit) for name, unit in METRICS.items()}
-        for number, one in ((n, seen.sel(scan=n)) for n in seen["scan"].values)
-    ]
-
-
-def _spectrum(of_surface: xr.Dataset) -> dict[str, Any]:
+def _spectrum(of_surface: xr.Dataset, bands: list[tuple[float, float]]) -> dict[str, Any]:
     """Return the joined spectrum, its measurements, and the wavelengths that are artificial."""
     joined = of_surface["joined"].dropna("bin_wavevector")
     return {
@@ -105,14 +124,12 @@ def _spectrum(of_surface: xr.Dataset) -> dict[str, Any]:
             | {name: _of(one, name, "nm") for name in LENGTHS}
             for one in single(measurements(of_surface))
         ],
-        "artificial": [
-            {"from": _number(low, "nm"), "to": _number(high, "nm")}
-            for low, high in artificial_bands(of_surface)
-        ],
-        "tail": plain(tail(of_surface)),
+        "artificial": [{"from": _number(low, "nm"), "to": _number(high, "nm")}
+                       for low, high in bands],
+        "tail": tail(of_surface),
         "wavevector": _numbers(joined["bin_wavevector"], "rad nm-1"),
         "joined_psd": _numbers(joined, "nm4"),
-    }
+    }  # fmt: skip
 
 
 def _edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> dict[str, Any]:
@@ -151,17 +168,13 @@ def _pooled(edges: xr.Dataset) -> dict[str, Any] | None:
 def _force(force: xr.Dataset) -> dict[str, Any]:
     """Return the force at the range asked for, its spread, and the force over the range."""
     here = at_range(force)
+    quantiles = zip(here["quantile"].values, here["force_quantile"].values, strict=True)
     return {
         **_of(here, "force", "N"),
         "with_continued_roughness": {side: _continued(force.sel(side=side)) for side in SIDES},
         "contact_model": str(here["contact_model"].item()),
         "interval_source": str(force["interval_source"].item()),
-        "quantiles_of_contacts": {
-            f"{share:g}": _number(value, "N")
-            for share, value in zip(
-                here["quantile"].values, here["force_quantile"].values, strict=True
-            )
-        },
+        "quantiles_of_contacts": {f"{share:g}": _number(value, "N") for share, value in quantiles},
         "rho": _numbers(force["rho"], "nm"),
         "over_rho": {
             str(model): _bounded_numbers(force.sel(contact_model=model), "force", "N")
@@ -182,19 +195,16 @@ def _continued(of_side: xr.Dataset) -> dict[str, Any]:
 
 def _fit(fit: xr.Dataset) -> dict[str, Any]:
     """Return all numbers of a fit to the user's own forces, each with its dimensions."""
+    numbers = {str(name): one for name, one in fit.data_vars.items() if one.dtype.kind in "fiu"}
+    texts = {str(name): one for name, one in fit.data_vars.items() if name not in numbers}
     return {
         "origin": "measured",
         "coordinates": {str(name): fit[name].values.tolist() for name in fit.coords},
-        "texts": {
-            str(name): values.values.tolist()
-            for name, values in fit.data_vars.items()
-            if values.dtype.kind not in "fiu"
-        },
+        "texts": {name: one.values.tolist() for name, one in texts.items()},
         **{
-            str(name): {"dimensions": list(map(str, values.dims))}
+            name: {"dimensions": list(map(str, values.dims))}
             | _numbers(values, str(values.attrs.get("units", "1")))
-            for name, values in fit.data_vars.items()
-            if values.dtype.kind in "fiu"
+            for name, values in numbers.items()
         },
     }
 
@@ -204,23 +214,18 @@ def _of(dataset: xr.Dataset, name: str, unit: str) -> dict[str, Any]:
     number = _number(dataset[name].item(), unit)
     if f"{name}_interval" not in dataset:
         return number
-    return number | {"interval": [known(end.item()) for end in bounds(dataset, name)]}
+    return number | {"interval": [float(end) for end in bounds(dataset, name)]}
 
 
 def _number(value: float, unit: str) -> dict[str, Any]:
-    return {"value": known(value), "unit": unit}
+    return {"value": float(value), "unit": unit}
 
 
 def _numbers(values: xr.DataArray, unit: str) -> dict[str, Any]:
-    return {"values": _listed(values.values), "unit": unit}
+    return {"values": values.values.astype(float).tolist(), "unit": unit}
 
 
 def _bounded_numbers(dataset: xr.Dataset, name: str, unit: str) -> dict[str, Any]:
     """Return a variable of one dimension, and the ends of its interval."""
-    low, high = (_listed(end.values) for end in bounds(dataset, name))
+    low, high = (end.values.tolist() for end in bounds(dataset, name))
     return _numbers(dataset[name], unit) | {"low": low, "high": high}
-
-
-def _listed(values: np.ndarray) -> Any:
-    """Return an array as nested lists."""
-    return [_listed(part) for part in values] if values.ndim else known(values.item())

@@ -1,0 +1,46 @@
+"""One number as pages, files and programs take it: unit, interval, what is known of it, source."""
+
+import math
+from typing import Any, NamedTuple
+
+
+class Number(NamedTuple):
+    """A number with its interval; value and ends that are not known are not finite.
+
+    Attributes
+    ----------
+    name : str
+        What it is the number of.
+    value, low, high : float
+        The number and the ends of its interval, in `unit`.
+    unit : str
+        Of the datasets: "nm", "N", "J m-2", "1".
+    status : str
+        What else is to be said, as a code for which a template has the words: "open_above" and
+        "open_below" where `value` is a bound, "not_bounded" where the interval says only that there
+        are too few scans, "no_interval" where it should have one, "between", "more_than" and
+        "at_most" where only ends are known, other codes where there is a reason for no value.
+    source : str
+        Where it comes from, as a code: "computed", "measured", "extrapolated", "artificial",
+        "given", "file", "assumed".
+    """
+
+    name: str
+    value: float
+    unit: str = "1"
+    low: float = math.nan
+    high: float = math.nan
+    status: str = ""
+    source: str = "computed"
+
+
+def plain(value: Any) -> Any:
+    """Return what JSON can say: numbers as mappings, None in place of what is not finite."""
+    if isinstance(value, Number):
+        known = "known" if math.isfinite(value.value) else "not_known"
+        return plain(value._asdict() | {"status": value.status or known})
+    if isinstance(value, dict):
+        return {key: plain(one) for key, one in value.items()}
+    if isinstance(value, list):
+        return [plain(one) for one in value]
+    return None if isinstance(value, float) and not math.isfinite(value) else value
