@@ -28,5 +28,6 @@ with job(snakemake) as this:
     departures = Path(this.input.departures).read_text("utf-8")
     citation = yaml.safe_load(Path(this.input.citation).read_text("utf-8"))
     this.write_text(paper_page(answer, figures, captions, departures, citation), "page")
-    this.write_text(json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1) + "\n", "json")
+    numbers = json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1)
+    this.write_text(numbers + "\n", "json")
     this.record("page", "json")
