@@ -98,9 +98,8 @@ def joined_spectrum(
 def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
     """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
 
-    Each of the measurements (measurement, bins) counts by the inverse of its variance, by its waves
-    and its calibration, and ln C is raised by what the logarithm of few waves lies too low on
-    average.
+    Each measurement (measurement, bins) counts by the inverse of its variance, and ln C is raised
+    by what the logarithm of few waves lies too low on average.
     """
     weight = np.where(reliable, 1 / (variance_of_log(waves) + CALIBRATION**2), 0.0)
     total = weight.sum(axis=0)

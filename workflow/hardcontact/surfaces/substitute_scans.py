@@ -70,7 +70,8 @@ def synthesized_scan(
     factor of the heights are of one conditioning. The radius of the sphere is in nm, None of a flat
     surface. A scan whose heights are skewed has the rms height of the Gaussian one; the radius of
     the tip that images it is in nm, without it heights are those at the pixels. The dataset has
-    `heights` (x, y) in nm, in float64, for a file in netCDF's classic format.
+    `heights` (x, y) in nm, in float64, for a file in netCDF's classic format, whose first axis is x
+    to SurfaceTopography.
     """
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     scan = substitute_scan(surface, grid.pixels, factor)
@@ -85,11 +86,6 @@ def synthesized_scan(
         scan = imaged_scan(fine, grid.pixels, tip_radius)
     if sphere_radius is not None:
         scan = sphere_scan(rng, scan, sphere_radius)
-    return _classic_dataset(scan)
-
-
-def _classic_dataset(scan: HeightMap) -> xr.Dataset:
-    """Return a scan as SurfaceTopography reads it from classic netCDF; the first axis is x."""
     position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size
     axis = {"length": scan.size, "unit": "nm", "units": "nm", "periodic": np.int32(scan.periodic)}
     return xr.Dataset(

@@ -50,12 +50,13 @@ def from_description(
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
-            filled, used = _calibrated(band, density, table1, weights)
-            density += _band_density(filled, density, Path(path).parent)
+            if pd.isna(band.hurst) and band.model in CALIBRATED:
+                band = pd.Series(dict(band) | _calibrated(band, density, table1, weights))
+                calibrated += CALIBRATED[band.model]
+            density += _band_density(band, density, Path(path).parent)
         except (KeyError, ValueError, OSError) as error:
             raise ValueError(f"{path}: band from {band.longest_nm:g} nm: {error}") from None
-        bands.loc[i] = filled
-        calibrated += used
+        bands.loc[i] = band
     last = bands.iloc[-1]
     if last.model == "power law":
         density *= share_of_cells(last.shortest_nm)
@@ -77,17 +78,13 @@ def described_rms_height(path: str | Path, longest: float) -> float:
 
 def _calibrated(
     band: pd.Series, above: Floats, table1: pd.DataFrame, weights: Weights
-) -> tuple[pd.Series, list[str]]:
-    """Return the band with its parameters filled in, and the rows of Table 1 that filled them."""
-    if not pd.isna(band.hurst) or band.model not in CALIBRATED:
-        return band, []
+) -> dict[str, float]:
+    """Return the parameters of a band that Table 1 fixes."""
     if band.model in MODELS:
-        found = calibrate_model(band, table1, weights)
-    else:
-        gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
-        hurst, shortest = calibrate_tail(above, (gradient, half_laplacian))
-        found = {"hurst": hurst, "shortest_nm": shortest}
-    return pd.Series(dict(band) | found), list(CALIBRATED[band.model])
+        return calibrate_model(band, table1, weights)
+    gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
+    hurst, shortest = calibrate_tail(above, (gradient, half_laplacian))
+    return {"hurst": hurst, "shortest_nm": shortest}
 
 
 def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
