@@ -23,7 +23,7 @@ from hardcontact.surfaces import spectral_models, synthesis
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
 from hardcontact.surfaces.synthesis import synthesized_master
-from hardcontact.surfaces.topography import level, mirror_stitch, subtract_sphere
+from hardcontact.surfaces.topography import flat_map, level, mirror_stitch
 
 
 def lengths(least, most, count):
@@ -141,7 +141,7 @@ def stitched_scan(config, rng, density, radius=None):
     made = substitute_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(made))
-    return mirror_stitch(subtract_sphere(sphere_scan(rng, made, radius), radius))
+    return mirror_stitch(flat_map(sphere_scan(rng, made, radius), radius))
 
 
 def assert_forces(arrays):

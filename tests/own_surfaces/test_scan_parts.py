@@ -6,7 +6,16 @@ from scipy import fft, stats
 
 from hardcontact.contact.geometry import contact_positions
 from hardcontact.own_surfaces import scan_parts
-from hardcontact.own_surfaces.scan_parts import Parts, half_width_of_logarithm, parts_of_scans
+from hardcontact.own_surfaces.scan_parts import (
+    Parts,
+    half_width,
+    jackknife_variance,
+    parts_of_scans,
+)
+
+
+def half_of(left_out, parts, confidence):
+    return half_width([jackknife_variance(left_out, parts)], confidence)
 
 
 @pytest.mark.parametrize("count, tiles", [(4, 1), (20, 1), (20, 4), (7, 2), (6, 4)])
@@ -65,7 +74,7 @@ def test_intervals_hold_the_mean_as_often_as_they_say(scans):
         means = means.reshape(draws, scans, 4).mean(axis=-1)
     count = means.shape[1]
     left_out = (means.sum(axis=1, keepdims=True) - means) / (count - 1)
-    half = half_width_of_logarithm(left_out.T, parts, 0.9)
+    half = half_of(left_out.T, parts, 0.9)
     assert np.mean(np.abs(means.mean(axis=1)) < half) == pytest.approx(0.9, abs=0.03)
 
 
@@ -74,15 +83,15 @@ def test_without_correlation_it_is_students_t():
     left_out = (values.sum() - values) / 3
     expected = stats.t.ppf(0.975, 3) * values.std(ddof=1) / 2
     parts = Parts(np.zeros((1, 1, 1), int), np.eye(4), 4)
-    assert half_width_of_logarithm(left_out, parts, 0.95) == pytest.approx(expected)
+    assert half_of(left_out, parts, 0.95) == pytest.approx(expected)
 
 
 def test_parts_that_are_one_or_the_same_have_no_interval():
     far = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 5.0)
-    assert np.isnan(half_width_of_logarithm(np.arange(4.0), far, 0.95))
+    assert np.isnan(half_of(np.arange(4.0), far, 0.95))
     assert far.source == "none"
     single = parts_of_scans(np.zeros(1), np.zeros((1, 1), int), 1.0, 0.1)
-    assert np.isnan(half_width_of_logarithm(np.zeros(1), single, 0.95))
+    assert np.isnan(half_of(np.zeros(1), single, 0.95))
     near = parts_of_scans(np.zeros(1), QUARTERS, 1.0, 0.1)
-    half = half_width_of_logarithm(np.array([[0.1, 0.2]] * 4) + 1e-17, near, 0.95)
+    half = half_of(np.array([[0.1, 0.2]] * 4) + 1e-17, near, 0.95)
     assert np.isnan(half).all()

@@ -7,14 +7,19 @@ from random_scans import PIXEL, UNCD
 
 from hardcontact.records import published
 from hardcontact.records.published import rows_met
-from hardcontact.surfaces import calibration, descriptions, spectral_models
+from hardcontact.surfaces import calibration, spectral_models
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 
 def rows(values):
     """Table 1 of one surface: the rows that fix the spectrum of scans."""
-    return pd.DataFrame({"value": values}, index=list(descriptions.AFM_ROWS))
+    return pd.DataFrame({"value": values}, index=list(spectral_models.AFM_ROWS))
+
+
+def band(model, rolloff=np.nan):
+    """A band of a description whose other parameters are left to Table 1."""
+    return pd.Series({"model": model, "rolloff_nm": rolloff})
 
 
 @pytest.fixture(scope="module")
@@ -30,21 +35,24 @@ def scans_of(density, weights):
 def test_a_self_affine_spectrum_is_found_again(weights):
     truth = (1.0e7, 800.0, 0.9)
     table1 = scans_of(spectral_models.self_affine(WAVEVECTORS, *truth), weights)
-    parameters = calibration.calibrate_self_affine(table1, weights)
-    np.testing.assert_allclose(parameters, truth, rtol=1e-6)
+    parameters = calibration.calibrate_model(band("self-affine"), table1, weights)
+    assert list(parameters) == ["plateau_nm4", "rolloff_nm", "hurst"]
+    np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
 
 
 def test_a_varying_hurst_exponent_is_found_again(weights):
-    truth = spectral_models.varying_hurst(WAVEVECTORS, 1.0e10, 2000.0, (1.6, -0.5))
-    found = calibration.calibrate_varying_hurst(scans_of(truth, weights), weights, 2000.0)
-    np.testing.assert_allclose(found, (1.0e10, 1.6, -0.5), rtol=1e-6)
+    truth = spectral_models.varying_hurst(WAVEVECTORS, 1.0e10, 2000.0, 1.6, -0.5)
+    table1 = scans_of(truth, weights)
+    found = calibration.calibrate_model(band("varying Hurst", 2000.0), table1, weights)
+    assert list(found) == ["plateau_nm4", "hurst", "hurst_change"]
+    np.testing.assert_allclose(list(found.values()), (1.0e10, 1.6, -0.5), rtol=1e-6)
 
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(at_root):
     table = published.table1("resources/paper/table1.csv")
     ncd = calibration.rows_of_surface(table, "ncd", "gradient", "half_laplacian")
     with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
-        calibration.calibrate_self_affine(ncd, transfer_weights(2048, PIXEL, 512))
+        calibration.calibrate_model(band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512))
 
 
 @pytest.fixture
@@ -93,9 +101,9 @@ def test_table1_is_turned_into_gradient_and_half_laplacian():
 def test_rows_that_calibrate_are_rows_of_the_published_table(at_root):
     table = published.table1("resources/paper/table1.csv")
     for _, of_surface in table.groupby("surface"):
-        assert {*descriptions.AFM_ROWS, *descriptions.TAIL_ROWS} == set(of_surface.quantity) - {
-            "all_rms_height"
-        }
+        assert {*spectral_models.AFM_ROWS, *spectral_models.TAIL_ROWS} == set(
+            of_surface.quantity
+        ) - {"all_rms_height"}
 
 
 def test_rows_met_are_those_named():

@@ -15,7 +15,7 @@ from hardcontact.surfaces import conditioning as spectral_gain
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
+from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 from hardcontact.surfaces.topography import level, metrics
 
@@ -43,7 +43,7 @@ def spectrum():
 
 def measured(spectrum, group, grid):
     """The metrics of every scan of a group, as they are synthesized: {metric: (scan,)}."""
-    density = spectral_gain.conditioned_density(spectrum, group)
+    density = spectral_gain.amplified(spectrum_from(spectrum), group.gain.values)
     values = []
     for number in group.scan.values:
         rng = generator(7, "uncd", number, "scan")

@@ -11,10 +11,10 @@ from repository import PAPER, ROOT
 from hardcontact.numbers.random import generator
 from hardcontact.records import published
 from hardcontact.surfaces.calibration import rows_of_surface, transfer_weights
-from hardcontact.surfaces.conditioning import conditioned_density, conditioned_group, scan_targets
-from hardcontact.surfaces.descriptions import AFM_ROWS, TAIL_ROWS
+from hardcontact.surfaces.conditioning import amplified, conditioned_group, scan_targets
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
+from hardcontact.surfaces.spectral_models import AFM_ROWS, TAIL_ROWS
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 from hardcontact.surfaces.substitute_spectra import from_description, substitute_spectrum
 from hardcontact.surfaces.topography import level, metrics
@@ -41,7 +41,7 @@ def scans(surface, numbers, grid):
     targets = scan_targets(spectrum(surface), rows(surface), CONSTANTS, DEFINITIONS, grid)
     streams = {n: partial(generator, SEED, surface, n, "scan") for n in numbers}
     group = conditioned_group(spectrum(surface), targets, streams, grid)
-    density, values = conditioned_density(spectrum(surface), group), []
+    density, values = amplified(spectrum_from(spectrum(surface)), group.gain.values), []
     for number, factor in zip(numbers, group.factor.values, strict=True):
         made = synthesized_scan(streams[number](), density, grid, factor)
         heights = made.heights.values.T

@@ -17,9 +17,8 @@ from scan_files import (
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.surfaces.scans import (
-    described,
-    height_map,
     list_measurements,
+    prepared_file,
     read_measurement,
     read_scan,
 )
@@ -252,14 +251,14 @@ def test_files_without_datasets(tmp_path):
 
 def test_a_scan_is_described_by_texts(tmp_path):
     path = scan(tmp_path / "a.nc", heights(48, 32), (48.0, 32.0), "µm")
-    measured = read_measurement(path)
-    attributes = described(measured)
-    assert attributes == {
-        "channel": "Default",
-        "file_unit": "µm",
-        "notes": "cropped from 48 x 32 to 32 x 32 pixels",
-    }
-    assert height_map(measured, "substitute").basis == "substitute"
+    for periodic, prepared in enumerate(prepared_file(path, basis="substitute")):
+        assert prepared.attrs == {
+            "periodic": periodic,
+            "basis": "substitute",
+            "channel": "Default",
+            "file_unit": "µm",
+            "notes": "cropped from 48 x 32 to 32 x 32 pixels",
+        }
 
 
 WORDS = "\n".join(f"sample {k},good,{k}" for k in range(5000)).encode()

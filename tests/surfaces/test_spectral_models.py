@@ -32,7 +32,7 @@ def test_published_model_of_ncd_has_its_published_height():
 
 def test_without_change_a_varying_hurst_exponent_is_a_self_affine_spectrum():
     np.testing.assert_allclose(
-        spectral_models.varying_hurst(WAVEVECTORS, 1e7, 800.0, (0.9, 0.0)),
+        spectral_models.varying_hurst(WAVEVECTORS, 1e7, 800.0, 0.9, 0.0),
         spectral_models.self_affine(WAVEVECTORS, 1e7, 800.0, 0.9),
         rtol=1e-10,
     )
@@ -42,7 +42,7 @@ def test_a_varying_hurst_exponent_is_that_of_the_power_law_at_each_wavelength():
     q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])
     step = 1e-6
     around = [
-        np.log(spectral_models.varying_hurst(q * (1 + s), 1e10, 2000.0, (1.7, -0.5)))
+        np.log(spectral_models.varying_hurst(q * (1 + s), 1e10, 2000.0, 1.7, -0.5))
         for s in (-step, step)
     ]
     exponent = (around[1] - around[0]) / (2 * step)

@@ -9,14 +9,13 @@ from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.substitute_scans import (
-    HeightChoices,
     ScanGrid,
     sphere_scan,
     substitute_scan,
     synthesized_scan,
 )
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level, subtract_sphere
+from hardcontact.surfaces.topography import flat_map, level
 
 RADIUS = 250e3
 
@@ -38,7 +37,7 @@ def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
         scan = sphere_scan(generator(k), flat, RADIUS)
         row, column = np.unravel_index(scan.heights.argmax(), scan.heights.shape)
         assert 15 <= row <= 48 and 15 <= column <= 48
-        np.testing.assert_allclose(subtract_sphere(scan, RADIUS).heights, 0, atol=1e-9)
+        np.testing.assert_allclose(flat_map(scan, RADIUS).heights, 0, atol=1e-9)
 
 
 def heights_of(synthesized):
@@ -65,18 +64,16 @@ def test_a_synthesized_scan_is_read_as_any_other(tmp_path):
 def test_a_synthesized_scan_of_the_sphere_has_its_shape(tmp_path):
     arguments = (uncd, ScanGrid(64, 2500.0, 128), 1.0)
     flat = read_back(tmp_path, synthesized_scan(generator(1), *arguments))
-    sphere = read_back(tmp_path, synthesized_scan(generator(1), *arguments, RADIUS))
-    np.testing.assert_allclose(
-        subtract_sphere(sphere, RADIUS).heights, level(flat).heights, atol=1e-9
-    )
+    sphere = read_back(tmp_path, synthesized_scan(generator(1), *arguments, sphere_radius=RADIUS))
+    np.testing.assert_allclose(flat_map(sphere, RADIUS).heights, level(flat).heights, atol=1e-9)
 
 
 @pytest.mark.parametrize("skewness", [-1.0, 1.0])
 def test_a_skewed_scan_is_as_high_as_the_gaussian_one(skewness):
     arguments = (uncd, ScanGrid(64, 64 * PIXEL, 256), 0.7)
     plain, skewed = (
-        heights_of(synthesized_scan(generator(1), *arguments, choices=choices))
-        for choices in (HeightChoices(), HeightChoices(skewness=skewness))
+        heights_of(synthesized_scan(generator(1), *arguments, **choices))
+        for choices in ({}, {"skewness": skewness})
     )
     assert level(skewed).heights.std() == pytest.approx(level(plain).heights.std(), rel=1e-12)
     assert np.abs(skewed.heights - plain.heights).max() > 1
@@ -85,8 +82,8 @@ def test_a_skewed_scan_is_as_high_as_the_gaussian_one(skewness):
 def test_a_scan_of_a_tip_is_of_the_same_surface_and_smoother():
     arguments = (uncd, ScanGrid(64, 64 * PIXEL, 128), 0.7)
     plain, imaged = (
-        heights_of(synthesized_scan(generator(1), *arguments, choices=choices))
-        for choices in (HeightChoices(), HeightChoices(tip_radius=26.0))
+        heights_of(synthesized_scan(generator(1), *arguments, **choices))
+        for choices in ({}, {"tip_radius": 26.0})
     )
     correlation = np.corrcoef(plain.heights.ravel(), imaged.heights.ravel())[0, 1]
     assert correlation > 0.95

@@ -8,7 +8,7 @@ from refusals import assert_says, refusal
 from repository import ROOT
 
 from hardcontact.records import published
-from hardcontact.surfaces import calibration, descriptions, spectral_models, substitute_spectra
+from hardcontact.surfaces import calibration, spectral_models, substitute_spectra
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
@@ -53,7 +53,7 @@ def test_bands_with_all_parameters_are_their_models(described, tmp_path):
     table = Spectrum(WAVEVECTORS, density)
     q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
     expected = [
-        spectral_models.varying_hurst(q[0], 5e9, 2000.0, (0.8, -0.1)),
+        spectral_models.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
         spectral_models.self_affine(q[1], 5e9, 2000.0, 0.8),
         spectral_models.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
     ]
@@ -76,7 +76,7 @@ def test_blank_parameters_are_calibrated_to_table1(described, polished, band):
     path = described(band, "6.5,0,power law,,,,,")
     weights = transfer_weights(2048, PIXEL, 512)
     density, bands, calibrated = substitute_spectra.from_description(path, polished, weights)
-    assert calibrated == [*descriptions.AFM_ROWS, *descriptions.TAIL_ROWS]
+    assert calibrated == [*spectral_models.AFM_ROWS, *spectral_models.TAIL_ROWS]
     assert bands[["plateau_nm4", "rolloff_nm", "hurst"]].loc[0].notna().all()
     assert bands[["shortest_nm", "hurst"]].loc[1].notna().all()
     table = Spectrum(WAVEVECTORS, density)

@@ -7,13 +7,13 @@ from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.topography import (
     DEFINITIONS,
     METRICS,
+    flat_map,
     level,
     level_lines,
     library_map,
     metrics,
     mirror_stitch,
     prepared_scan,
-    subtract_sphere,
     table1_variables,
 )
 
@@ -89,7 +89,7 @@ def test_levelling_by_lines_is_a_fit_and_a_median_of_each():
 
 
 def test_sphere_is_removed_wherever_its_apex_lies(sphere, roughness):
-    subtracted = subtract_sphere(sphere, RADIUS)
+    subtracted = flat_map(sphere, RADIUS)
     np.testing.assert_allclose(subtracted.heights, level(roughness).heights, atol=1e-8)
 
 
@@ -154,7 +154,7 @@ def test_a_prepared_scan_of_the_sphere_keeps_what_was_scanned(sphere):
     as_scanned = levelled["as_scanned"]
     assert as_scanned.dims == ("y", "x") and as_scanned.attrs["units"] == "nm"
     np.testing.assert_array_equal(as_scanned, sphere.heights.astype(np.float32))
-    expected = subtract_sphere(sphere, RADIUS).heights
+    expected = flat_map(sphere, RADIUS).heights
     np.testing.assert_allclose(levelled["heights"].values, expected, atol=1e-6)
     assert list(stitched.data_vars) == ["heights"]
 
@@ -162,8 +162,8 @@ def test_a_prepared_scan_of_the_sphere_keeps_what_was_scanned(sphere):
 @pytest.mark.parametrize("radius", [None, RADIUS])
 def test_a_prepared_scan_keeps_how_it_was_levelled_and_what_its_file_says(sphere, radius):
     said = {"channel": "Height", "file_unit": "µm", "notes": "cropped; 3 undefined pixels"}
-    levelled, stitched = prepared_scan(sphere, radius, level_lines, said)
-    bare = sphere if radius is None else subtract_sphere(sphere, radius)
+    levelled, stitched = prepared_scan(sphere, radius, "lines", said)
+    bare = sphere if radius is None else flat_map(sphere, radius)
     expected = level_lines(bare).heights
     np.testing.assert_allclose(levelled["heights"].values, expected, atol=1e-5)
     np.testing.assert_allclose(stitched["heights"].values[:64, :64], expected, atol=1e-5)

@@ -30,8 +30,7 @@ from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.filtered_masters import FilteredContacts, filtered_pull_off
 from hardcontact.scales.stacked_masters import stacked_forces
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.prepared_scans import flat_measurement
-from hardcontact.surfaces.scans import height_map
+from hardcontact.surfaces.scans import flat_measurement, height_map
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES

@@ -3,14 +3,15 @@
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.records.job import job
-from hardcontact.surfaces.conditioning import conditioned_density
-from hardcontact.surfaces.prepared_scans import LEVELLED, STITCHED, prepared_file
-from hardcontact.surfaces.substitute_scans import HeightChoices, ScanGrid, synthesized_scan
+from hardcontact.surfaces.conditioning import amplified
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared_file
+from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 
 with job(snakemake) as this:
     given, surface, scans = this.parameters, this.parameters["surface"], this.parameters["scans"]
     conditioning = dataset.read(this.input.conditioning)
-    density = conditioned_density(dataset.read(this.input.spectrum), conditioning)
+    density = amplified(read_spectrum(this.input.spectrum), conditioning["gain"].values)
     for place, number in enumerate(scans):
         # Substitutes of all scans come first among the outputs, then levelled and stitched ones.
         substitute, levelled, stitched = (place + kind * len(scans) for kind in range(3))
@@ -20,8 +21,7 @@ with job(snakemake) as this:
                 density,
                 ScanGrid(**given["scan"]),
                 float(conditioning["factor"].sel(scan=number)),
-                given["sphere_radius"],
-                HeightChoices(given["skewness"], given["tip_radius"]),
+                **{name: given[name] for name in ("sphere_radius", "skewness", "tip_radius")},
             ),
             title=f"substitute scan {number} of {surface}",
             output=substitute,

@@ -2,7 +2,7 @@
 
 from hardcontact.records.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.prepared_scans import flat_measurement
+from hardcontact.surfaces.scans import flat_measurement
 
 with job(snakemake) as this:
     given = this.parameters

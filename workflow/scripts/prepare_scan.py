@@ -1,7 +1,7 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
 from hardcontact.records.job import job
-from hardcontact.surfaces.prepared_scans import LEVELLED, STITCHED, prepared_file
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared_file
 
 with job(snakemake) as this:
     levelled, stitched = prepared_file(this.input.scan, basis="measured", **this.parameters)

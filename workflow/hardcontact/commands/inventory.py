@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -16,7 +15,6 @@ from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
-from hardcontact.surfaces.topography import flat_map
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"
@@ -121,7 +119,7 @@ def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
-    flat = flattened(measurement, partial(flat_map, sphere_radius=source.sphere_radius))
+    flat = flattened(measurement, source.sphere_radius)
     levelled = _levelled(flat)
     stated = measurement.tip_radius
     radius = tip_radius if stated is None else stated

@@ -22,8 +22,8 @@ from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
 from hardcontact.records import published
-from hardcontact.surfaces.descriptions import is_calibrated
 from hardcontact.surfaces.scans import read_measurement, read_scan
+from hardcontact.surfaces.spectral_models import is_calibrated
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 from hardcontact.surfaces.synthesis import SIDES
 

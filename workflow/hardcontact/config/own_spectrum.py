@@ -19,8 +19,7 @@ from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
-from hardcontact.surfaces.prepared_scans import flat_measurement
-from hardcontact.surfaces.scans import list_measurements
+from hardcontact.surfaces.scans import flat_measurement, list_measurements
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 
 #: Columns of which a table has one of each pair, each with a column of its unit.

@@ -18,7 +18,7 @@ import pandas as pd
 
 from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
-from hardcontact.surfaces.descriptions import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
+from hardcontact.surfaces.spectral_models import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
 #: The largest table in bytes: some ten thousand rows.
 TABLE_LIMIT = 2**20

@@ -11,15 +11,17 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.own_surfaces.scan_parts import (
+    CONTACTS,
     Parts,
     Variance,
     half_width,
     jackknife_variance,
+    left_out_logarithms,
     parts_of_scans,
     quarters_of_contacts,
 )
-
-CONTACTS = ("contact_y", "contact_x")
+from hardcontact.records.dataset import stack
+from hardcontact.surfaces.synthesis import SIDES
 
 
 class Masters(NamedTuple):
@@ -33,16 +35,14 @@ class Masters(NamedTuple):
 
 
 class MasterForces(NamedTuple):
-    """Forces on the masters of one surface and side, parts of the scans, longest wavelength in nm.
+    """Forces on the masters of one surface and side."""
 
-    The forces are ``pull_off_force`` (realization, cutoff_wavelength, contact_y, contact_x) and
-    ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and ``ratio``
-    of their means over contacts.
-    """
-
+    #: ``pull_off_force`` (realization, cutoff_wavelength, contact_y, contact_x) and
+    #: ``unfiltered_pull_off_force`` (realization, contact_y, contact_x), in N at 1 J/m², and the
+    #: ``ratio`` of their means over contacts.
     forces: xr.Dataset
     parts: Parts
-    cell: float
+    cell: float  #: The longest wavelength in nm.
 
 
 def forces_of_masters(
@@ -64,6 +64,18 @@ def forces_of_masters(
     return MasterForces(forces, parts, cell)
 
 
+def over_masters(
+    scales: xr.Dataset, masters: Masters, found: Callable[[MasterForces], xr.Dataset]
+) -> xr.Dataset:
+    """Return what is found of the forces, as in scales.nc, over surface and side."""
+    parts = {
+        (str(surface), side): found(forces_of_masters(scales, str(surface), side, masters))
+        for surface in scales.surface.values
+        for side in SIDES
+    }
+    return stack(parts, ["surface", "side"])
+
+
 def half_width_over_masters(
     given: MasterForces,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
@@ -72,36 +84,29 @@ def half_width_over_masters(
     """Return the half width of the interval of the logarithm of a mean over masters.
 
     Three scans or more differ in their realizations too, so that their scatter holds that of the
-    artificial roughness. The quarters of one or two scans share their realizations: long waves run
-    through all quarters, and another seed moves all of them at once. The variance of a mean over
-    realizations is added, whatever part of it the quarters hold already: rather too wide an
-    interval than one that leaves out the choice of random numbers.
+    artificial roughness. The quarters of one or two scans share their realizations: another seed
+    moves all of them at once. The variance of a mean over realizations is added, whatever part of
+    it the quarters hold already: rather too wide an interval than one that leaves out the choice of
+    random numbers.
 
     The statistic is of the mean forces of a master with and without a filter, (realization, ...),
     which it keeps; the half width is (...).
     """
-    parts = given.parts
-    left_out = [
-        np.log(_of_masters(given, parts.of_contact != part, statistic).mean("realization").values)
-        for part in range(len(parts.correlation))
-    ]
-    sources = [jackknife_variance(np.array(left_out), parts)]
+
+    def of_masters(kept: xr.DataArray) -> xr.DataArray:
+        """Return the statistic (realization, ...) of the contacts (realization, y, x) kept."""
+        filtered, unfiltered = (
+            given.forces[name].where(kept).mean(CONTACTS)
+            for name in ("pull_off_force", "unfiltered_pull_off_force")
+        )
+        return statistic(filtered, unfiltered).transpose("realization", ...)
+
+    left_out = left_out_logarithms(
+        given.parts, "realization", lambda kept: of_masters(kept).mean("realization")
+    )
+    sources = [jackknife_variance(left_out, given.parts)]
     count = given.forces.sizes["realization"]
-    if parts.conditional and count > 1:
-        logarithms = np.log(_of_masters(given, np.isfinite(parts.of_contact), statistic).values)
+    if given.parts.conditional and count > 1:
+        logarithms = np.log(of_masters(xr.DataArray(True)).values)
         sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
     return half_width(sources, confidence)
-
-
-def _of_masters(
-    given: MasterForces,
-    kept: np.ndarray,
-    statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
-) -> xr.DataArray:
-    """Return the statistic (realization, ...) of the contacts (realization, y, x) that are kept."""
-    mask = xr.DataArray(kept, dims=("realization", *CONTACTS))
-    filtered, unfiltered = (
-        given.forces[name].where(mask).mean(CONTACTS)
-        for name in ("pull_off_force", "unfiltered_pull_off_force")
-    )
-    return statistic(filtered, unfiltered).transpose("realization", ...)

@@ -7,15 +7,14 @@ import xarray as xr
 
 from hardcontact.numbers.statistics import with_interval
 from hardcontact.own_surfaces.master_forces import (
+    MasterForces,
     Masters,
-    forces_of_masters,
     half_width_over_masters,
+    over_masters,
 )
 from hardcontact.own_surfaces.scan_parts import logarithmic_interval
-from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
-from hardcontact.surfaces.synthesis import SIDES
 
 #: What an edge is described by: further dimensions, and attributes.
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {
@@ -44,12 +43,8 @@ def band_edges(
     common, everything that begins with ``pooled_`` is over side: mean and edge of the change |ratio
     - 1| of all surfaces.
     """
-    sides = {
-        (str(surface), side): _side(scales, str(surface), side, masters, confidence)
-        for surface in scales.surface.values
-        for side in SIDES
-    }
-    curves = stack(sides, ["surface", "side"]).transpose("surface", "side", ...)
+    curves = over_masters(scales, masters, lambda given: _ratios(given, confidence))
+    curves = curves.transpose("surface", "side", ...)
     parts = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
     found = curves[["scale_ratio", "scale_ratio_interval"]].merge(parts)
     found = found.assign(
@@ -62,11 +57,8 @@ def band_edges(
     return found.assign_attrs(tolerance=tolerance, confidence=confidence, **attributes)
 
 
-def _side(
-    scales: xr.Dataset, surface: str, side: str, masters: Masters, confidence: float
-) -> xr.Dataset:
+def _ratios(given: MasterForces, confidence: float) -> xr.Dataset:
     """Return the ratios of one surface and side with their interval, and where that comes from."""
-    given = forces_of_masters(scales, surface, side, masters)
     half = half_width_over_masters(given, lambda filtered, whole: filtered / whole, confidence)
     ratio = given.forces.ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
@@ -74,7 +66,10 @@ def _side(
     if not np.isnan(interval).all():
         # A ratio without an interval among others that have one is the same in all parts: known.
         filled = np.where(np.isnan(interval), ratio[:, None], interval)
-    change, change_interval = _changes(ratio, filled)
+    # |ratio - 1|, its least and its greatest value within the interval: NaN where there is none.
+    change, ends = np.abs(ratio - 1), np.abs(filled - 1)
+    least = np.where((filled[:, 0] < 1) & (filled[:, 1] > 1), 0.0, ends.min(axis=-1))
+    change_interval = np.stack([least, ends.max(axis=-1)], axis=-1)
     axis, one = "cutoff_wavelength", {"units": "1"}
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         logarithms = np.log(ratio), np.log(filled)
@@ -88,39 +83,19 @@ def _side(
             "interval_source": given.parts.source,
             "interval_scans": given.parts.scans,
         },
-        {axis: scales[axis]},
+        {axis: given.forces[axis].variable},
     )
-
-
-def _changes(ratio: np.ndarray, interval: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return |ratio - 1| (cutoff,), and the least and the greatest within an interval (cutoff, 2).
-
-    NaN where there is no interval.
-    """
-    ends = np.abs(interval - 1)
-    least = np.where((interval[:, 0] < 1) & (interval[:, 1] > 1), 0.0, ends.min(axis=-1))
-    return np.abs(ratio - 1), np.stack([least, ends.max(axis=-1)], axis=-1)
 
 
 def edges_of_curves(
     curves: xr.Dataset, measure: str, limits: tuple[float, float]
 ) -> dict[str, Any]:
-    """Return the edges of several curves with interval, status and text, as `described_edge` does.
+    """Return the edges of several curves with interval and status, as `described_edge` does.
 
-    Parameters
-    ----------
-    curves : xarray.Dataset
-        The measure and its interval (cutoff_wavelength, ...), NaN at cutoffs that a curve has not;
-        ``cell`` (...), longest wavelength of the surface in nm; side as a coordinate.
-    measure : str
-        ln(ratio), or the change of several surfaces.
-    limits : tuple of float
-        Lower and upper; within them a change counts as none.
-
-    Returns
-    -------
-    dict
-        The variables EDGE over the dimensions of ``cell``, ready for `xarray.Dataset`.
+    The curves have the measure, ln(ratio) or the change of several surfaces, and its interval
+    (cutoff_wavelength, ...), NaN at cutoffs that a curve has not; ``cell`` (...), longest
+    wavelength of the surface in nm; side as a coordinate. Within the limits, lower and upper, a
+    change counts as none. Returned are the variables EDGE over the dimensions of ``cell``.
     """
     dimensions, shape = curves.cell.dims, curves.cell.shape
     edges = [

@@ -26,7 +26,6 @@ from hardcontact.records.dataset import stack
 
 #: Logarithms of a sampled mean beyond this are as good as infinite.
 ENDLESS = 50.0
-
 #: Ranges of adhesion of the curves, from the least to the greatest one computed.
 FINE_RANGES = 401
 
@@ -87,39 +86,30 @@ def fit_measured(
 ) -> xr.Dataset:
     """Fit range and work of adhesion to measured forces, with the roughness of the scans.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        All pull-off forces at 1 J/m², as in adhesion.nc.
-    forces : pandas.DataFrame
-        Of `config.tables.measured_forces`.
-    sizes : mapping of str to float
-        Edge of the scans of each surface in nm.
-    sampling : Sampling
-        Of the means of tests and of scans.
+    Forces are at 1 J/m², as in adhesion.nc; those measured are of `config.tables.measured_forces`,
+    the sizes of the scans in nm. Means of tests and of scans are sampled.
 
-    Returns
-    -------
-    xarray.Dataset
-        Over surface (those with forces) ``measured_force`` in N with its interval, ``tests``,
-        label and ``interval_source``. Over contact_model, surface and rho (a fine grid)
-        ``work_of_adhesion`` in J/m² with its interval. Over contact_model and rho ``region``,
-        the least and greatest work in J/m² that all surfaces allow, NaN where they allow none; its
-        extent ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those
-        computed is allowed, and ``region_status``, found, open or none. Of several surfaces the
-        best fit ``best_range``, ``best_work`` and ``best_error``, NaN of one.
+    Over surface (those with forces) are ``measured_force`` in N with its interval, ``tests``, label
+    and ``interval_source``. Over contact_model, surface and rho (a fine grid) is
+    ``work_of_adhesion`` in J/m² with its interval. Over contact_model and rho is ``region``, the
+    least and greatest work in J/m² that all surfaces allow, NaN where they allow none; its extent
+    ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those computed is
+    allowed, and ``region_status``, found, open or none. Of several surfaces there is the best fit
+    ``best_range``, ``best_work`` and ``best_error``, NaN of one.
     """
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
-    measured = {name: measured_tests(forces[forces.surface == name]) for name in surfaces}
+    tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
+    # Tests and parts of scans, which intervals come from, are the same for all contact models.
+    means = [
+        sampled_means(sampling.generator("tests", name), of_surface, sampling.samples)
+        for name, of_surface in zip(surfaces, tests, strict=True)
+    ]
     curves = {
         model: [
             _curve(
-                adhesion.sel(contact_model=model, surface=name),
-                measured[name],
-                sizes[name],
-                sampling,
+                adhesion.sel(contact_model=model, surface=name), test, mean, sizes[name], sampling
             )
-            for name in surfaces
+            for name, test, mean in zip(surfaces, tests, means, strict=True)
         ]
         for model in adhesion.contact_model.values.tolist()
     }
@@ -127,16 +117,19 @@ def fit_measured(
         (model,): _fit(of_model, adhesion.rho.values, sampling.confidence)
         for model, of_model in curves.items()
     }
-    # Tests and parts of scans, which intervals come from, are the same for all contact models.
     of_any_model = next(iter(curves.values()))
-    tests = _tests(measured, sampling) | {
+    force = [of_surface.mean for of_surface in tests]
+    of_tests = sampling.with_interval(
+        "measured_force", "surface", force, np.stack(means, axis=1), NEWTON
+    ) | {
+        "tests": ("surface", [of_surface.number for of_surface in tests], ONE),
         "interval_source": ("surface", [curve.source for curve in of_any_model]),
         "label": adhesion.label.sel(surface=surfaces),
     }
     return (
         stack(models, ["contact_model"])
         .assign_coords(surface=surfaces)
-        .assign(tests)
+        .assign(of_tests)
         .assign_attrs(
             basis="measured",
             confidence=sampling.confidence,
@@ -150,23 +143,13 @@ def _fine(rhos: np.ndarray) -> np.ndarray:
     return np.union1d(np.geomspace(rhos[0], rhos[-1], FINE_RANGES if len(rhos) > 1 else 1), rhos)
 
 
-def _tests(measured: Mapping[str, MeasuredTests], sampling: Sampling) -> dict[str, Any]:
-    """Return mean forces measured, with intervals, and counts of tests, over surface."""
-    mean = [tests.mean for tests in measured.values()]
-    sampled = [_sampled_means(name, tests, sampling) for name, tests in measured.items()]
-    force = sampling.with_interval(
-        "measured_force", "surface", mean, np.stack(sampled, axis=1), NEWTON
-    )
-    return force | {"tests": ("surface", [tests.number for tests in measured.values()], ONE)}
+def _curve(
+    adhesion: xr.Dataset, tests: MeasuredTests, means: np.ndarray, size: float, sampling: Sampling
+) -> _Curve:
+    """Return force and work of adhesion of one surface and contact model over range.
 
-
-def _sampled_means(surface: str, tests: MeasuredTests, sampling: Sampling) -> np.ndarray:
-    """Return samples of the mean force of the tests on a surface: the same for all models."""
-    return sampled_means(sampling.generator("tests", surface), tests, sampling.samples)
-
-
-def _curve(adhesion: xr.Dataset, tests: MeasuredTests, size: float, sampling: Sampling) -> _Curve:
-    """Return force and work of adhesion of one surface and contact model over range."""
+    The means (sample,) are of the tests, in N; the size of the scan is in nm.
+    """
     surface, rhos = str(adhesion.surface.values), adhesion.rho.values
     scans = forces_of_scans(adhesion.pull_off_force, size, float(adhesion.attrs["sphere_radius"]))
     deviations = [
@@ -174,7 +157,7 @@ def _curve(adhesion: xr.Dataset, tests: MeasuredTests, size: float, sampling: Sa
         for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
     ]
     sampled = scans.mean * np.exp(np.stack(deviations, axis=1))
-    works = _sampled_means(surface, tests, sampling)[:, None] / sampled
+    works = means[:, None] / sampled
     source = scans.parts[0].source if tests.number > 1 else "one_test"
     return _Curve(on_fine_grid(scans.mean, rhos, _fine(rhos)), works, tests, source)
 

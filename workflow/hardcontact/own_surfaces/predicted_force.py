@@ -12,25 +12,25 @@ import xarray as xr
 
 from hardcontact.numbers.statistics import bounds, with_interval
 from hardcontact.own_surfaces.master_forces import (
+    MasterForces,
     Masters,
-    forces_of_masters,
     half_width_over_masters,
+    over_masters,
 )
 from hardcontact.own_surfaces.scan_parts import (
+    CONTACTS,
     Parts,
-    half_width_of_logarithm,
+    half_width,
+    jackknife_variance,
+    left_out_logarithms,
     logarithmic_interval,
     parts_of_scans,
     quarters_of_contacts,
 )
 from hardcontact.records.dataset import stack
-from hardcontact.surfaces.synthesis import SIDES
-
-CONTACTS = ["contact_y", "contact_x"]
 
 #: The contact model of the filtered masters.
 PLASTIC = "plastic"
-
 #: Of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
@@ -58,12 +58,10 @@ def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanFor
         parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)))
         for rho in of_scans.rho.values
     ]
-    left_out = []
-    for part in range(len(parts[0].correlation)):
-        kept = xr.DataArray(parts[0].of_contact != part, dims=("scan", *CONTACTS))
-        left_out.append(np.log(of_scans.where(kept).mean(CONTACTS).mean("scan").values))
-    mean = of_scans.mean(CONTACTS).mean("scan").values
-    return ScanForces(mean, np.array(left_out), parts)
+    left_out = left_out_logarithms(
+        parts[0], "scan", lambda kept: of_scans.where(kept).mean(CONTACTS).mean("scan")
+    )
+    return ScanForces(of_scans.mean(CONTACTS).mean("scan").values, left_out, parts)
 
 
 def predicted_force(
@@ -71,31 +69,15 @@ def predicted_force(
 ) -> xr.Dataset:
     """Return the pull-off force of every surface at one work of adhesion and all ranges.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        All pull-off forces at 1 J/m², as in adhesion.nc.
-    work, rho : float
-        Of adhesion in J/m², and the range of adhesion in nm, one of those computed.
-    sizes : mapping of str to float
-        Edge of the scans of each surface in nm.
-    confidence : float
-        Of the intervals.
+    Forces are at 1 J/m², as in adhesion.nc; the work is in J/m², the range of adhesion and the
+    edges of the scans of each surface in nm. It is a ValueError if the range was not computed.
 
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, contact_model and rho in N: ``force``, the mean over contacts and scans, with
-        its interval by Student's t on logarithms, over scans or quarters of one or two, from zero
-        to infinity where it is not bounded; and ``force_quantile`` of single contacts over
-        `quantile`. Over surface ``conditional`` (1 of quarters), ``interval_source`` and
-        ``interval_scans`` (what the interval comes from, and how many scans), label, basis and
-        ``correlation_of_parts`` at the range asked for, the attribute ``range_of_adhesion``.
-
-    Raises
-    ------
-    ValueError
-        If the range was not computed.
+    Over surface, contact_model and rho in N are ``force``, the mean over contacts and scans, with
+    its interval by Student's t on logarithms, over scans or quarters of one or two, from zero to
+    infinity where it is not bounded; and ``force_quantile`` of single contacts over `quantile`.
+    Over surface are ``conditional`` (1 of quarters), ``interval_source`` and ``interval_scans``
+    (what the interval comes from, and how many scans), label, basis and ``correlation_of_parts`` at
+    the range asked for, the attribute ``range_of_adhesion``.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -134,7 +116,7 @@ def _of_surface(
     half = np.array(
         [
             [
-                half_width_of_logarithm(left_out, parts, confidence)
+                half_width([jackknife_variance(left_out, parts)], confidence)
                 for left_out, parts in zip(scans.left_out.T, scans.parts, strict=True)
             ]
             for scans in models
@@ -170,32 +152,21 @@ def continued_force(
     ``continued_end`` in nm, the last wavelength: the shortest or the longest. Over side
     ``transition`` in nm, from which on the roughness is that of the spectrum.
     """
-    parts = {
-        (str(surface), side): _of_side(scales, str(surface), side, masters, work, confidence)
-        for surface in scales.surface.values
-        for side in SIDES
-    }
-    return stack(parts, ["surface", "side"]).assign(transition=scales.transition)
-
-
-def _of_side(
-    scales: xr.Dataset, surface: str, side: str, masters: Masters, work: float, confidence: float
-) -> xr.Dataset:
-    """Return the variables of one surface and side."""
-    given = forces_of_masters(scales, surface, side, masters)
-    force = work * given.forces.unfiltered_pull_off_force.mean().values
-    half = half_width_over_masters(given, lambda filtered, whole: whole, confidence)
-    end = float(scales.unfiltered_wavelength.sel(surface=surface, side=side))
     newton = {"units": "N", "long_name": "mean pull-off force with roughness continued"}
-    return xr.Dataset(
-        with_interval(
-            "continued_force", (), force, logarithmic_interval(force, half), newton, confidence
+
+    def of_side(given: MasterForces) -> xr.Dataset:
+        force = work * given.forces.unfiltered_pull_off_force.mean().values
+        half = half_width_over_masters(given, lambda filtered, whole: whole, confidence)
+        interval, end = logarithmic_interval(force, half), float(given.forces.unfiltered_wavelength)
+        return xr.Dataset(
+            with_interval("continued_force", (), force, interval, newton, confidence)
+            | {
+                "continued_source": given.parts.source,
+                "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
+            }
         )
-        | {
-            "continued_source": given.parts.source,
-            "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
-        }
-    )
+
+    return over_masters(scales, masters, of_side).assign(transition=scales.transition)
 
 
 def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: float) -> xr.Dataset:
@@ -223,20 +194,11 @@ def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     computed force by a factor, it changes the work by one over that: W F_scan/F_continued. Masters
     were computed at one range and in plastic contact alone, so that this is no curve.
 
-    Parameters
-    ----------
-    fitted : xarray.Dataset
-        Of `fit_measured`: measured_force (surface) in N with its interval.
-    force : xarray.Dataset
-        Predicted forces, as in force.nc, over the same surfaces and others.
-
-    Returns
-    -------
-    xarray.Dataset
-        With ``continued_work`` (surface, side) in J/m² and its interval: relative ends of measured
-        and computed force, which are independent, are added as squares of their logarithms. With
-        ``continued_differs`` and ``transition`` of the forces, and the attribute
-        ``range_of_adhesion``, at which ``work_of_adhesion`` is to be compared.
+    The fit is of `fit_measured`, the predicted forces, as in force.nc, are over the same surfaces
+    and others. ``continued_work`` (surface, side) is in J/m²; of its interval, relative ends of
+    measured and computed force, which are independent, are added as squares of their logarithms.
+    With it come ``continued_differs`` and ``transition`` of the forces, and the attribute
+    ``range_of_adhesion``, at which ``work_of_adhesion`` is to be compared.
     """
     of_fit = force.sel(surface=fitted.surface)
     measured, unit = fitted.measured_force, of_fit.continued_force / force.attrs["work_of_adhesion"]
@@ -247,20 +209,17 @@ def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
     work = (measured / unit).transpose("surface", "side")
     ends = [-np.hypot(less, above), np.hypot(more, below)]
     interval = xr.concat([work * np.exp(end) for end in ends], "bound")
+    long_name = f"work with continued roughness, {PLASTIC} contact"
+    continued = with_interval(
+        "continued_work",
+        work.dims,
+        work.values,
+        interval.transpose(*work.dims, "bound").values,
+        {"units": "J m-2", "long_name": long_name},
+        fitted.attrs["confidence"],
+    )
     return (
-        fitted.assign(
-            with_interval(
-                "continued_work",
-                ("surface", "side"),
-                work.values,
-                interval.transpose("surface", "side", "bound").values,
-                {
-                    "units": "J m-2",
-                    "long_name": f"work with continued roughness, {PLASTIC} contact",
-                },
-                fitted.attrs["confidence"],
-            )
-        )
+        fitted.assign(continued)
         .assign(continued_differs=of_fit.continued_differs, transition=of_fit.transition)
         .assign_attrs(range_of_adhesion=force.attrs["range_of_adhesion"])
     )

@@ -7,21 +7,20 @@ which the paraboloid r²/2R enters Eq. 3 of the paper, so that contacts of diffe
 the same peaks. How much is known from R, rho and the size of the scan, and corrects the variance.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
 
+CONTACTS = ("contact_y", "contact_x")
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
-
 #: Half widths of logarithms: what is less is rounding, what is more as good as infinite.
 ROUNDING, ENDLESS = 1e-9, 50.0
-
 #: An interval that spans a wider factor to each side bounds nothing of use.
 UNBOUNDED = float(np.log(1e3))
-
 #: Parts that correlate more are the same.
 SAME = 1 - 1e-9
 
@@ -65,8 +64,7 @@ def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
     """Return the quarter of the scan in which each contact of an array (count, count) lies.
 
     A map is a mirrored scan, repeated `tiles` times along an edge; contacts lie as
-    `contact_positions` says. Quarters are 0 to 3: 2 in the second half along y, plus 1 in the
-    second half along x.
+    `contact_positions` says. Quarters are 2 in the second half along y, plus 1 in that along x.
     """
     unfolded = 2 * tiles * (np.arange(count) + 0.25) / count % 2  # in edges of the scan
     half = (np.minimum(unfolded, 2 - unfolded) >= 0.5).astype(int)
@@ -79,9 +77,8 @@ def parts_of_scans(
     """Return the parts of the scans of a surface: scans if there are three, otherwise quarters.
 
     `scan_of_map` (map,) is the number of the scan that each map is made of, `quarters` (contact_y,
-    contact_x) as from `quarters_of_contacts`, of which those that hold contacts are parts; `size`
-    is the edge of a scan, `reach` sqrt(R rho), the deviation of the weight with which a contact
-    feels the surface, both in nm.
+    contact_x) are of `quarters_of_contacts`; `size` is the edge of a scan, `reach` sqrt(R rho), the
+    deviation of the weight with which a contact feels the surface, both in nm.
     """
     scans, scan = np.unique(scan_of_map, return_inverse=True)
     if len(scans) >= ENOUGH_SCANS:
@@ -108,11 +105,25 @@ def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
     return np.kron(halves, halves)
 
 
+def left_out_logarithms(
+    parts: Parts, maps: str, statistic: Callable[[xr.DataArray], xr.DataArray]
+) -> np.ndarray:
+    """Return the logarithms (part, ...) of a statistic of all parts but one.
+
+    The statistic (...) is a function of which contacts (maps, contact_y, contact_x) are kept.
+    """
+    kept = (
+        xr.DataArray(parts.of_contact != part, dims=(maps, *CONTACTS))
+        for part in range(len(parts.correlation))
+    )
+    return np.array([np.log(statistic(one).values) for one in kept])
+
+
 def jackknife_variance(left_out: np.ndarray, parts: Parts) -> Variance:
     """Return the variance of the delete-one jackknife, corrected as `_widening` says.
 
-    `left_out` (part, ...) are logarithms of the statistic of all parts but one. NaN of fewer than
-    two parts, and of parts that are the same.
+    `left_out` (part, ...) is of `left_out_logarithms`. NaN of fewer than two parts, and of parts
+    that are the same.
     """
     widened, freedom = _widening(parts)
     return Variance((len(left_out) - 1) * left_out.var(axis=0) * widened, freedom)
@@ -135,11 +146,6 @@ def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
     return np.where(half > ROUNDING, half, np.nan)
 
 
-def half_width_of_logarithm(left_out: np.ndarray, parts: Parts, confidence: float) -> np.ndarray:
-    """Return `half_width` (...) with the variance of `jackknife_variance` alone."""
-    return half_width([jackknife_variance(left_out, parts)], confidence)
-
-
 def logarithmic_interval(value: np.ndarray, half: np.ndarray) -> np.ndarray:
     """Return the interval (..., 2) of a positive value from the half width of its logarithm.
 
@@ -155,9 +161,9 @@ def sampled_deviations(
 ) -> np.ndarray:
     """Draw deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    At every place they are of Student's t, as in `half_width_of_logarithm`; `left_out` (part, ...)
-    are logarithms of the statistic of all parts but one. With the same generator, parts that differ
-    in their correlation alone share their random numbers. NaN of fewer than two parts.
+    At every place they are of Student's t, as in `half_width`; `left_out` (part, ...) is of
+    `left_out_logarithms`. With the same generator, parts that differ in their correlation alone
+    share their random numbers. NaN of fewer than two parts.
     """
     from scipy import stats
 

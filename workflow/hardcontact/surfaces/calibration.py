@@ -3,24 +3,16 @@
 `scipy` is imported where it is used.
 """
 
-from collections.abc import Callable
-
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
 
-from hardcontact.surfaces import spectral_models
-from hardcontact.surfaces.descriptions import AFM_ROWS
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Spectrum, all_scales_moments
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectral_models import AFM_ROWS, MODELS, power_law_tail
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Floats, Spectrum, all_scales_moments
 
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
-
 #: Bins of wavevectors in which weights are added up.
 BINS = 4000
-
 #: Rows of wavevectors that weights are computed of at a time.
 ROWS = 512
 
@@ -34,12 +26,17 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     transforms are spherical Bessel functions); its derivatives are differences of neighbouring
     pixels. The pixel size is in nm.
     """
+    from scipy.special import spherical_jn
+
     wave = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
     half = wave[: pixels // 2 + 1]
     count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
     shortest = np.hypot(wave.max(), half.max())
     edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BINS + 1)
-    mean, tilt, difference = _axis_factors(wave, pixel_size, window_pixels)
+    # Along one axis: the shares that mean and tilt fit, and the squared difference.
+    phase = wave * window_pixels * pixel_size / 2
+    mean, tilt = spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2
+    difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
     along = slice(0, len(half))
     weights = np.zeros((3, BINS))
     for start in range(0, pixels, ROWS):
@@ -56,17 +53,6 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
 
 
-def _axis_factors(
-    wave: Floats, pixel_size: float, window_pixels: int
-) -> tuple[Floats, Floats, Floats]:
-    """Return along one axis the shares that mean and tilt fit, and the squared difference."""
-    from scipy.special import spherical_jn
-
-    phase = wave * window_pixels * pixel_size / 2
-    difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
-    return spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2, difference
-
-
 def expected_moments(density: Density, weights: Weights) -> Floats:
     """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
     wavevector, factors = weights
@@ -75,7 +61,12 @@ def expected_moments(density: Density, weights: Weights) -> Floats:
 
 #: Relative error at which a number of Table 1 counts as met.
 TOLERANCE = 1e-9
-
+#: Parameters that are calibrated, by model; those that are found by their logarithms.
+SEARCHED = {
+    "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
+    "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
+}
+LOGARITHMIC = ("plateau_nm4", "rolloff_nm")
 #: Hurst exponents between which that of a tail is sought.
 TAIL_HURST = (-6.0, 5.0)
 
@@ -97,69 +88,50 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
     return rows.assign(value=rows["value"] * factors, uncertainty=rows["uncertainty"] * factors)
 
 
-def calibrate_self_affine(table1: pd.DataFrame, weights: Weights) -> tuple[float, float, float]:
-    """Return plateau (nm⁴), roll-off (nm) and Hurst exponent of scans that are those of Table 1.
+def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
+    """Return the parameters with which scans of a band of a model of SEARCHED are those of Table 1.
 
-    They are parameters of `spectral_models.self_affine`; it is a ValueError if no such spectrum has
-    the three moments.
-    """
-
-    def model(parameters: Floats) -> Floats:
-        log_plateau, log_rolloff, hurst = parameters
-        return spectral_models.self_affine(
-            WAVEVECTORS, np.exp(log_plateau), np.exp(log_rolloff), hurst
-        )
-
-    log_plateau, log_rolloff, hurst = _met(model, (np.log(1000.0), 0.9), table1, weights)
-    return float(np.exp(log_plateau)), float(np.exp(log_rolloff)), float(hurst)
-
-
-def calibrate_varying_hurst(
-    table1: pd.DataFrame, weights: Weights, rolloff: float
-) -> tuple[float, float, float]:
-    """Return plateau (nm⁴), Hurst exponent and its change a decade for scans of Table 1.
-
-    They are parameters of `spectral_models.varying_hurst` with this roll-off (nm); it is a
+    What is fitted is the table of the model on WAVEVECTORS, because scans are made of that. It is a
     ValueError if no such spectrum has the three moments.
-    """
-
-    def model(parameters: Floats) -> Floats:
-        log_plateau, hurst, change = parameters
-        return spectral_models.varying_hurst(
-            WAVEVECTORS, np.exp(log_plateau), rolloff, (hurst, change)
-        )
-
-    log_plateau, hurst, change = _met(model, (0.9, 0.0), table1, weights)
-    return float(np.exp(log_plateau)), float(hurst), float(change)
-
-
-def _met(
-    model: Callable[[Floats], Floats],
-    shape: tuple[float, float],
-    table1: pd.DataFrame,
-    weights: Weights,
-) -> Floats:
-    """Return ln C_0 and two parameters of the shape, here those to begin with, that meet Table 1.
-
-    What is fitted is the table of the model on WAVEVECTORS, because scans are made of that.
     """
     from scipy.optimize import least_squares
 
+    model, names = MODELS[band.model]
+    searched = SEARCHED[band.model]
     values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
-    def mismatch(parameters: Floats) -> Floats:
-        table = Spectrum(WAVEVECTORS, model(parameters))
+    def parameters(found: Floats) -> dict[str, float]:
+        return {
+            name: np.exp(value) if name in LOGARITHMIC else value
+            for name, value in zip(searched, found, strict=True)
+        }
+
+    def mismatch(found: Floats) -> Floats:
+        given = dict(band) | parameters(found)
+        table = Spectrum(WAVEVECTORS, model(WAVEVECTORS, *(given[name] for name in names)))
         return np.asarray(np.log(expected_moments(table, weights) / values))
 
-    start = (2 * np.log(values[0] * 1000), *shape)
-    fit = least_squares(mismatch, start, x_scale=(1, 0.3, 0.3), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    start = {
+        "plateau_nm4": 2 * np.log(values[0] * 1000),
+        "rolloff_nm": np.log(1000.0),
+        "hurst": 0.9,
+        "hurst_change": 0.0,
+    }
+    fit = least_squares(
+        mismatch,
+        [start[name] for name in searched],
+        x_scale=(1, 0.3, 0.3),
+        xtol=1e-15,
+        ftol=1e-15,
+        gtol=1e-15,
+    )
     if np.abs(fit.fun).max() > TOLERANCE:
         worst = int(np.abs(fit.fun).argmax())
         raise ValueError(
             "expected three numbers of Table 1 that a spectrum of this model has, found "
             f"{AFM_ROWS[worst]} = {values[worst]:.3g}, missed by {100 * fit.fun[worst]:+.1f} %"
         )
-    return np.asarray(fit.x)
+    return {name: float(value) for name, value in parameters(fit.x).items()}
 
 
 def calibrate_tail(above: Floats, moments: tuple[float, float]) -> tuple[float, float]:
@@ -181,7 +153,7 @@ def calibrate_tail(above: Floats, moments: tuple[float, float]) -> tuple[float, 
         )
 
     def excess(moment: int, hurst: float, shortest: float) -> float:
-        tail = spectral_models.power_law_tail(above, hurst, shortest)
+        tail = power_law_tail(above, hurst, shortest)
         added = all_scales_moments(Spectrum(WAVEVECTORS, tail))[1 + moment]
         return float(np.log(added**2 / missing[moment]))
 

@@ -4,30 +4,25 @@ Random scans of one spectrum differ, and so do their means over a few of them. A
 spectrum and one factor for each scan give a group of scans exactly the mean and the standard
 deviation of the rms heights, and the mean slope and curvature, that are published.
 
-`scipy` and `xarray` are imported where they are used.
+`scipy` is imported where it is used.
 """
 
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
+import xarray as xr
 
 from hardcontact.records.published import rows_met
 from hardcontact.surfaces.calibration import expected_moments, transfer_weights
-from hardcontact.surfaces.descriptions import AFM_ROWS
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, spectrum_from
+from hardcontact.surfaces.spectral_models import AFM_ROWS
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Floats, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.topography import DEFINITIONS, level, metrics
-
-if TYPE_CHECKING:
-    import xarray as xr
-
-Floats = NDArray[np.float64]
 
 #: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
 OVER_MOMENTS = {
@@ -52,7 +47,7 @@ class Targets(NamedTuple):
 
 
 def scan_targets(
-    spectrum: "xr.Dataset",
+    spectrum: xr.Dataset,
     table1: pd.DataFrame,
     constants: pd.DataFrame,
     definitions: Mapping[str, str],
@@ -60,28 +55,13 @@ def scan_targets(
 ) -> Targets | None:
     """Return what scans of a substitute are to have on this study's pixels.
 
-    On the paper's pixels and size it is what the spectrum expects of a scan: Table 1, if the
-    spectrum was calibrated to it. On other pixels slope and curvature are those that the spectrum
-    expects there, and the rms height stays; on another size all three are expected.
-
-    Parameters
-    ----------
-    spectrum : xarray.Dataset
-        Of `substitute_spectra.substitute_spectrum`.
-    table1 : pandas.DataFrame
-        Of `rows_of_surface`; empty if the paper has no such surface.
-    constants : pandas.DataFrame
-        Of `published.constants`: pixels and size of the paper's scans.
-    definitions : mapping of str to str
-        What `slope` and `curvature` of Table 1 are read as: keys of `topography.DEFINITIONS`.
-    grid : ScanGrid
-        Of this study.
-
-    Returns
-    -------
-    Targets or None
-        The deviation is the share of the rms height that its published uncertainty is. None of a
-        surface that the paper has no rms height of.
+    On the paper's pixels and size, which are in `published.constants`, it is what the spectrum, of
+    `substitute_spectrum`, expects of a scan: Table 1 (`rows_of_surface`), if it was calibrated to
+    it. On other pixels slope and curvature are those that the spectrum expects there, and the rms
+    height stays; on another size all three are expected. The deviation is the share of the rms
+    height that its published uncertainty is. The definitions are what `slope` and `curvature` of
+    Table 1 are read as: keys of `topography.DEFINITIONS`. None of a surface that the paper has no
+    rms height of.
     """
     if "afm_rms_height" not in table1.index:
         return None
@@ -108,10 +88,10 @@ def scan_targets(
 
 
 def group_heights(drawn: Floats, mean: float, deviation: float) -> Floats:
-    """Return rms heights (scan,) of a group of scans of which mean and deviation are as given.
+    """Return rms heights (scan,), of scans as drawn, whose mean and deviation are as given.
 
-    All are in nm, the deviation that of a sample (n - 1). The heights as drawn (scan,) keep their
-    order and their relative distances; a single scan gets the mean.
+    The deviation is that of a sample (n - 1). The heights keep their order and their relative
+    distances; a single scan gets the mean.
     """
     deviations = drawn - drawn.mean()
     if len(drawn) > 1:
@@ -140,27 +120,19 @@ def band_shares(grid: ScanGrid) -> Floats:
 def amplified(density: Density, gain: Floats) -> Density:
     """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS.
 
-    The gain is interpolated linearly in the logarithm of the wavevector, so that gains of several
-    bands add up between the points of the table too.
+    Between these it is linear in the logarithm, so that gains of several bands add up there too.
     """
-    table = np.log(WAVEVECTORS)
 
     def amplified_density(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
-            gains = np.interp(np.log(wavevector), table, gain)
+            gains = np.interp(np.log(wavevector), np.log(WAVEVECTORS), gain)
         return density(wavevector) * gains**2
 
     return amplified_density
 
 
-def conditioned_density(spectrum: "xr.Dataset", conditioning: "xr.Dataset") -> Density:
-    """Return the spectrum that scans of a group are drawn with, from the two files."""
-    return amplified(spectrum_from(spectrum), conditioning["gain"].values)
-
-
 #: Largest ratio of the amplitude of a band to that of the longest wavelengths, or its inverse.
 LARGEST_CHANGE = 4.0
-
 #: Relative error at which a target counts as met.
 TOLERANCE = 1e-9
 
@@ -168,8 +140,8 @@ TOLERANCE = 1e-9
 def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     """Return matrices G (names, bands, bands): metric(sum a_k h_k)² = a G a, in its unit squared.
 
-    The bands h_k are levelled, not periodic, on the same pixels; the names are of METRICS that are
-    root mean squares of something linear in the heights.
+    The bands h_k are levelled; the names are of METRICS that are root mean squares of something
+    linear in the heights.
     """
 
     def squares(heights: np.ndarray) -> Floats:
@@ -187,16 +159,11 @@ def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
 
 
 class Conditioning(NamedTuple):
-    """What meets the targets of a group of scans.
+    """What meets the targets of a group of scans."""
 
-    The amplitudes (bands,) are those of the spectrum, the factors (scan,), of mean one, those of
-    heights. The misses (3,) are relative: mean rms height, slope and curvature over their targets,
-    less one.
-    """
-
-    amplitudes: Floats
-    factors: Floats
-    misses: Floats
+    amplitudes: Floats  #: (bands,) of the spectrum.
+    factors: Floats  #: (scan,) of heights, of mean one.
+    misses: Floats  #: (3,) means of rms height, slope and curvature over their targets, less one.
 
 
 def conditioned(moments: Floats, targets: Targets) -> Conditioning:
@@ -245,32 +212,17 @@ def conditioned(moments: Floats, targets: Targets) -> Conditioning:
 
 
 def conditioned_group(
-    spectrum: "xr.Dataset",
+    spectrum: xr.Dataset,
     targets: Targets | None,
     generators: Mapping[int, Callable[[], np.random.Generator]],
     grid: ScanGrid,
-) -> "xr.Dataset":
-    """Return the gain of the spectrum and the factor of each scan of a group.
+) -> xr.Dataset:
+    """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
 
-    Parameters
-    ----------
-    spectrum : xarray.Dataset
-        Of `substitute_spectra.substitute_spectrum`.
-    targets : Targets or None
-        Of `scan_targets`; None of a surface that nothing is published of: gain and factors are one.
-    generators : mapping of int to callable
-        By number of the scan: returns a new generator, the one that the scan is drawn with.
-    grid : ScanGrid
-        Of the scans.
-
-    Returns
-    -------
-    xarray.Dataset
-        `gain` (wavevector) of amplitudes and `factor` (scan) of heights; in the attribute
-        `calibrated_to_table1` the rows of Table 1 that the surface meets by construction.
+    Both are one without targets, of a surface that nothing is published of. The generators, by
+    number of the scan, return a new one: that which the scan is drawn with. The attribute
+    `calibrated_to_table1` has the rows of Table 1 that the surface meets by construction.
     """
-    import xarray as xr
-
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
     calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
     if targets is not None:

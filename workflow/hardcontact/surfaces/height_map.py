@@ -12,16 +12,8 @@ from hardcontact.records import dataset
 class HeightMap:
     """A surface on square pixels; heights grow out of the material.
 
-    Attributes
-    ----------
-    heights : numpy.ndarray
-        (y, x) in nm.
-    pixel_size : float
-        Edge of a pixel in nm.
-    periodic : bool
-        Whether the map continues itself at its edges.
-    basis : str
-        ``"measured"`` or ``"substitute"``; a substitute is called so wherever it shows.
+    Heights (y, x) and the edge of a pixel are in nm. A periodic map continues itself at its edges.
+    The basis is ``"measured"`` or ``"substitute"``; a substitute is called so wherever it shows.
     """
 
     heights: np.ndarray

@@ -9,20 +9,20 @@ that no single exponent converts a spectrum with a roll-off.
 Source: Bracewell, The Fourier Transform and Its Applications, chapter on the Abel transform.
 """
 
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, measured_psds, profile_psd
+from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    BIN_EDGES,
+    Floats,
+    measured_psds,
+    profile_psd,
+)
 from hardcontact.surfaces.topography import level, library_map
-
-if TYPE_CHECKING:
-    from SurfaceTopography import UniformLineScan
-
-Floats = NDArray[np.float64]
 
 #: Share of the waves of a window of Hann that are independent, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
@@ -45,7 +45,7 @@ def size_of(measurement: Measurement) -> float:
     return float(min(measurement.heights.shape) * measurement.pixel_size)
 
 
-def levelled_topography(measurement: Measurement) -> "UniformLineScan":
+def levelled_topography(measurement: Measurement) -> Any:
     """Return a measurement as SurfaceTopography knows it, less its plane or straight line."""
     from SurfaceTopography import UniformLineScan
 
@@ -61,10 +61,9 @@ def _levelled_map(measurement: Measurement) -> HeightMap:
 
 
 def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
-    """Return wavevectors (rad/nm), the centres of BIN_EDGES, and C_iso (nm⁴), NaN in empty bins.
+    """Return BIN_CENTRES and C_iso (nm⁴), NaN in empty bins, of a levelled measurement.
 
-    The measurement is levelled and has a Hann window. The PSD of a map is averaged over directions,
-    C_1D of a profile is converted.
+    The PSD of a map is averaged over directions, C_1D of a profile is converted.
     """
     if measurement.kind == "map":
         wavevector, _, density = measured_psds(_levelled_map(measurement))
@@ -77,9 +76,7 @@ def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
 def axis_ratio(measurement: Measurement) -> Floats:
     """Return how many times C_1D along one axis of a map exceeds that along the other: (bins,).
 
-    The surface is taken as isotropic: a difference is one of the microscope, which smooths along
-    the lines that it scans if its feedback lags, and adds noise from line to line. The ratio is 1
-    or more, and 1 in empty bins, and of a profile, which has one axis.
+    The ratio is 1 or more, and 1 in empty bins, and of a profile, which has one axis.
     """
     if measurement.kind != "map":
         return np.ones(len(BIN_CENTRES))
@@ -93,8 +90,7 @@ def axis_ratio(measurement: Measurement) -> Floats:
 def independent_waves(measurement: Measurement) -> Floats:
     """Return the number of independent waves in each bin of a measured PSD, at least 1.
 
-    It is the number of wavevectors, one of each pair ±q, times the share that the Hann window
-    leaves independent.
+    One of each pair ±q counts, times the share that the Hann window leaves independent.
     """
     lengths = np.array(measurement.heights.shape) * measurement.pixel_size
     if measurement.kind == "map":

@@ -7,55 +7,28 @@ is used.
 
 import re
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class Measurement:
-    """One topography of a file: a map or a line scan.
-
-    Attributes
-    ----------
-    path : str
-        The file.
-    dataset : str
-        The data file in a container; empty for any other file.
-    channel : str
-        Name of the channel that was read.
-    file_unit : str
-        Unit of length that the file, or its container, states.
-    kind : str
-        ``"map"`` or ``"profile"``.
-    heights : numpy.ndarray
-        (y, x), or (n,) of a profile, in nm, on uniform spacing and without gaps.
-    pixel_size : float
-        In nm; of a profile its spacing.
-    tip_radius : float or None
-        In nm, if the file or its container states one.
-    notes : tuple of str
-        What was changed or chosen in reading, in words for the user.
-    undefined : int
-        Undefined pixels among those kept, before they were filled.
-    """
+    """One topography of a file: a map or a line scan."""
 
     path: str
-    dataset: str
-    channel: str
-    file_unit: str
-    kind: str
-    heights: np.ndarray
-    pixel_size: float
-    tip_radius: float | None
-    notes: tuple[str, ...]
-    undefined: int
+    dataset: str  #: The data file in a container; empty for any other file.
+    channel: str  #: Name of the channel that was read.
+    file_unit: str  #: Unit of length that the file, or its container, states.
+    kind: str  #: ``"map"`` or ``"profile"``.
+    heights: np.ndarray  #: (y, x), or (n,) of a profile, in nm, on uniform spacing, without gaps.
+    pixel_size: float  #: In nm; of a profile its spacing.
+    tip_radius: float | None  #: In nm, if the file or its container states one.
+    notes: tuple[str, ...]  #: What was changed or chosen in reading, in words for the user.
+    undefined: int  #: Undefined pixels among those kept, before they were filled.
 
 
 #: Pixels along an edge of a map: substitutes have no fewer, and masters at least twice as many.
@@ -89,8 +62,8 @@ def check_points(counts: tuple[int, ...]) -> None:
         raise RefusedScan(f"expected {least} to {most} {where}, found {found}")
 
 
-def _check_lengths(heights: Floats, pixel_size: float) -> None:
-    """Refuse heights and a pixel size, both in nm, that no scan has."""
+def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
+    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has."""
     low, high = heights.min(), heights.max()
     least, most = LENGTHS
     if (
@@ -105,6 +78,7 @@ def _check_lengths(heights: Floats, pixel_size: float) -> None:
     slope = np.abs(np.diff(heights)).mean() / pixel_size
     if slope > SLOPE_LIMIT:
         raise RefusedScan(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
+    return {"heights": heights, "pixel_size": pixel_size, "notes": notes, "undefined": undefined}
 
 
 def unit_in_nm(unit: str) -> float:
@@ -117,34 +91,31 @@ def unit_in_nm(unit: str) -> float:
         raise RefusedScan(f"expected a unit of length, found {unit!r}") from None
 
 
-class _Values(NamedTuple):
-    """Heights in nm on uniform spacing (nm), without gaps: (y, x), or (n,) of a line scan.
+def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
+    """Return fields of the `Measurement` of a map with physical sizes, whose unit is `factor` nm.
 
-    The notes say what was done to them; `undefined` pixels were filled.
+    It is the central square; what is undefined beside it does not count. Pixels that are undefined
+    and may not be filled, or not square, and heights of no scan are a RefusedScan.
     """
+    from SurfaceTopography import Topography
 
-    heights: np.ndarray
-    pixel_size: float
-    notes: list[str]
-    undefined: int
-
-
-def map_values(topography: "Topography", factor: float, undefined_pixels: str) -> _Values:
-    """Return the central square of a map with physical sizes, whose unit is `factor` nm.
-
-    What is undefined beside the square does not count. Pixels that are undefined and may not be
-    filled, or not square, and heights of no scan are a RefusedScan.
-    """
     sizes = np.asarray(topography.physical_sizes, float) * factor
     along_x, along_y = sizes / topography.nb_grid_pts
     if not min(along_x, along_y) > 0 or abs(along_x / along_y - 1) > 1e-3:
         raise RefusedScan(f"expected square pixels, found {along_x:.6g} nm x {along_y:.6g} nm")
-    heights, notes = _central_square(_masked(topography.heights()))
-    undefined = _undefined(heights, undefined_pixels)
-    filled = _interpolated(heights, undefined_pixels) if undefined else heights.data
-    values, pixel_size = filled.T * factor, float(along_x + along_y) / 2
-    _check_lengths(values, pixel_size)
-    return _Values(values, pixel_size, notes + _gaps(undefined, heights.size), undefined)
+    heights, notes = _masked(topography.heights()), []
+    columns, rows = heights.shape
+    if rows != columns:
+        edge = min(rows, columns)
+        left, low = (columns - edge) // 2, (rows - edge) // 2
+        heights = heights[left : left + edge, low : low + edge]
+        notes = [f"cropped from {columns} x {rows} to {edge} x {edge} pixels"]
+    undefined, gaps = _undefined(heights, undefined_pixels)
+    filled = heights.data
+    if undefined:
+        holed = Topography(heights, heights.shape)
+        filled = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
+    return _fields(filled.T * factor, float(along_x + along_y) / 2, notes + gaps, undefined)
 
 
 def _masked(heights: Floats) -> np.ma.MaskedArray:
@@ -153,19 +124,11 @@ def _masked(heights: Floats) -> np.ma.MaskedArray:
     return np.ma.masked_array(values, np.ma.getmaskarray(heights) | ~np.isfinite(values))
 
 
-def _central_square(heights: np.ma.MaskedArray) -> tuple[np.ma.MaskedArray, list[str]]:
-    """Return the central square of heights (x, y), and what was cut if they are none."""
-    columns, rows = heights.shape
-    if rows == columns:
-        return heights, []
-    edge = min(rows, columns)
-    left, low = (columns - edge) // 2, (rows - edge) // 2
-    square = heights[left : left + edge, low : low + edge]
-    return square, [f"cropped from {columns} x {rows} to {edge} x {edge} pixels"]
+def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
+    """Return how many pixels are undefined, and what is said of them, if there are any.
 
-
-def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> int:
-    """Return how many pixels are undefined; all, or any that may not be filled, are refused."""
+    All, or any that may not be filled, are refused.
+    """
     count = int(heights.mask.sum())
     if count == heights.size:
         raise RefusedScan(f"expected heights, found {count} undefined pixels and no other")
@@ -174,44 +137,28 @@ def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> int:
             f"expected no undefined pixels, found {count}; "
             "the key scan.undefined_pixels: harmonic fills them"
         )
-    return count
+    return count, [f"{count} undefined pixels of {heights.size} filled"] if count else []
 
 
-def _gaps(count: int, points: int) -> list[str]:
-    """Return what is said of undefined pixels, if there are any."""
-    return [f"{count} undefined pixels of {points} filled"] if count else []
+def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
+    """Return fields of the `Measurement` of a line scan, whose unit is `factor` nm.
 
-
-def _interpolated(heights: np.ma.MaskedArray, method: str) -> Floats:
-    """Return heights (x, y) whose gaps are filled by an interpolation of SurfaceTopography."""
-    from SurfaceTopography import Topography
-
-    filled = Topography(heights, heights.shape).interpolate_undefined_data(method)
-    return np.asarray(filled.heights())
-
-
-def profile_values(
-    line_scan: "UniformLineScan | NonuniformLineScan", factor: float, undefined_pixels: str
-) -> _Values:
-    """Return a line scan on uniform spacing: the median of its own, if that varies.
-
-    Its unit is `factor` nm; positions increase, or decrease, from each point to the next, and
-    increase in what is returned. Between points heights are interpolated linearly. So are gaps: on
-    a line, that is the harmonic function through their ends. A line scan that is reentrant, has
-    undefined points that may not be filled or too many on the median spacing, and heights of no
-    scan are a RefusedScan.
+    It is on uniform spacing, the median of its own if that varies. Positions increase, or decrease,
+    from each point to the next, and increase in what is returned. Between points heights are
+    interpolated linearly. So are gaps: on a line, that is the harmonic function through their ends.
+    A line scan that is reentrant, has undefined points that may not be filled or too many on the
+    median spacing, and heights of no scan are a RefusedScan.
     """
     heights = _masked(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:
         positions, heights = positions[::-1], heights[::-1]
-    undefined = _undefined(heights, undefined_pixels)
+    undefined, gaps = _undefined(heights, undefined_pixels)
     grid, notes = _uniform_grid(positions)
     defined = ~heights.mask
     values = np.interp(grid, positions[defined], heights.data[defined]) * factor
     pixel_size = float((grid[-1] - grid[0]) / (len(grid) - 1))
-    _check_lengths(values, pixel_size)
-    return _Values(values, pixel_size, notes + _gaps(undefined, heights.size), undefined)
+    return _fields(values, pixel_size, notes + gaps, undefined)
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:

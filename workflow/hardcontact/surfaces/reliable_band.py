@@ -8,18 +8,17 @@ Toward short wavelengths a measured spectrum ends where one of these comes first
 - a noise floor: C_iso flatter than q^-2, which is that of a self-affine surface with H = 0;
 - smoothing: C_iso steeper than a rough surface has.
 
-Is a spectrum steeper than q^-4, which is that of a self-affine surface with H = 1, a smooth surface
-or a smoothing microscope? Down to q^-5 surfaces are known: facets that meet in edges have it
-(C_1D ~ q^-4), and the AFM rows of Table 1 ask for q^-4.5 of polished UNCD. So between q^-4 and q^-5
-a map is asked itself: a smooth surface is as smooth along one axis as along the other, a feedback
-that lags smooths along the scanned lines alone, and noise from line to line stands across them.
-Where the C_1D of both axes differ by more than a factor of two, the measurement is not believed.
-Beyond q^-5 it never is, for then not even edges are left. A surface of H = 0.8 that is smoothed by
-a Gaussian or by a first-order filter has lost 50 or 70 % of C_iso there. The error is on the safe
-side: what is cut of a surface that is truly smooth is called artificial, while smoothing that
-is taken for the surface would move the short edge of the band to longer wavelengths unsaid. Tried
-on a public 10 µm scan of UNCD, cut at 200 nm so: its short edge is 50 nm, and 46 nm if a TEM
-profile of that surface is joined; believed down to four pixels it is 68 nm.
+A self-affine surface with H = 1 has q^-4, but down to q^-5 surfaces are known: facets that meet in
+edges have it (C_1D ~ q^-4), and the AFM rows of Table 1 ask for q^-4.5 of polished UNCD. So between
+q^-4 and q^-5 a map is asked itself: a smooth surface is as smooth along one axis as along the
+other, a feedback that lags smooths along the scanned lines alone, and noise from line to line
+stands across them. Where the C_1D of both axes differ by more than a factor of two, the measurement
+is not believed. Beyond q^-5 it never is: a surface of H = 0.8 that is smoothed by a Gaussian or by
+a first-order filter has lost 50 or 70 % of C_iso there. The error is on the safe side: what is cut
+of a surface that is truly smooth is called artificial, while smoothing taken for the surface would
+move the short edge of the band to longer wavelengths unsaid. Tried on a public 10 µm scan of UNCD,
+cut at 200 nm so: its short edge is 50 nm, and 46 nm if a TEM profile of that surface is joined;
+believed down to four pixels it is 68 nm.
 """
 
 from typing import NamedTuple
@@ -38,9 +37,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
 
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
 #: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
@@ -63,48 +60,36 @@ TOLERANCE = 1e-3
 
 
 class ReliableBand(NamedTuple):
-    """The wavelengths (nm) at which a measurement is reliable; none if shortest exceeds longest.
-
-    The reasons say in words what ends the band.
-    """
+    """The wavelengths (nm) at which a measurement is reliable; none if shortest exceeds longest."""
 
     shortest: float
     longest: float
-    shortest_reason: str
+    shortest_reason: str  #: In words, what ends the band.
     longest_reason: str
 
 
-def reliable_band(measurement: Measurement, tip_radius: float | None) -> ReliableBand:
+def reliable_band(
+    measurement: Measurement, tip_radius: float | None, density: Floats | None = None
+) -> ReliableBand:
     """Return the wavelengths at which a measurement is reliable, with a reason for each end.
 
-    The radius of the tip is in nm; if it is None, not known, the tip limits nothing.
+    The radius of the tip is in nm; if it is None, not known, the tip limits nothing. The density is
+    that of `measured_psd`, if it is there already.
     """
-    return band_of_psd(measurement, tip_radius, measured_psd(measurement)[1])
-
-
-def band_of_psd(
-    measurement: Measurement, tip_radius: float | None, density: Floats
-) -> ReliableBand:
-    """Return the wavelengths at which a measurement is reliable, from its `measured_psd`."""
+    if density is None:
+        _, density = measured_psd(measurement)
     pixel, size = measurement.pixel_size, size_of(measurement)
-    ends = [
-        (PIXELS * pixel, f"{PIXELS} pixels of {print_number(pixel)} nm"),
-        *_spectral_ends(measurement, density),
-        *_tip_end(measurement, tip_radius),
-    ]
+    ends = _spectral_ends(measurement, density)
+    ends.append((PIXELS * pixel, f"{PIXELS} pixels of {print_number(pixel)} nm"))
+    if tip_radius is not None:
+        cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
+            tip_radius, rtol=TOLERANCE
+        )
+        if cutoff is not None:
+            ends.append((float(cutoff), f"tip of {print_number(tip_radius)} nm"))
     shortest, reason = max(ends)
     kind = "scan" if measurement.kind == "map" else "line scan"
     return ReliableBand(shortest, size / PARTS, reason, f"a third of the size of the {kind}")
-
-
-def _tip_end(measurement: Measurement, tip_radius: float | None) -> list[tuple[float, str]]:
-    """Return the wavelength below which the tip is seen, in nm, and the words, if there is one."""
-    if tip_radius is None:
-        return []
-    cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
-        tip_radius, rtol=TOLERANCE
-    )
-    return [] if cutoff is None else [(float(cutoff), f"tip of {print_number(tip_radius)} nm")]
 
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:

@@ -5,13 +5,12 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.numbers.statistics import student_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.records.origin import canonical
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_from
+from hardcontact.surfaces.spectrum import Floats, all_scales_moments, measured_psds, spectrum_from
 from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
 
 
@@ -66,29 +65,13 @@ def roughness_table(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra, maps for pictures.
 
-    Parameters
-    ----------
-    scans : mapping of (str, int) to xarray.Dataset
-        Of `measured_roughness`, by surface and number.
-    spectra : mapping of str to xarray.Dataset
-        C_iso over all scales, by surface.
-    conditionings : mapping of str to xarray.Dataset
-        Of `conditioning.conditioned_group`, by surface: that of the scans of each substitute.
-    examples : mapping of str to xarray.Dataset
-        One levelled scan of each surface; that of a rough sphere with the variable `as_scanned`.
-    labels, basis : mapping of str to str
-        By surface: its name in print; ``"measured"`` or ``"substitute"``.
-    sphere_surface, reference_surface : str
-        The surface of the sphere, and that which forces are compared with.
-    table1 : mapping of str to str
-        What slope and curvature of Table 1 are, see `topography.table1_variables`.
-    confidence : float
-        Of the intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, scan, wavevector; the maps over (surface, row, column).
+    All are by surface: the scans, of `measured_roughness`, by surface and number; C_iso over all
+    scales; the `conditioning.conditioned_group` of substitutes; one levelled scan of each, that of
+    a rough sphere with the variable `as_scanned`; names in print and the basis, ``"measured"`` or
+    ``"substitute"``. The sphere surface is that of the sphere, the reference surface that which
+    forces are compared with; `table1` is what slope and curvature of Table 1 are, as of
+    `topography.table1_variables`. The table is over surface, scan, wavevector; its maps are over
+    (surface, row, column).
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
     stacked = stack(scans, ["surface", "scan"])
@@ -98,7 +81,6 @@ def roughness_table(
             averages(stacked, confidence),
             _joined_spectra([spectra[name] for name in names], stacked["wavevector"].values),
             _maps([examples[name] for name in names]),
-            _sphere_as_scanned(examples),
         ],
         combine_attrs="override",
     )
@@ -122,7 +104,7 @@ def roughness_table(
     )
 
 
-def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) -> xr.Dataset:
+def _joined_spectra(spectra: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
     """Return spectra (surface, wavevector) and their moments over all scales."""
     tables = [spectrum_from(one) for one in spectra]
     height, gradient, half_laplacian = np.array([all_scales_moments(one) for one in tables]).T
@@ -139,31 +121,30 @@ def _joined_spectra(spectra: list[xr.Dataset], wavevector: NDArray[np.float64]) 
     )
 
 
-def _sphere_as_scanned(examples: Mapping[str, xr.Dataset]) -> xr.Dataset:
-    """Return the scan of the sphere with its shape, for pictures; nothing of a smooth sphere."""
-    scanned = [example["as_scanned"] for example in examples.values() if "as_scanned" in example]
-    pixels = min(len(example["x"]) for example in examples.values())
-    maps = [(("row", "column"), _thinned(one.values, pixels), {"units": "nm"}) for one in scanned]
-    return xr.Dataset(dict(zip(["sphere_as_scanned"], maps, strict=False)))
-
-
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return maps for pictures, all on the pixels of the coarsest; sizes of scans and pixels."""
+    """Return maps for pictures, all on the pixels of the coarsest; sizes of scans and pixels.
+
+    Of a rough sphere there is its scan with its shape, too.
+    """
     pixels = min(len(example["x"]) for example in examples)
     pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
     sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
     maps = [_thinned(example["heights"].values, pixels) for example in examples]
-    return xr.Dataset(
+    found = xr.Dataset(
         {
             "example_heights": (("surface", "row", "column"), np.array(maps), {"units": "nm"}),
             "scan_size": ("surface", sizes, {"units": "nm"}),
             "pixel_size": ("surface", pixel_sizes, {"units": "nm"}),
         }
     )
+    for example in examples:
+        if "as_scanned" in example:
+            scanned = _thinned(example["as_scanned"].values, pixels)
+            found["sphere_as_scanned"] = (("row", "column"), scanned, {"units": "nm"})
+    return found
 
 
 def _thinned(heights: np.ndarray, pixels: int) -> np.ndarray:
     """Return pixels x pixels of a square map, evenly spaced."""
     chosen = np.linspace(0, heights.shape[0] - 1, pixels).round().astype(int)
-    thinned: np.ndarray = heights[np.ix_(chosen, chosen)]
-    return thinned
+    return np.asarray(heights[np.ix_(chosen, chosen)])

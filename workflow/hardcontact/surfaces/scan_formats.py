@@ -10,6 +10,7 @@ import io
 import json
 import zipfile
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -20,7 +21,6 @@ from SurfaceTopography.IO import XYZReader
 
 from hardcontact.surfaces.measurement import (
     FILE_LIMIT,
-    Measurement,
     RefusedScan,
     check_points,
     map_values,
@@ -59,26 +59,19 @@ STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "heig
 COARSE_SPACING = 1e-4
 
 
-def datasets_of(path: Path) -> list[str]:
-    """Return the data files in a container, in its order; one empty name of any other file.
+def datasets_of(path: Path) -> dict[str, Any]:
+    """Return as `datasets` the data files in a container, in its order; one empty name of others.
 
     A file that is missing, too large or a container that cannot be used is a RefusedScan.
     """
-    _check_file(path)
-    if zipfile.is_zipfile(path):
-        with zipfile.ZipFile(path) as archive:
-            _check_archive(archive)
-            if _is_container(archive):
-                return [_data_file(entry) for entry in _members(archive)]
-    return [""]
+    members = _members(path)
+    return {"datasets": [""] if members is None else [_data_file(entry) for entry in members]}
 
 
-def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> Measurement:
-    """Return a map cropped to its central square, or a profile on uniform spacing.
+def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> dict[str, Any]:
+    """Return the fields of the `Measurement` of a map or a profile, as of `scans.read_measurement`.
 
-    `dataset` names the member of a container and is empty for any other file; `undefined_pixels` is
-    ``"refuse"`` or the name of an interpolation of SurfaceTopography. A scan that cannot be used is
-    a RefusedScan.
+    A scan that cannot be used is a RefusedScan.
     """
     try:
         reader, entry = _opened(path, dataset)
@@ -89,22 +82,25 @@ def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> Measureme
         ) from None
     channel, chosen = _height_channel(reader, entry)
     topography, stated = _topography(channel, entry)
-    factor = _unit_of(topography)
+    if topography.physical_sizes is None or not isinstance(topography.unit, str):
+        raise RefusedScan(
+            "expected a physical size and a unit, "
+            f"found size {topography.physical_sizes}, unit {topography.unit}"
+        )
+    factor = unit_in_nm(topography.unit)
     is_map = topography.dim == 2
     values = (map_values if is_map else profile_values)(topography, factor, undefined_pixels)
     tip_radius, tip = stated_tip_radius(topography.info, entry)
-    return Measurement(
-        path=str(path),
-        dataset=dataset,
-        channel=channel.name,
-        file_unit=topography.unit,
-        kind="map" if is_map else "profile",
-        heights=values.heights,
-        pixel_size=values.pixel_size,
-        tip_radius=tip_radius,
-        notes=(*chosen, *stated, *values.notes, *tip),
-        undefined=values.undefined,
-    )
+    return {
+        "path": str(path),
+        "dataset": dataset,
+        "channel": channel.name,
+        "file_unit": topography.unit,
+        "kind": "map" if is_map else "profile",
+        "tip_radius": tip_radius,
+        **values,
+        "notes": [*chosen, *stated, *values["notes"], *tip],
+    }
 
 
 def _check_file(path: Path) -> None:
@@ -122,13 +118,14 @@ def _check_file(path: Path) -> None:
 
 def _opened(path: Path, dataset: str) -> tuple[Any, dict[str, Any]]:
     """Return the reader of a file, or of one member of a container and what that says of it."""
-    _check_file(path)
-    if zipfile.is_zipfile(path):
-        with zipfile.ZipFile(path) as archive:
-            _check_archive(archive)
-            if _is_container(archive):
-                stream, entry = _opened_member(archive, dataset)
-                return open_topography(stream), entry
+    members = _members(path)
+    if members is not None:
+        entry = _member_named(members, dataset)
+        file = _data_file(entry)
+        with zipfile.ZipFile(path) as container:
+            if file not in container.namelist():
+                raise RefusedScan(f"expected the data file {file} in the container, found none")
+            return open_topography(io.BytesIO(container.read(file))), entry
     if dataset:
         raise RefusedScan(f"expected a whole container with a dataset {dataset!r}, found none")
     return open_topography(str(path)), {}
@@ -171,20 +168,13 @@ def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
     stated: dict[str, Any] = {}
     for argument, key in STATED.items():
         value = size if argument == "physical_sizes" else entry.get(key)
-        if value is not None and _takes(channel, stated | {argument: value}):
-            stated[argument] = value
+        if value is not None:
+            with suppress(MetadataAlreadyFixedByFile):
+                channel.topography(**stated | {argument: value})
+                stated[argument] = value
     said = ", ".join(f"{STATED[argument]} {value}" for argument, value in stated.items())
     notes = [f"{said.replace('_', ' ')} as the container states"] if said else []
     return _with_positions(channel, channel.topography(**stated), stated), notes
-
-
-def _takes(channel: Any, stated: dict[str, Any]) -> bool:
-    """Return whether a channel lacks these metadata, so that they may be stated."""
-    try:
-        channel.topography(**stated)
-    except MetadataAlreadyFixedByFile:
-        return False
-    return True
 
 
 def _with_positions(channel: Any, topography: Any, stated: dict[str, Any]) -> Any:
@@ -198,16 +188,6 @@ def _with_positions(channel: Any, topography: Any, stated: dict[str, Any]) -> An
     if abs(topography.physical_sizes[0]) > COARSE_SPACING * topography.nb_grid_pts[0]:
         return topography
     return channel.reader._read(tol=0, **stated)
-
-
-def _unit_of(topography: Any) -> float:
-    """Return the unit of a topography in nm; refuse one without size or unit of length."""
-    if topography.physical_sizes is None or not isinstance(topography.unit, str):
-        raise RefusedScan(
-            "expected a physical size and a unit, "
-            f"found size {topography.physical_sizes}, unit {topography.unit}"
-        )
-    return unit_in_nm(topography.unit)
 
 
 class _ListLoader(yaml.SafeLoader):
@@ -232,22 +212,25 @@ def _check_archive(archive: zipfile.ZipFile) -> None:
         raise RefusedScan("expected an archive without a password, found an encrypted file")
 
 
-def _is_container(archive: zipfile.ZipFile) -> bool:
-    """Return whether an archive lists the scans it holds."""
-    return any(name in archive.namelist() for name in LISTS)
+def _members(path: Path) -> list[dict[str, Any]] | None:
+    """Return what a container says of each of its scans, None of a file that is none.
 
-
-def _members(container: zipfile.ZipFile) -> list[dict[str, Any]]:
-    """Return what a checked container says of each of its scans.
-
-    The keys are those of ``TopographyMeta`` of SurfaceTopography; each scan has a data file. A list
-    that is too large or lists no scans is a RefusedScan.
+    The keys are those of ``TopographyMeta`` of SurfaceTopography; each scan has a data file. A file
+    that `_check_file` or `_check_archive` refuses, a list that is too large or lists no scans is a
+    RefusedScan.
     """
-    name = next(name for name in LISTS if name in container.namelist())
-    size = container.getinfo(name).file_size
-    if size > LIST_LIMIT:
-        raise RefusedScan(f"expected {name} of at most {LIST_LIMIT} bytes, found {size}")
-    text = container.read(name)
+    _check_file(path)
+    if not zipfile.is_zipfile(path):
+        return None
+    with zipfile.ZipFile(path) as archive:
+        _check_archive(archive)
+        name = next((name for name in LISTS if name in archive.namelist()), None)
+        if name is None:
+            return None
+        size = archive.getinfo(name).file_size
+        if size > LIST_LIMIT:
+            raise RefusedScan(f"expected {name} of at most {LIST_LIMIT} bytes, found {size}")
+        text = archive.read(name)
     try:
         surfaces = LISTS[name](text)["surfaces"]
         return [_member(entry) for surface in surfaces for entry in surface["topographies"]]
@@ -280,9 +263,8 @@ def _data_file(entry: dict[str, Any]) -> str:
     return file
 
 
-def _opened_member(container: zipfile.ZipFile, dataset: str) -> tuple[io.BytesIO, dict[str, Any]]:
-    """Return the data file of the one member of this name or data file, and what is said of it."""
-    entries = _members(container)
+def _member_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
+    """Return what is said of the one scan of this name or data file."""
     chosen = [entry for entry in entries if dataset in (_data_file(entry), entry["name"])]
     if not chosen:
         known = ", ".join(sorted({entry["name"] for entry in entries}))
@@ -292,7 +274,4 @@ def _opened_member(container: zipfile.ZipFile, dataset: str) -> tuple[io.BytesIO
         raise RefusedScan(
             f"expected one scan {dataset!r}, found {files}; name one of these instead"
         )
-    file = _data_file(chosen[0])
-    if file not in container.namelist():
-        raise RefusedScan(f"expected the data file {file} in the container, found none")
-    return io.BytesIO(container.read(file)), chosen[0]
+    return chosen[0]

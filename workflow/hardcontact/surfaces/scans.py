@@ -1,4 +1,4 @@
-"""Reading scans of any microscope, within limits on time and memory.
+"""Reading scans of any microscope, within limits on time and memory, and preparing them.
 
 A scan is read by a process of its own, because damaged or hostile bytes may make a reader, or the
 C libraries below it, crash, hang or fill the memory. SurfaceTopography is imported when the first
@@ -19,47 +19,39 @@ from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.measurement import Measurement, RefusedScan
+from hardcontact.surfaces.topography import LEVELLING, flat_map, prepared_scan
 
 #: What reading one scan may take: bytes beyond those of this process, and seconds of computing.
 MEMORY_LIMIT = 4 * 2**30
 TIME_LIMIT = 120
 #: Exit code of a process that refused a scan and wrote the reason.
 REFUSED = 3
+#: Titles of the files that hold what `prepared_file` returns.
+LEVELLED = "levelled scan, the sphere subtracted if it shows one"
+STITCHED = "scan and its mirror images, periodic"
 
 
 def read_measurement(
     path: str | Path, dataset: str = "", undefined_pixels: str = "refuse"
 ) -> Measurement:
-    """Read a topography: a map, or a line scan.
+    """Read a topography: a map cropped to its central square, or a line scan on uniform spacing.
 
-    Parameters
-    ----------
-    path : str or Path
-        Any format SurfaceTopography reads, or a contact.engineering container (.zip).
-    dataset : str
-        The member of a container, by its name or data file; empty for any other file.
-    undefined_pixels : str
-        ``"refuse"``, or the name of an interpolation of SurfaceTopography (``"harmonic"``) that
-        fills them.
-
-    Returns
-    -------
-    Measurement
-        A map cropped to its central square, or a profile on uniform spacing, in float64.
-
-    Raises
-    ------
-    ValueError
-        In one line, if the scan is missing, unreadable, too large, without physical size or unit,
-        on pixels that are not square, reentrant, of absurd size, height or slope, or has undefined
-        pixels that may not be filled.
+    The file is in any format SurfaceTopography reads, or a contact.engineering container (.zip);
+    `dataset` is the member of a container, by its name or data file, and empty for any other file.
+    `undefined_pixels` is ``"refuse"``, or the name of an interpolation of SurfaceTopography
+    (``"harmonic"``) that fills them. It is a ValueError in one line if the scan is missing,
+    unreadable, too large, without physical size or unit, on pixels that are not square, reentrant,
+    of absurd size, height or slope, or has undefined pixels that may not be filled.
     """
-    fields, heights = _in_a_process(_measurement, Path(path), dataset, undefined_pixels)
-    notes = tuple(fields.pop("notes"))
-    return Measurement(**fields, notes=notes, heights=heights)
+    from hardcontact.surfaces.scan_formats import measurement_of
+
+    fields = _in_a_process(measurement_of, Path(path), dataset, undefined_pixels)
+    fields["notes"] = tuple(fields["notes"])
+    return Measurement(**fields)
 
 
 def read_scan(
@@ -80,20 +72,53 @@ def height_map(measurement: Measurement, basis: str) -> HeightMap:
     return HeightMap(measurement.heights, measurement.pixel_size, False, basis)
 
 
-def flattened(measurement: Measurement, flat: Callable[[HeightMap], HeightMap]) -> Measurement:
-    """Return a measured map as `flat` makes it of a height map; a line scan stays as it is."""
-    if measurement.kind != "map":
-        return measurement
-    return replace(measurement, heights=flat(height_map(measurement, "measured")).heights)
+def prepared_file(
+    path: str,
+    *,
+    basis: str,
+    dataset: str = "",
+    undefined_pixels: str = "refuse",
+    levelling: str = "plane",
+    sphere_radius: float | None = None,
+) -> tuple[xr.Dataset, xr.Dataset]:
+    """Read a scan and prepare it: levelled and stitched, as of `topography.prepared_scan`.
 
-
-def described(measurement: Measurement) -> dict[str, str]:
-    """Return what a file says of a scan and what was done in reading it, as attributes."""
-    return {
+    The basis is ``"measured"`` or ``"substitute"``; `dataset` and `undefined_pixels` are as of
+    `read_measurement`, the levelling is a key of `topography.LEVELLING`. The radius, in nm, is that
+    of a scan of the sphere, None of a flat surface.
+    """
+    measurement = read_measurement(path, dataset, undefined_pixels)
+    described = {
         "channel": measurement.channel,
         "file_unit": measurement.file_unit,
         "notes": "; ".join(measurement.notes),
     }
+    return prepared_scan(height_map(measurement, basis), sphere_radius, levelling, described)
+
+
+def flat_measurement(
+    path: str | Path,
+    dataset: str = "",
+    *,
+    undefined_pixels: str = "refuse",
+    levelling: str = "plane",
+    sphere_radius: float | None = None,
+) -> Measurement:
+    """Read a measured topography: a map levelled as in `prepared_file`, a line scan as it is."""
+    if levelling not in LEVELLING:
+        raise ValueError(f"levelling: expected {' or '.join(LEVELLING)}, found {levelling}")
+    measurement = read_measurement(path, dataset, undefined_pixels)
+    return flattened(measurement, sphere_radius, levelling)
+
+
+def flattened(
+    measurement: Measurement, sphere_radius: float | None, levelling: str = "plane"
+) -> Measurement:
+    """Return a measured map as `flat_map` makes it; a line scan stays as it is."""
+    if measurement.kind != "map":
+        return measurement
+    flat = flat_map(height_map(measurement, "measured"), sphere_radius, levelling)
+    return replace(measurement, heights=flat.heights)
 
 
 def list_measurements(path: str | Path) -> list[str]:
@@ -102,33 +127,16 @@ def list_measurements(path: str | Path) -> list[str]:
     They are the data files in a container, in its order; one empty name of any other file. A file
     that is missing, or a container that cannot be used, is a ValueError in one line.
     """
-    fields, _ = _in_a_process(_datasets, Path(path))
-    return list(fields["datasets"])
-
-
-#: What a file holds: fields that JSON can hold, and heights.
-Content = tuple[dict[str, Any], np.ndarray]
-
-
-def _measurement(path: Path, dataset: str, undefined_pixels: str) -> Content:
-    from hardcontact.surfaces.scan_formats import measurement_of
-
-    fields = dict(vars(measurement_of(path, dataset, undefined_pixels)))
-    heights = fields.pop("heights")
-    return fields, heights
-
-
-def _datasets(path: Path) -> Content:
     from hardcontact.surfaces.scan_formats import datasets_of
 
-    return {"datasets": datasets_of(path)}, np.empty(0)
+    return list(_in_a_process(datasets_of, Path(path))["datasets"])
 
 
-def _in_a_process(read: Callable[..., Content], path: Path, *choices: str) -> Content:
-    """Return what `read` does of a file, in a process of its own."""
-    # Imported before the process is forked: once for all scans, and outside its limits.
-    import hardcontact.surfaces.scan_formats  # noqa: F401
+def _in_a_process(read: Callable[..., dict[str, Any]], path: Path, *choices: str) -> dict[str, Any]:
+    """Return what `read` finds in a file, in a process of its own: JSON but for the heights.
 
+    What it needs is imported before the process is forked: once for all scans, outside its limits.
+    """
     with tempfile.TemporaryFile(buffering=0) as answer:
         process = multiprocessing.get_context("fork").Process(
             target=_answer, args=(answer, read, path, *choices), daemon=True
@@ -139,7 +147,7 @@ def _in_a_process(read: Callable[..., Content], path: Path, *choices: str) -> Co
         process.join()
         answer.seek(0)
         if process.exitcode == 0:
-            return json.loads(answer.readline()), np.load(answer)
+            return {**json.loads(answer.readline()), "heights": np.load(answer)}
         if process.exitcode == REFUSED:
             raise ValueError(f"{path}: {answer.read().decode()}")
     raise ValueError(
@@ -148,23 +156,24 @@ def _in_a_process(read: Callable[..., Content], path: Path, *choices: str) -> Co
     )
 
 
-def _answer(answer: IO[bytes], read: Callable[..., Content], path: Path, *choices: str) -> None:
+def _answer(
+    answer: IO[bytes], read: Callable[..., dict[str, Any]], path: Path, *choices: str
+) -> None:
     """Write what is read of a file to the file `answer`, or why it is refused.
 
     Runs in a process of its own, silently: readers log, warn and print.
     """
-    from hardcontact.surfaces.measurement import RefusedScan
-
     _quiet_and_limited()
     try:
-        fields, heights = read(path, *choices)
+        found = read(path, *choices)
     except RefusedScan as error:
         reason = str(error)
     except Exception as error:  # damaged bytes may raise anything in a reader
         text = f"{type(error).__name__}: {error}"[:200]
         reason = f"expected a readable scan, found one damaged or of an unknown kind ({text})"
     else:
-        answer.write(json.dumps(fields).encode() + b"\n")
+        heights = found.pop("heights", np.empty(0))
+        answer.write(json.dumps(found).encode() + b"\n")
         np.save(answer, heights)
         return
     printable = "".join(letter if letter.isprintable() else " " for letter in reason[:2000])

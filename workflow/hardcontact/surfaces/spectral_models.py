@@ -1,11 +1,31 @@
-"""Models of the isotropic power spectral density, in the conventions of `spectrum`."""
+"""Models of the isotropic power spectral density, in the conventions of `spectrum`.
+
+Descriptions of substitutes (`resources/README.md`) are made of them: what these leave to Table 1.
+"""
+
+from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
+import pandas as pd
 
-from hardcontact.surfaces.spectrum import WAVEVECTORS
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Floats
 
-Floats = NDArray[np.float64]
+#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
+AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
+#: Columns of descriptions that hold numbers.
+PARAMETERS = (
+    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
+)  # fmt: skip
+#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
+CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
+#: Bases of bands that are known; all others are inferred or assumed.
+KNOWN = ("published", "measured")
+
+
+def is_calibrated(bands: pd.DataFrame) -> bool:
+    """Return whether a description leaves parameters to Table 1."""
+    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
 
 
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
@@ -14,16 +34,28 @@ def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float
 
 
 def varying_hurst(
-    wavevector: Floats, plateau: float, rolloff: float, hurst: tuple[float, float]
+    wavevector: Floats, plateau: float, rolloff: float, hurst: float, change: float
 ) -> Floats:
     """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
 
     C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off (nm) and C_0, the
-    plateau, before it: locally a power law of the exponent H + H' x. `hurst` is H and H' a decade.
+    plateau, before it: locally a power law of the exponent H + H' x, with H' the change a decade.
     """
-    first, change = hurst
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
-    return np.asarray(plateau * 10 ** (-(2 + 2 * first) * decades - change * decades**2))
+    return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - change * decades**2))
+
+
+def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
+    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
+    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
+
+
+#: Models that parameters fix alone, by their names in descriptions, and the columns of these.
+MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
+    "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
+    "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
+    "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
+}
 
 
 def continued(above: Floats, hurst: float) -> Floats:
@@ -51,11 +83,6 @@ def power_law_tail(above: Floats, hurst: float, shortest: float) -> Floats:
     return continued(above, hurst) * share_of_cells(shortest)
 
 
-def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
-    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
-    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
-
-
 def profile_from_isotropic_power_law(wavevector: Floats, hurst: float) -> Floats:
     """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
 
@@ -68,19 +95,13 @@ def profile_from_isotropic_power_law(wavevector: Floats, hurst: float) -> Floats
 
 
 def profile_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
-    """Return C_iso (nm⁴) through measured points of C_1D, converted with one fitted Hurst exponent.
-
-    The points are wavelengths in nm and C_1D in nm³.
-    """
+    """Return C_iso (nm⁴) through points of C_1D (nm³), converted with one fitted Hurst exponent."""
     points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
     hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
     order = np.argsort(points)
-    density = np.exp(_extended(np.log(wavevector), points[order], level[order]))
+    points, level, place = points[order], level[order], np.log(wavevector)
+    # The first and the last segment continue beyond the points.
+    segment = np.clip(np.searchsorted(points, place) - 1, 0, len(points) - 2)
+    slope = np.diff(level)[segment] / np.diff(points)[segment]
+    density: Floats = np.exp(level[segment] + slope * (place - points[segment]))
     return density / profile_from_isotropic_power_law(wavevector, hurst)
-
-
-def _extended(x: Floats, points: Floats, values: Floats) -> Floats:
-    """Return the linear interpolation that continues its first and last segment."""
-    segment = np.clip(np.searchsorted(points, x) - 1, 0, len(points) - 2)
-    slope = np.diff(values)[segment] / np.diff(points)[segment]
-    return values[segment] + slope * (x - points[segment])

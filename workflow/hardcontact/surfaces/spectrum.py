@@ -5,9 +5,9 @@ with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Ju
 Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import xarray as xr
@@ -21,17 +21,13 @@ if TYPE_CHECKING:
     from SurfaceTopography import Topography, UniformLineScan
 
 Floats = NDArray[np.float64]
-
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
 Density = Callable[[Floats], Floats]
-
 #: The grid on which joined spectra are tabulated: 40 points a decade, wavelengths 1 mm to 0.1 nm.
 WAVEVECTORS = 2 * np.pi * np.logspace(-6, 1, 281)
-
 #: Edges and centres of the bins of measured PSDs: ten a decade.
 BIN_EDGES = 2 * np.pi * np.logspace(-5, 1, 61)
 BIN_CENTRES = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
-
 #: How SurfaceTopography measures PSDs.
 MEASURED = {"window": "hann", "reliable": False, "collocation": BIN_EDGES}
 
@@ -70,6 +66,33 @@ def spectrum_dataset(density: Floats) -> xr.Dataset:
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
+    )
+
+
+def with_measurements(
+    spectrum: xr.Dataset,
+    psds: Floats,
+    reliable: NDArray[np.bool_],
+    measurements: Sequence[Mapping[str, Any]],
+) -> xr.Dataset:
+    """Return a spectrum with what it was joined of.
+
+    The PSDs (measurement, bins) are in nm⁴; of each measurement there are words, lengths in nm.
+    """
+    of_each = {
+        name: (
+            "measurement",
+            [one[name] for one in measurements],
+            {} if isinstance(value, str) else {"units": "nm"},
+        )
+        for name, value in measurements[0].items()
+    }
+    both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
+    return (
+        spectrum.assign(psd=(both, psds, {"units": "nm4", "long_name": "isotropic PSD"}))
+        .assign(reliable=(both, reliable.astype("int8"), {"long_name": "1 where it is reliable"}))
+        .assign(of_each)
+        .assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
     )
 
 

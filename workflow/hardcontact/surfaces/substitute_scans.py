@@ -2,34 +2,28 @@
 
 A skewed distribution and a spectrum leave open how sharp the highest summits are, and these carry
 the contacts. Remapping heights by rank sharpens them; real clusters are rounded, and so are the
-tops of skewed surfaces here. `scipy` and `xarray` are imported where they are used.
+tops of skewed surfaces here. `scipy` is imported where it is used.
 """
 
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 from numpy.lib.stride_tricks import sliding_window_view
-from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Density
+from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.synthesis import random_surface, refined
 from hardcontact.surfaces.topography import level
 
-if TYPE_CHECKING:
-    import xarray as xr
-
 
 class ScanGrid(NamedTuple):
-    """Pixels along an edge of substitute scans, and of the random surfaces they are cut out of.
+    """What substitute scans are drawn on."""
 
-    The size is the edge of the scan in nm.
-    """
-
-    pixels: int
-    size: float
-    realization_pixels: int
+    pixels: int  #: Along an edge.
+    size: float  #: Edge of a scan in nm.
+    realization_pixels: int  #: Along an edge of the random surfaces that scans are cut out of.
 
     @property
     def pixel_size(self) -> float:
@@ -37,26 +31,8 @@ class ScanGrid(NamedTuple):
         return self.size / self.pixels
 
 
-class HeightChoices(NamedTuple):
-    """What else than a Gaussian surface, its heights taken at the pixels, a scan may show.
-
-    The skewness is of the heights; the rms height is that of the Gaussian scan. The radius, in nm,
-    is of the tip that images the surface; without it heights are those at the pixels.
-    """
-
-    skewness: float = 0.0
-    tip_radius: float | None = None
-
-
-#: The study's own choices.
-GAUSSIAN = HeightChoices()
-
-
 def substitute_scan(surface: HeightMap, pixels: int, factor: float = 1.0) -> HeightMap:
-    """Return a scan: the corner of a larger periodic random surface, its heights times a factor.
-
-    It is not periodic; heights (pixels, pixels) are in float64.
-    """
+    """Return the corner (pixels, pixels) of a periodic surface, its heights times a factor."""
     heights = factor * surface.heights[:pixels, :pixels].astype(float)
     return replace(surface, heights=heights, periodic=False)
 
@@ -68,10 +44,7 @@ def drawn_scan(rng: np.random.Generator, density: Density, grid: ScanGrid) -> He
 
 
 def sphere_scan(rng: np.random.Generator, roughness: HeightMap, radius: float) -> HeightMap:
-    """Return a scan of the top of a sphere of a radius in nm: its shape and its roughness.
-
-    The apex lies somewhere within the middle half of the scan.
-    """
+    """Return a scan of a sphere of a radius in nm, its apex within the middle half of the scan."""
     apex = rng.uniform(-0.25, 0.25, 2) * roughness.size
     y, x = (
         (np.arange(roughness.pixels) + 0.5) * roughness.pixel_size - roughness.size / 2 - shift
@@ -86,40 +59,33 @@ def synthesized_scan(
     density: Density,
     grid: ScanGrid,
     factor: float = 1.0,
+    *,
     sphere_radius: float | None = None,
-    choices: HeightChoices = GAUSSIAN,
-) -> "xr.Dataset":
+    skewness: float = 0.0,
+    tip_radius: float | None = None,
+) -> xr.Dataset:
     """Return a substitute scan as SurfaceTopography reads it from a file.
 
     The generator is of everything that is random in the scan; the density C_iso, in nm⁴, and the
-    factor of the heights are of one conditioning (`conditioning.conditioned_density`). The radius
-    of the sphere is in nm, None of a flat surface. The dataset has `heights` (x, y) in nm, in
-    float64, for a file in netCDF's classic format.
+    factor of the heights are of one conditioning. The radius of the sphere is in nm, None of a flat
+    surface. A scan whose heights are skewed has the rms height of the Gaussian one; the radius of
+    the tip that images it is in nm, without it heights are those at the pixels. The dataset has
+    `heights` (x, y) in nm, in float64, for a file in netCDF's classic format, whose first axis is x
+    to SurfaceTopography.
     """
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     scan = substitute_scan(surface, grid.pixels, factor)
-    if choices.skewness:
-        surface = skewed_surface(surface, choices.skewness)
-        factor *= _rms_height(scan) / _rms_height(substitute_scan(surface, grid.pixels, factor))
+    if skewness:
+        surface = skewed_surface(surface, skewness)
+        skewed = substitute_scan(surface, grid.pixels, factor)
+        factor *= float(level(scan).heights.std() / level(skewed).heights.std())
         scan = substitute_scan(surface, grid.pixels, factor)
-    if choices.tip_radius is not None:
+    if tip_radius is not None:
         fine = refined(rng, surface, FINENESS, density)
         fine = replace(fine, heights=factor * fine.heights)
-        scan = imaged_scan(fine, grid.pixels, choices.tip_radius)
+        scan = imaged_scan(fine, grid.pixels, tip_radius)
     if sphere_radius is not None:
         scan = sphere_scan(rng, scan, sphere_radius)
-    return _classic_dataset(scan)
-
-
-def _rms_height(scan: HeightMap) -> float:
-    """Return the rms height of a scan in nm, levelled."""
-    return float(level(scan).heights.std())
-
-
-def _classic_dataset(scan: HeightMap) -> "xr.Dataset":
-    """Return a scan as SurfaceTopography reads it from classic netCDF; the first axis is x."""
-    import xarray as xr
-
     position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size
     axis = {"length": scan.size, "unit": "nm", "units": "nm", "periodic": np.int32(scan.periodic)}
     return xr.Dataset(
@@ -129,15 +95,11 @@ def _classic_dataset(scan: HeightMap) -> "xr.Dataset":
     )
 
 
-Floats = NDArray[np.float64]
-
 #: Radius of the paraboloid that tops are rounded with, times the rms half-Laplacian. A fit to one
 #: AFM scan of UNCD (10 µm, 19.5 nm pixels), whose forces and summits it reproduces.
 BLUNTNESS = 0.9
-
 #: How often tops are rounded, heights remapped and amplitudes restored: a part of the same fit.
 ROUNDS = 10
-
 #: Depth of the paraboloid over the rms height: a deeper one changes forces by some 2 %.
 DEPTH = 2.0
 
@@ -149,18 +111,17 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     Pearson III distribution, and the Fourier amplitudes restored. Without the first step this is
     the amplitude-adjusted surrogate of Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635. The
     skewness that is aimed at is corrected each time by what was missed. Tops are blunt whatever the
-    skewness, at zero too.
-
-    The surface is periodic and square, not flat. The skewness, -1 to 1, is that of the heights of
-    the whole surface, met to some 5 %; that of levelled parts is a little smaller. The spectrum is
-    exact, heights are in float64.
+    skewness, at zero too. That of the whole surface, -1 to 1, is met to some 5 %; that of levelled
+    parts is a little smaller. The surface is periodic and square, not flat; heights are in float64.
     """
     from scipy import fft
     from scipy.stats import skew
 
     heights: Floats = surface.heights.astype(float)
     amplitude, deviation = np.abs(fft.rfft2(heights)), heights.std()
-    radius = BLUNTNESS / _rms_half_laplacian(heights, surface.pixel_size)
+    neighbours = sum(np.roll(heights, step, axis) for step in (-1, 1) for axis in (0, 1))
+    laplacian = np.sqrt(((neighbours - 4 * heights) ** 2).mean()) / surface.pixel_size**2
+    radius = BLUNTNESS / (laplacian / 2)
     reach = min(np.sqrt(2 * radius * DEPTH * deviation), surface.size / 2)
     pixels = int(reach / surface.pixel_size)
     depth = (np.arange(pixels + 1.0) * surface.pixel_size) ** 2 / (2 * radius)
@@ -173,12 +134,6 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
         heights = fft.irfft2(transform, s=heights.shape)
         aimed += skewness - skew(heights, axis=None)
     return replace(surface, heights=heights)
-
-
-def _rms_half_laplacian(heights: Floats, pixel_size: float) -> float:
-    """Return half the rms Laplacian (1/nm) of periodic heights (nm), by finite differences."""
-    neighbours = sum(np.roll(heights, step, axis) for step in (-1, 1) for axis in (0, 1))
-    return float(np.sqrt(((neighbours - 4 * heights) ** 2).mean()) / (2 * pixel_size**2))
 
 
 def _opened(heights: Floats, depth: Floats) -> Floats:
@@ -233,9 +188,8 @@ FINENESS = 2
 def imaged_by_tip(surface: HeightMap, radius: float) -> HeightMap:
     """Return the image of a surface by a spherical tip: the path of its lowest point.
 
-    The tip, of a radius in nm, is half a sphere that goes up vertically beyond; what lies beyond
-    the edges of the map does not touch it. The pixels are to be small beside the tip; the image is
-    nowhere below the surface.
+    The tip, of a radius in nm that is large beside the pixels, is half a sphere that goes up
+    vertically beyond; what lies beyond the edges of the map does not touch it.
     """
     from scipy.ndimage import grey_dilation
 
@@ -250,10 +204,9 @@ def imaged_by_tip(surface: HeightMap, radius: float) -> HeightMap:
 
 
 def imaged_scan(surface: HeightMap, pixels: int, radius: float) -> HeightMap:
-    """Return a scan: the corner of a surface as a tip images it, sampled at every FINENESS pixels.
+    """Return the corner of a periodic surface as a tip of a radius in nm images it.
 
-    The surface is periodic, on FINENESS times as many pixels a length as the scan, the radius of
-    the tip is in nm. The scan is not periodic; heights (pixels, pixels) are in float64.
+    The surface is sampled at every FINENESS pixels; the corner is of pixels x pixels.
     """
     margin = int(radius / surface.pixel_size)
     place = np.arange(-margin, FINENESS * pixels + margin) % surface.pixels

@@ -2,41 +2,39 @@
 
 import io
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import pandas as pd
-from numpy.typing import NDArray
+import xarray as xr
 
-from hardcontact.surfaces import spectral_models
 from hardcontact.surfaces.calibration import (
     Weights,
-    calibrate_self_affine,
+    calibrate_model,
     calibrate_tail,
-    calibrate_varying_hurst,
     expected_moments,
     transfer_weights,
 )
-from hardcontact.surfaces.descriptions import (
+from hardcontact.surfaces.spectral_models import (
     CALIBRATED,
     KNOWN,
+    MODELS,
     PARAMETERS,
     TAIL_ROWS,
+    continued,
     is_calibrated,
+    profile_points,
+    share_of_cells,
 )
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     WAVEVECTORS,
+    Floats,
     Spectrum,
     all_scales_moments,
     spectrum_dataset,
     spectrum_from,
+    with_measurements,
 )
-
-if TYPE_CHECKING:
-    import xarray as xr
-
-Floats = NDArray[np.float64]
 
 
 def from_description(
@@ -52,15 +50,16 @@ def from_description(
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
-            filled, used = _calibrated(band, density, table1, weights)
-            density += _band_density(filled, density, Path(path).parent)
+            if pd.isna(band.hurst) and band.model in CALIBRATED:
+                band = pd.Series(dict(band) | _calibrated(band, density, table1, weights))
+                calibrated += CALIBRATED[band.model]
+            density += _band_density(band, density, Path(path).parent)
         except (KeyError, ValueError, OSError) as error:
             raise ValueError(f"{path}: band from {band.longest_nm:g} nm: {error}") from None
-        bands.loc[i] = filled
-        calibrated += used
+        bands.loc[i] = band
     last = bands.iloc[-1]
     if last.model == "power law":
-        density *= spectral_models.share_of_cells(last.shortest_nm)
+        density *= share_of_cells(last.shortest_nm)
     return density, bands, calibrated
 
 
@@ -79,38 +78,25 @@ def described_rms_height(path: str | Path, longest: float) -> float:
 
 def _calibrated(
     band: pd.Series, above: Floats, table1: pd.DataFrame, weights: Weights
-) -> tuple[pd.Series, list[str]]:
-    """Return the band with its parameters filled in, and the rows of Table 1 that filled them."""
-    if not pd.isna(band.hurst) or band.model not in CALIBRATED:
-        return band, []
-    filled = band.copy()
-    if band.model == "self-affine":
-        filled[["plateau_nm4", "rolloff_nm", "hurst"]] = calibrate_self_affine(table1, weights)
-    elif band.model == "varying Hurst":
-        filled[["plateau_nm4", "hurst", "hurst_change"]] = calibrate_varying_hurst(
-            table1, weights, band.rolloff_nm
-        )
-    else:
-        gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
-        filled[["hurst", "shortest_nm"]] = calibrate_tail(above, (gradient, half_laplacian))
-    return filled, list(CALIBRATED[band.model])
+) -> dict[str, float]:
+    """Return the parameters of a band that Table 1 fixes."""
+    if band.model in MODELS:
+        return calibrate_model(band, table1, weights)
+    gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
+    hurst, shortest = calibrate_tail(above, (gradient, half_laplacian))
+    return {"hurst": hurst, "shortest_nm": shortest}
 
 
 def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
-        reached = spectral_models.share_of_cells(band.shortest_nm) > 0
-        return spectral_models.continued(above, band.hurst) * reached
-    shape = band.plateau_nm4, band.rolloff_nm
-    if band.model == "self-affine":
-        model = spectral_models.self_affine(WAVEVECTORS, *shape, band.hurst)
-    elif band.model == "varying Hurst":
-        model = spectral_models.varying_hurst(WAVEVECTORS, *shape, (band.hurst, band.hurst_change))
-    elif band.model == "smooth roll-off":
-        model = spectral_models.smooth_rolloff(WAVEVECTORS, *shape, band.hurst)
+        return continued(above, band.hurst) * (share_of_cells(band.shortest_nm) > 0)
+    if band.model in MODELS:
+        density, parameters = MODELS[band.model]
+        model = density(WAVEVECTORS, *(band[name] for name in parameters))
     elif band.model == "profile":
         points = pd.read_csv(folder / band.table).astype({"wavelength_nm": float, "c1d_nm3": float})
-        model = spectral_models.profile_points(
+        model = profile_points(
             WAVEVECTORS, points["wavelength_nm"].to_numpy(), points["c1d_nm3"].to_numpy()
         )
     else:
@@ -124,13 +110,12 @@ def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
 
 def substitute_spectrum(
     description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
-) -> "xr.Dataset":
+) -> xr.Dataset:
     """Return the spectrum of a substitute from a description, as of `from_description`.
 
     Table 1, of `rows_of_surface` or empty, is for scans of the paper's pixels and size, which the
-    constants have, not those of this study. `spectrum` (wavevector) is in nm⁴ as it is stored;
-    attributes are the bands, the rows of Table 1 that they were calibrated to, and the moments
-    expected of one of the paper's scans.
+    constants have. Attributes are the bands, the rows of Table 1 that they were calibrated to, and
+    the moments expected of one of the paper's scans.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
@@ -143,76 +128,57 @@ def substitute_spectrum(
     )
 
 
-class _Run(NamedTuple):
-    """Neighbouring known bands of one source: their wavelengths in nm."""
-
-    longest: float
-    shortest: float
-    source: str
-
-
-def described_spectrum(stored: "xr.Dataset", path: str) -> "xr.Dataset":
+def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     """Return a stored `substitute_spectrum` as `joined_spectrum` returns that of a measurement.
 
-    Its known bands stand for measurements, neighbours of one source for one: nothing was measured
-    here, but they were fitted to measurements, and their wavelengths are not artificial. What only
-    a measurement has is NaN or empty. The path is that of the description; a ValueError of one line
-    tells that no band is known.
+    Its known bands stand for measurements, neighbours of one source for one: they were fitted to
+    measurements, and their wavelengths are not artificial. What only a measurement has is NaN or
+    empty. The path is that of the description; if no band is known, it is a ValueError.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
-    runs = _runs(bands)
-    if not runs:
-        raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
-    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
-    reliable = np.array([(run.shortest < wavelength) & (wavelength <= run.longest) for run in runs])
-    nm4, nm, unknown = {"units": "nm4"}, {"units": "nm"}, np.full(len(runs), np.nan)
-    both, along = ("measurement", "bin_wavevector"), "measurement"
-    return (
-        stored[["spectrum"]]
-        .assign_coords(bin_wavevector=("bin_wavevector", BIN_CENTRES, {"units": "rad nm-1"}))
-        .assign(
-            joined=("bin_wavevector", np.where(reliable.any(axis=0), density, np.nan), nm4),
-            psd=(both, np.where(reliable, density, np.nan), nm4),
-            reliable=(both, reliable.astype("int8")),
-            kind=(along, ["description"] * len(runs)),
-            path=(along, [path] * len(runs)),
-            dataset=(along, [""] * len(runs)),
-            size=(along, unknown, nm),
-            pixel_size=(along, unknown, nm),
-            tip_radius=(along, unknown, nm),
-            shortest_reliable=(along, [run.shortest for run in runs], nm),
-            longest_reliable=(along, [run.longest for run in runs], nm),
-            shortest_reason=(along, ["the source ends"] * len(runs)),
-            longest_reason=(along, ["the source or the table of the study ends"] * len(runs)),
-            notes=(along, [run.source for run in runs]),
-        )
-        .assign_attrs(
-            basis="substitute",
-            calibrated_to_table1=stored.attrs["calibrated_to_table1"],
-            shortest_measured=min(run.shortest for run in runs),
-            longest_measured=max(run.longest for run in runs),
-            tail_note=_rest(bands),
-        )
-    )
-
-
-def _runs(bands: pd.DataFrame) -> list[_Run]:
-    """Return the runs of known bands, no longer than the table of spectra."""
-    runs: list[_Run] = []
     known = bands[bands.basis.isin(KNOWN)]
-    for longest, shortest, source in zip(
-        known.longest_nm, known.shortest_nm, known.source, strict=True
-    ):
-        if runs and (runs[-1].shortest, runs[-1].source) == (longest, source):
-            runs[-1] = runs[-1]._replace(shortest=shortest)
-        else:
-            runs.append(_Run(min(longest, 2 * np.pi / WAVEVECTORS[0]), shortest, source))
-    return runs
-
-
-def _rest(bands: pd.DataFrame) -> str:
-    """Return in words what the bands are that are not known."""
-    return "; ".join(
-        f"{band.longest_nm:g} to {band.shortest_nm:g} nm {band.basis}: {band.source}"
-        for band in bands[~bands.basis.isin(KNOWN)].itertuples()
+    if known.empty:
+        raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
+    before = known.shift()
+    begins = (known.longest_nm != before.shortest_nm) | (known.source != before.source)
+    runs = known.groupby(begins.cumsum()).agg(
+        longest=("longest_nm", "first"),
+        shortest=("shortest_nm", "last"),
+        source=("source", "first"),
+    )
+    runs["longest"] = runs.longest.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
+    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
+    shortest, longest = runs[["shortest", "longest"]].to_numpy().T[..., None]
+    reliable = (shortest < wavelength) & (wavelength <= longest)
+    measurements = [
+        {
+            "kind": "description",
+            "path": path,
+            "dataset": "",
+            "size": np.nan,
+            "pixel_size": np.nan,
+            "tip_radius": np.nan,
+            "shortest_reliable": run.shortest,
+            "longest_reliable": run.longest,
+            "shortest_reason": "the source ends",
+            "longest_reason": "the source or the table of the study ends",
+            "notes": run.source,
+        }
+        for run in runs.itertuples()
+    ]
+    joined = np.where(reliable.any(axis=0), density, np.nan)
+    return with_measurements(
+        stored[["spectrum"]].assign(joined=("bin_wavevector", joined, {"units": "nm4"})),
+        np.where(reliable, density, np.nan),
+        reliable,
+        measurements,
+    ).assign_attrs(
+        basis="substitute",
+        calibrated_to_table1=stored.attrs["calibrated_to_table1"],
+        shortest_measured=runs.shortest.min(),
+        longest_measured=runs.longest.max(),
+        tail_note="; ".join(
+            f"{band.longest_nm:g} to {band.shortest_nm:g} nm {band.basis}: {band.source}"
+            for band in bands[~bands.basis.isin(KNOWN)].itertuples()
+        ),
     )

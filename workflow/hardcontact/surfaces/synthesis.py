@@ -1,6 +1,7 @@
 """Random surfaces from a PSD, and the multi-scale masters of Fig. 6, of either side of the scales.
 
-Surfaces are periodic. `scipy` is imported where it is used.
+Surfaces are periodic, lengths in nm, densities C_iso in nm⁴ as functions of the wavevector in
+rad/nm. `scipy` is imported where it is used.
 """
 
 from collections.abc import Mapping
@@ -20,8 +21,7 @@ def random_surface(
     """Return a Gaussian random surface of a given power spectral density.
 
     White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
-    ratio. The mean is zero. The pixel size is in nm, the density C_iso in nm⁴ as a function of the
-    wavevector in rad/nm. The surface is periodic; heights (pixels, pixels) are in float32.
+    ratio. The surface is periodic, of mean zero; heights (pixels, pixels) are in float32.
     """
     from scipy import fft
 
@@ -40,12 +40,10 @@ def random_surface(
 def refined(
     rng: np.random.Generator, surface: HeightMap, fineness: int, density: Density
 ) -> HeightMap:
-    """Return a surface on finer pixels, with random roughness of wavelengths below its own.
+    """Return a periodic surface on finer pixels, with random roughness of C_iso below its own.
 
-    The surface is periodic, on an even number of pixels; `fineness` is the number of new pixels
-    along an edge of an old one. The density is C_iso of the roughness added, in nm⁴ as a function
-    of the wavevector in rad/nm. Heights (fineness * pixels,) * 2 are in float32; all orders below
-    two old pixels along both axes are those of the surface.
+    It is on an even number of pixels; `fineness` is the number of new pixels along an edge of an
+    old one. All orders below two old pixels along both axes are its own; heights are in float32.
     """
     from scipy import fft
 
@@ -65,10 +63,9 @@ def small_scale_master(
     """Return a scan with artificial roughness below the transition wavelength (nm).
 
     Wavelengths below the transition are removed from the mirror-stitched scan, which is then
-    interpolated to so many pixels along an edge; a random surface is added that follows C_iso, in
-    nm⁴ as a function of the wavevector in rad/nm, below the transition and is constant above it.
-    Heights (pixels, pixels) are in float32; the basis is that of the scan. Source: the paper,
-    section Determining the Most Relevant Length-scales of Roughness.
+    interpolated to pixels x pixels; a random surface is added that follows C_iso below the
+    transition and is constant above it. Heights are in float32; the basis is that of the scan.
+    Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     band = lowpass(stitched, transition)
     limit = 2 * np.pi / transition
@@ -85,9 +82,8 @@ def large_scale_master(
     """Return a scan, repeated, with artificial roughness above the transition wavelength (nm).
 
     The mirror-stitched scan is repeated `tiles` times along each edge and its wavelengths above the
-    transition are removed; a random surface is added that follows C_iso, in nm⁴ as a function of
-    the wavevector in rad/nm, there and is zero below. The result has the pixels and the basis of
-    the scan and heights in float32. Source: as `small_scale_master`.
+    transition are removed; a random surface is added that follows C_iso there and is zero below.
+    Pixels and basis are those of the scan, heights in float32. Source: as `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     band = lowpass(repeated, transition)
@@ -115,8 +111,7 @@ def synthesized_master(
     """Return the periodic master of one side, made of a periodic scan.
 
     The side ``"small"`` adds roughness below the transition wavelength, ``"large"`` above. The
-    scales are ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large-scale
-    master; the density is C_iso in nm⁴ as a function of the wavevector in rad/nm.
+    scales are ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large one.
     """
     synthesize, size = SYNTHESIS[side]
     return synthesize(rng, stitched, scales[size], scales["transition"], density)

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -28,7 +27,6 @@ METRICS = {
     "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
     "peak_to_valley": ("nm", "peak to valley"),
 }
-
 #: Metrics that slope and curvature of Table 1 may stand for, by their names in the configuration.
 DEFINITIONS = {
     "gradient": "rms_gradient",
@@ -64,35 +62,25 @@ def level_lines(scan: HeightMap) -> HeightMap:
     return level(replace(scan, heights=aligned.heights().T))
 
 
-def subtract_sphere(
-    scan: HeightMap, radius: float, levelled: Callable[[HeightMap], HeightMap] = level
-) -> HeightMap:
-    """Return the levelled roughness of a scan of the top of a sphere of a radius in nm.
-
-    The paraboloid x²/2R of the known radius is added back and the rest levelled, by `level` or
-    `level_lines`. The position of the apex does not matter, because moving it adds a plane.
-    """
-    y, x = (_centred(count) * scan.pixel_size for count in scan.heights.shape)
-    return levelled(replace(scan, heights=scan.heights + (y[:, None] ** 2 + x**2) / (2 * radius)))
-
-
 #: Ways to level a scan, by their names in the configuration.
 LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {"plane": level, "lines": level_lines}
 
 
 def flat_map(
-    scan: HeightMap,
-    sphere_radius: float | None = None,
-    levelled: Callable[[HeightMap], HeightMap] = level,
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> HeightMap:
-    """Return a scan levelled, the sphere of this radius (nm) subtracted unless it is None."""
-    if sphere_radius is None:
-        return levelled(scan)
-    return subtract_sphere(scan, sphere_radius, levelled)
+    """Return a scan levelled, less the sphere of a radius in nm whose top it shows, if any.
 
-
-def _centred(count: int) -> NDArray[np.float64]:
-    return np.arange(count, dtype=float) - (count - 1) / 2
+    The paraboloid x²/2R of the known radius is added back and the rest levelled. The position of
+    the apex does not matter, because moving it adds a plane.
+    """
+    if sphere_radius is not None:
+        y, x = (
+            (np.arange(count) - (count - 1) / 2) * scan.pixel_size for count in scan.heights.shape
+        )
+        heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
+        scan = replace(scan, heights=heights)
+    return LEVELLING[levelling](scan)
 
 
 def mirror_stitch(scan: HeightMap) -> HeightMap:
@@ -107,16 +95,15 @@ def mirror_stitch(scan: HeightMap) -> HeightMap:
 def prepared_scan(
     scan: HeightMap,
     sphere_radius: float | None = None,
-    levelled: Callable[[HeightMap], HeightMap] = level,
+    levelling: str = "plane",
     described: Mapping[str, str] | None = None,
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return a scan levelled, and then mirror-stitched, both as they are stored.
 
-    From a scan of a sphere, of a radius in nm, the sphere is removed; its levelled scan also keeps
-    the scan as it was read, in the variable `as_scanned`. Both keep the attributes `described`, as
-    `scans.described` returns them.
+    The levelled scan of a sphere, of a radius in nm, also keeps the scan as it was read, in the
+    variable `as_scanned`. Both keep the attributes `described`.
     """
-    flat = flat_map(scan, sphere_radius, levelled)
+    flat = flat_map(scan, sphere_radius, levelling)
     stored = flat.dataset()
     if sphere_radius is not None:
         attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
@@ -168,10 +155,7 @@ def metrics(scan: HeightMap) -> dict[str, float]:
 
 
 def table1_variables(slope: str, curvature: str) -> dict[str, str]:
-    """Return the variables of the topography dataset by the names of their rows in Table 1.
-
-    `slope` and `curvature` are keys of DEFINITIONS.
-    """
+    """Return the variables of topography.nc by their rows in Table 1, read as of DEFINITIONS."""
     variables = {
         "height": "rms_height",
         "slope": DEFINITIONS[slope],
