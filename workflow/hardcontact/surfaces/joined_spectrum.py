@@ -168,13 +168,16 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
             for name, values in one.data_vars.items()
         }
         missing = most - one.sizes["measurement"]
-        padded.append(one.pad(measurement=(0, missing), constant_values=empty))
+        padding = {"measurement": (0, missing)}
+        padded.append(
+            one.drop_attrs(deep=False).pad(padding, constant_values=empty, keep_attrs=True)
+        )
     names = pd.Index(list(of_surface), name="surface")
     shortest, longest, notes = (
         [one.attrs[name] for one in of_surface.values()]
         for name in ("shortest_measured", "longest_measured", "tail_note")
     )
-    return xr.concat(padded, names, combine_attrs="drop").assign(
+    return xr.concat(padded, names, combine_attrs="override").assign(
         shortest_measured=("surface", shortest, {"units": "nm"}),
         longest_measured=("surface", longest, {"units": "nm"}),
         label=("surface", [labels[name] for name in of_surface]),
