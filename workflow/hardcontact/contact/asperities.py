@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from hardcontact.contact.bearing_area import ContactSettings, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, sampled_contacts
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
 

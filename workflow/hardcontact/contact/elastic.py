@@ -27,7 +27,7 @@ from hardcontact.contact.geometry import (
     sampled_contacts,
     window_pixels,
 )
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
 

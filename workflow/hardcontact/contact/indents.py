@@ -15,7 +15,7 @@ from scipy.sparse.csgraph import connected_components
 from hardcontact.contact.bearing_area import Load, LowestGaps, all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, ContactArray, bodies, sphere_height
 from hardcontact.records.dataset import stack
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest in the height map of one contact.

@@ -27,7 +27,7 @@ from hardcontact.inference.error_map import (
     mean_relative_error,
 )
 from hardcontact.numbers.statistics import Sampling, bounds
-from hardcontact.records import log
+from hardcontact.records.job import progress
 
 #: Of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -108,7 +108,7 @@ def infer(
         fitted = Pair(float(inferred.range_of_adhesion), float(inferred.work_of_adhesion))
         pairs = [
             _at_pair(forces, pair, reference, force_floor, sampling)
-            for pair in log.progress([published.pair, fitted], 2, f"force statistics, {model}")
+            for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
         parts.append(inferred.merge(xr.concat(pairs, pd.Index(PAIRS, name="pair"))))
     models = xr.concat(parts, pd.Index(adhesion.contact_model.values, name="contact_model"))

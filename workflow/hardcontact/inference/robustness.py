@@ -18,7 +18,7 @@ from hardcontact.adhesion.all_surfaces import at_load
 from hardcontact.adhesion.force_curves import at_range
 from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import log
+from hardcontact.records.job import progress
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.scales.stacked_masters import stacked_forces
 
@@ -92,7 +92,7 @@ def robustness(
     forces = {key: one["pull_off_force"] for key, one in adhesion.items()}
     parts = [
         xr.merge([_range_and_work(forces, target, one, choices), _band(masters, one, choices)])
-        for one in log.progress(variants, len(variants), "variants")
+        for one in progress(variants, len(variants), "variants")
     ]
     names = pd.Index([one["name"] for one in variants], name="variant")
     varied = xr.concat(parts, names, coords="minimal", join="outer")

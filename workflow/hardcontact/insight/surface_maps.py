@@ -18,7 +18,7 @@ from hardcontact.insight.scan_maps import (
 )
 from hardcontact.numbers.statistics import student_log_interval, with_interval
 from hardcontact.records.dataset import stack
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import read_height_map
 
 LONG_NAMES = {

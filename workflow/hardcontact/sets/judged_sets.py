@@ -10,7 +10,7 @@ import xarray as xr
 from hardcontact.claims.evaluation import values
 from hardcontact.inference.inference import Published, infer
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.sets.set_datasets import (
     Draw,
     Sources,

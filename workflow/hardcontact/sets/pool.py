@@ -19,7 +19,7 @@ from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.interpolation import height_weights
 from hardcontact.numbers.random import generator
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
