@@ -8,7 +8,8 @@ from published_contact import MODULUS, RADIUS, SPACING, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from hardcontact.inference import classical_models, smooth_sphere
+from hardcontact.contact import smooth_sphere
+from hardcontact.inference import classical_models
 
 
 def test_rumpf_limits():

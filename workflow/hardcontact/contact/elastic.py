@@ -18,7 +18,6 @@ from scipy.optimize import minimize_scalar
 from SurfaceTopography import Topography
 from threadpoolctl import threadpool_limits
 
-from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.contact.geometry import (
     Bodies,
@@ -27,6 +26,7 @@ from hardcontact.contact.geometry import (
     sampled_contacts,
     window_pixels,
 )
+from hardcontact.contact.smooth_sphere import Material, effective_modulus, hertz_contact
 from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
@@ -168,13 +168,6 @@ UNITS = {
 }
 
 
-class Material(TypedDict):
-    """Young's modulus (Pa) and Poisson's ratio of a body."""
-
-    modulus: float
-    poisson_ratio: float
-
-
 class ElasticSettings(TypedDict):
     """Materials, number of contacts, and edge of the window in nm that is solved for the pull-off.
 
@@ -232,7 +225,7 @@ class _Solver(NamedTuple):
             "work_of_adhesion": self.work_of_adhesion,
             "window": self.window * geometry.pixel_size,
             "sphere_radius": geometry.radius,
-            "hertz_peak_pressure": hertz.contact(
+            "hertz_peak_pressure": hertz_contact(
                 preload, geometry.radius, self.modulus
             ).peak_pressure,
         }
@@ -246,12 +239,7 @@ def _solver(
     work_of_adhesion: float,
 ) -> _Solver:
     """Return what all contacts of a pair of scans are solved with."""
-    modulus = hertz.effective_modulus(
-        elastic["sphere"]["modulus"],
-        elastic["sphere"]["poisson_ratio"],
-        elastic["substrate"]["modulus"],
-        elastic["substrate"]["poisson_ratio"],
-    )
+    modulus = effective_modulus(elastic["sphere"], elastic["substrate"])
     period = min(bodies.substrate.pixels, bodies.geometry.window)
     window = min(window_pixels(elastic["window"], bodies.geometry.pixel_size), period)
     return _Solver(bodies, contact, modulus, rho, work_of_adhesion, period, window)

@@ -12,8 +12,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.contact import hertz
-from hardcontact.inference import smooth_sphere
+from hardcontact.contact import smooth_sphere
+from hardcontact.contact.smooth_sphere import Material
 from hardcontact.inference.classical_fits import (
     RoughnessSamples,
     compare_models,
@@ -163,13 +163,13 @@ def apply_classical_models(
 
 def _contact(radius: float, value: Mapping[Any, float]) -> Contact:
     """Return the contact of the published sphere and substrate."""
-    modulus = hertz.effective_modulus(
-        value["sphere_youngs_modulus"],
-        value["sphere_poisson_ratio"],
-        value["substrate_youngs_modulus"],
-        value["substrate_poisson_ratio"],
+    bodies = (
+        Material(
+            modulus=value[f"{body}_youngs_modulus"], poisson_ratio=value[f"{body}_poisson_ratio"]
+        )
+        for body in ("sphere", "substrate")
     )
-    return Contact(radius, modulus, value["equilibrium_spacing"])
+    return Contact(radius, smooth_sphere.effective_modulus(*bodies), value["equilibrium_spacing"])
 
 
 def _published(names: list[str], table1: pd.DataFrame, printed: pd.DataFrame) -> _Published:
@@ -264,7 +264,7 @@ def _forces_and_works(
 def _smooth_sphere(contact: Contact, value: Mapping[Any, float]) -> dict[str, Any]:
     """Return parameters of the smooth sphere, and its transition between JKR and DMT."""
     tabor = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *contact)
-    _, peak_pressure, _ = hertz.contact(value["preload"], contact.radius, contact.modulus)
+    pressed = smooth_sphere.hertz_contact(value["preload"], contact.radius, contact.modulus)
     axis = xr.DataArray(TABOR_AXIS, {"tabor_axis": ("tabor_axis", TABOR_AXIS, ONE)})
     return {
         "transition_coefficient": pull_off_coefficients(axis),
@@ -272,7 +272,7 @@ def _smooth_sphere(contact: Contact, value: Mapping[Any, float]) -> dict[str, An
         "maugis_parameter": ((), smooth_sphere.maugis_parameter(tabor), ONE),
         "printed_tabor_parameter": ((), value["tabor_parameter"], ONE),
         "effective_modulus": ((), contact.modulus, {"units": "Pa"}),
-        "hertz_peak_pressure": ((), peak_pressure, {"units": "Pa"}),
+        "hertz_peak_pressure": ((), pressed.peak_pressure, {"units": "Pa"}),
     }
 
 

@@ -8,7 +8,7 @@ import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
-from hardcontact.inference.smooth_sphere import dmt_pull_off
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.scan_maps import (
     SAMPLINGS,
     MapSettings,
