@@ -8,7 +8,7 @@ import xarray as xr
 from paper_datasets import MODELS, RADIUS, RHO
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
-from hardcontact.sets.set_datasets import Sources
+from hardcontact.sets.judged_sets import Sources
 from hardcontact.surfaces.roughness_table import averages
 from hardcontact.surfaces.topography import METRICS, table1_variables
 

@@ -70,7 +70,7 @@ def files(tmp_path, monkeypatch):
 def script(files, monkeypatch):
     """Run a script on files of the folder."""
     # A job that fails ends its process, which here is that of all tests.
-    monkeypatch.setattr("hardcontact.records.log.job_log", lambda path: nullcontext())
+    monkeypatch.setattr("hardcontact.records.job.job_log", lambda path: nullcontext())
 
     def run(name, parameters, inputs, **outputs):
         snakemake = SimpleNamespace(

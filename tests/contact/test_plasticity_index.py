@@ -2,16 +2,15 @@
 
 import numpy as np
 import pytest
-from periodic_maps import over, periodic_noise
+from periodic_maps import RADIUS, over, periodic_noise
+from published_contact import MODULUS
 
-from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.elastic import contact_at_load
 from hardcontact.contact.geometry import gap_map, gaps_at
+from hardcontact.contact.smooth_sphere import hertz_contact
 from hardcontact.insight.elastic_limit import SLOPE_OVER_PRESSURE, elastic_estimates, squared_slopes
 
-MODULUS = hertz.effective_modulus(365e9, 0.29, 1010e9, 0.22)
-RADIUS = 250e3
 LOAD = {"preload": 10e-6, "hardness": 25e9}
 
 
@@ -26,7 +25,7 @@ def test_a_smooth_sphere_is_hertz(preload):
     load = LOAD | {"preload": preload}
     pair = over(np.zeros((128, 128)), None, pixel_size, 256, 1)
     one = only(elastic_estimates(pair, load, MODULUS))
-    radius = hertz.contact(preload, RADIUS, MODULUS).radius
+    radius = hertz_contact(preload, RADIUS, MODULUS).radius
     area = one.elastic_pixels * pixel_size**2
     assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.01)
     assert len(one.contact.gaps) == one.elastic_pixels

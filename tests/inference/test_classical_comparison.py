@@ -7,7 +7,7 @@ from paper_datasets import make_inference
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 from published_contact import AFM, CONTACT, RADIUS, WORK
 
-from hardcontact.inference import smooth_sphere
+from hardcontact.contact import smooth_sphere
 from hardcontact.inference.classical_comparison import apply_classical_models
 from hardcontact.inference.classical_models import MODELS
 from hardcontact.numbers.statistics import Sampling, bounds

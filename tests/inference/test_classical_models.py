@@ -5,7 +5,8 @@ import pytest
 from published_contact import AFM, CONTACT, MODULUS, RADIUS, WORK
 from scipy.integrate import quad
 
-from hardcontact.inference import classical_models, smooth_sphere
+from hardcontact.contact import smooth_sphere
+from hardcontact.inference import classical_models
 from hardcontact.inference.classical_models import MODELS, Roughness
 
 

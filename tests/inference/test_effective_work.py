@@ -6,7 +6,7 @@ import xarray as xr
 from paper_numbers import MEAN_FORCE
 from published_contact import CONTACT, WORK
 
-from hardcontact.inference import smooth_sphere
+from hardcontact.contact import smooth_sphere
 from hardcontact.inference.classical_comparison import (
     PerSurface,
     effective_works,

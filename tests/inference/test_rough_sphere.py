@@ -4,11 +4,13 @@ from math import exp, pi, sqrt
 
 import numpy as np
 import pytest
-from published_contact import MODULUS, RADIUS, SPACING, WORK
+from published_contact import CONTACT, MODULUS, RADIUS, SPACING, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
-from hardcontact.inference import classical_models, smooth_sphere
+from hardcontact.contact import smooth_sphere
+from hardcontact.inference import classical_models
+from hardcontact.inference.classical_models import MODELS, Roughness
 
 
 def test_rumpf_limits():
@@ -39,15 +41,12 @@ def relative(model, index):
     """Relative pull-off force of Gaussian asperities with a given elastic adhesion index."""
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
     assert classical_models.adhesion_index(WORK, height, 1.0, MODULUS) == pytest.approx(index)
-    smooth = {
-        "fuller_tabor": smooth_sphere.jkr_pull_off,
-        "maugis_rough_dmt": smooth_sphere.dmt_pull_off,
-    }
-    force = getattr(classical_models, model)(WORK, RADIUS, height, 1.0, MODULUS)
-    return force / smooth[model](WORK, RADIUS)
+    smooth = {"fuller_tabor": smooth_sphere.jkr_pull_off, "maugis": smooth_sphere.dmt_pull_off}
+    roughness = Roughness(height, np.nan, 1.0)
+    return MODELS[model].force(WORK, roughness, CONTACT) / smooth[model](WORK, RADIUS)
 
 
-@pytest.mark.parametrize("model", ["fuller_tabor", "maugis_rough_dmt"])
+@pytest.mark.parametrize("model", ["fuller_tabor", "maugis"])
 def test_adhesion_vanishes_with_the_elastic_adhesion_index(model):
     index = np.geomspace(1e-3, 1e6, 91)
     force = relative(model, index)
@@ -68,7 +67,7 @@ def test_dmt_asperities_by_brute_force(index):
         return quad(force, separation, 12, limit=200)[0]
 
     greatest = max(tension(separation) for separation in np.linspace(-4.5, 4, 171))
-    assert relative("maugis_rough_dmt", index) == pytest.approx(greatest, rel=2e-3)
+    assert relative("maugis", index) == pytest.approx(greatest, rel=2e-3)
 
 
 @pytest.mark.parametrize("index", [0.02, 0.5, 3.0])

@@ -5,15 +5,15 @@ import pytest
 import xarray as xr
 from direct_sum import direct_total
 from periodic_maps import RADIUS, over, periodic_noise
+from published_contact import MODULUS
 
 from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.pull_off import plastic_totals
-from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import gap_map
+from hardcontact.contact.smooth_sphere import hertz_contact
 from hardcontact.insight.elastic_limit import elastic_limit, elastic_limit_of_pair
 
-MODULUS = hertz.effective_modulus(365e9, 0.29, 1010e9, 0.22)
 LOAD = {"preload": 10e-6, "hardness": 25e9}
 PIXEL, RHO, WORK = 10.0, 5.6, 0.05
 DESCRIBED = {
@@ -59,7 +59,7 @@ def test_a_rough_surface_keeps_the_force_of_the_bearing_area():
 def test_a_smooth_sphere_has_the_area_of_hertz_and_the_rigid_force():
     bodies = over(np.zeros((64, 64)), None, PIXEL, 128, 2)
     limit = of_pair(bodies)
-    radius = hertz.contact(LOAD["preload"], RADIUS, MODULUS).radius
+    radius = hertz_contact(LOAD["preload"], RADIUS, MODULUS).radius
     np.testing.assert_allclose(limit.elastic_area, np.pi * radius**2, rtol=0.03)
     force = limit.pull_off_force
     np.testing.assert_array_equal(force.sel(variant="recovered"), force.sel(variant="rigid"))

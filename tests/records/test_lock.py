@@ -11,10 +11,12 @@ from hardcontact.records.whole_file import PART, hold
 def test_a_folder_is_held_once_and_freed_of_unfinished_files(tmp_path):
     folder = tmp_path / "results"
     (folder / "store").mkdir(parents=True)
-    unfinished = folder / "store" / f"{PART}x.nc"
-    unfinished.write_text("half")
+    kept = folder / "store" / "kept.nc"
+    kept.touch()
+    for place in (folder, kept.parent):
+        (place / f"{PART}x.nc").write_text("half")
     held = hold(folder)
-    assert not unfinished.exists()
+    assert list(folder.rglob("*.nc")) == [kept]
     message = refusal(hold, folder)
     assert_says(message, "results: expected no other run in this folder, found one")
     held.close()

@@ -6,12 +6,12 @@ import sys
 
 from repository import ROOT, environment
 
-from hardcontact.records import log
+from hardcontact.records.job import job_log, progress
 
 
 def run(folder, block, path="a.log"):
     """Run a block whose log is kept, in a process of its own."""
-    program = f"from hardcontact.records import log\nwith log.job_log({path!r}):\n    {block}\n"
+    program = f"from hardcontact.records.job import job_log\nwith job_log({path!r}):\n    {block}\n"
     return subprocess.run(
         [sys.executable, "-c", program],
         cwd=folder,
@@ -52,15 +52,15 @@ def test_the_exit_code_of_a_block_stays(tmp_path):
 
 
 def test_progress_passes_steps_on_and_is_logged_about_ten_times(tmp_path):
-    with log.job_log(tmp_path / "a.log"):
-        assert list(log.progress(range(25), 25, "contacts")) == list(range(25))
+    with job_log(tmp_path / "a.log"):
+        assert list(progress(range(25), 25, "contacts")) == list(range(25))
     lines = (tmp_path / "a.log").read_text().splitlines()
     assert lines[-1].endswith("contacts: 25 of 25") and len(lines) == 10
     assert logging.getLogger("hardcontact").handlers == []
 
 
 def test_progress_of_few_steps_is_logged_at_each(tmp_path):
-    with log.job_log(tmp_path / "a.log"):
-        assert list(log.progress(iter("ab"), 2, "scans")) == ["a", "b"]
+    with job_log(tmp_path / "a.log"):
+        assert list(progress(iter("ab"), 2, "scans")) == ["a", "b"]
     lines = (tmp_path / "a.log").read_text().splitlines()
     assert [line.split(" ", 1)[1] for line in lines] == ["scans: 1 of 2", "scans: 2 of 2"]

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from refusals import assert_says
 
-from hardcontact.records.whole_file import PART, remove_parts, whole_file
+from hardcontact.records.whole_file import whole_file
 
 
 def test_a_file_appears_when_the_block_has_ended(tmp_path):
@@ -46,13 +46,3 @@ def test_what_the_system_refuses_is_said_in_one_line(tmp_path):
         message, f"{path}: expected a file to be written, found:", "MB of the disk are free"
     )
     assert len(message.splitlines()) == 1
-
-
-def test_unfinished_files_are_removed_at_any_depth(tmp_path):
-    kept = tmp_path / "a" / "b" / "kept.nc"
-    kept.parent.mkdir(parents=True)
-    kept.touch()
-    for folder in (tmp_path, kept.parent):
-        (folder / f"{PART}x.nc").touch()
-    remove_parts(tmp_path)
-    assert [path for path in tmp_path.rglob("*") if path.is_file()] == [kept]

@@ -12,7 +12,7 @@ from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import student_log_interval
-from hardcontact.sets.set_datasets import draw_scans, with_sampled_mean
+from hardcontact.sets.judged_sets import draw_scans, with_sampled_mean
 from hardcontact.surfaces.conditioning import group_heights
 from hardcontact.surfaces.topography import metrics, mirror_stitch
 

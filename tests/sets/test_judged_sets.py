@@ -9,8 +9,15 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 from set_sources import CONFIDENCE, make_adhesion, make_masters, make_pool, make_sources
 
 from hardcontact.inference.inference import Pair, Published
-from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
-from hardcontact.sets.set_datasets import Draw, drawn_scans, set_adhesion
+from hardcontact.sets.judged_sets import (
+    Draw,
+    Paper,
+    SetSettings,
+    drawn_scans,
+    gathered_sources,
+    judge_sets,
+    set_adhesion,
+)
 
 SETTINGS = SetSettings(
     seed=1,

@@ -10,9 +10,8 @@ from small_pool import CONTACT, GRID, HEIGHTS, SETTINGS, TARGETS, pool_of, raw_s
 
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import bodies, gap_map
-from hardcontact.numbers.interpolation import height_weights
 from hardcontact.numbers.random import generator
-from hardcontact.sets.pool import pool_heights
+from hardcontact.sets.pool import height_weights, pool_heights
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import metrics, mirror_stitch
 

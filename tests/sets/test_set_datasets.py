@@ -8,7 +8,7 @@ from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.scales.critical_band import critical_band
-from hardcontact.sets.set_datasets import (
+from hardcontact.sets.judged_sets import (
     Draw,
     drawn_scans,
     set_adhesion,

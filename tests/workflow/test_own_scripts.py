@@ -32,7 +32,7 @@ def run(tmp_path, monkeypatch):
     """Run a script on files of the folder and return what it wrote."""
     monkeypatch.chdir(tmp_path)
     # A job that fails ends its process, which here is that of all tests.
-    monkeypatch.setattr("hardcontact.records.log.os._exit", lambda code: pytest.fail("job failed"))
+    monkeypatch.setattr("hardcontact.records.job.os._exit", lambda code: pytest.fail("job failed"))
 
     def made(script, parameters, **inputs):
         snakemake = SimpleNamespace(

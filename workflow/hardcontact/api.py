@@ -20,7 +20,7 @@ from hardcontact.config.grids import Grid
 from hardcontact.config.limits import limits_of_scan
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
-from hardcontact.contact.bearing_area import Load, NamedLoad
+from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.insight.closed_form import Contact, contact_area
 from hardcontact.insight.prediction import prediction, rough_part, too_wide
@@ -101,9 +101,7 @@ def read_spectrum(
         The only member of a container that counts; empty: all of them.
     tip_radius : float or None
         In nm, of scans whose files do not state it.
-    undefined_pixels, levelling : str
-        As of `read_scan`.
-    sphere_radius : float or None
+    undefined_pixels, levelling, sphere_radius : str, str, float or None
         As of `read_scan`.
     continued : bool
         Whether the spectrum of scans goes on beyond the wavelengths at which they are reliable, as
@@ -224,11 +222,7 @@ def force_ratios(
         Range of adhesion in nm.
     tolerance : float
         Relative change of the force that counts.
-    window : float
-        As of `pull_off_forces`.
-    count : int
-        As of `pull_off_forces`.
-    sphere : HeightMap or None
+    window, count, sphere : float, int, HeightMap or None
         As of `pull_off_forces`.
 
     Returns
@@ -248,7 +242,7 @@ def force_ratios(
     ... )
     >>> short_edge = float(ratios.edge.sel(side="small"))  # nm
     """
-    load: NamedLoad = {"name": "given", "preload": preload, "hardness": hardness}
+    load: Load = {"preload": preload, "hardness": hardness}
     array: ContactArray = {"window": window, "count": count}
     _refuse_not_positive(tolerance=tolerance)
     surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
@@ -261,7 +255,7 @@ def force_ratios(
             "scales": {"pixels": surface.pixels, "cutoffs": sorted({*map(float, of_side)})},
             "radius": radius,
             "rho": rho,
-            "loads": [load],
+            "loads": [{"name": "given", **load}],
             **array,
         }
         found = filtered_pull_off(surface, rough, contacts)
@@ -299,14 +293,10 @@ def predict(
     ----------
     spectrum : Spectrum
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps.
-    radius : float
-        Of the sphere in nm.
-    preload, hardness : float
-        In N, and of the softer body in Pa.
+    radius, preload, hardness, work : float
+        As of `pull_off_forces`.
     rho : float
         Range of adhesion in nm.
-    work : float
-        Of adhesion in J/m².
     tolerance : float
         Relative change of the force that counts for an edge.
 
@@ -370,9 +360,8 @@ def _refuse_unfit(
 ) -> None:
     """Refuse numbers that a study of this periodic surface would refuse, in its words."""
     contact: dict[str, Any] = {**array, **load}
-    numbers = {name: contact[name] for name in ("window", "count", "preload", "hardness")}
     least = min(ranges, default=math.nan)
-    _refuse_not_positive(radius=radius, **numbers, ranges=least)
+    _refuse_not_positive(radius=radius, **contact, ranges=least)
     # Of the scan, which mirroring doubled.
     pixels, size = surface.pixels // 2, surface.size / 2
     grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))

@@ -1,25 +1,19 @@
 """Plasticity index, elastic area and force of every contact of one pair of scans."""
 
-from hardcontact.contact import hertz
 from hardcontact.contact.geometry import read_bodies
+from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.insight.elastic_limit import elastic_limit_of_pair
 from hardcontact.records import published
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given, contact = this.parameters, this.parameters["contact"]
-    sphere, substrate = given["elastic"]["sphere"], given["elastic"]["substrate"]
     constants = published.constants(this.input.published_constants).value
     this.write(
         elastic_limit_of_pair(
             read_bodies(this.input.substrate, this.input.sphere, given["radius"], contact),
             {"preload": contact["preload"], "hardness": contact["hardness"]},
-            hertz.effective_modulus(
-                sphere["modulus"],
-                sphere["poisson_ratio"],
-                substrate["modulus"],
-                substrate["poisson_ratio"],
-            ),
+            effective_modulus(given["elastic"]["sphere"], given["elastic"]["substrate"]),
             constants["range_of_adhesion"],
             constants["work_of_adhesion"],
         ),

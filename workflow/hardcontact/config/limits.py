@@ -25,7 +25,7 @@ from hardcontact.config.grids import (
 )
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
-from hardcontact.contact.hertz import effective_modulus
+from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.numbers.printing import print_quantity
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -114,13 +114,7 @@ def _of_elastic_pair(
 ) -> Iterator[Limit]:
     """Give the limits of loads on elastic contacts and on indents of a pair."""
     contact, pixel_size = config["contact"], min(grid.pixel_size, sphere.pixel_size)
-    modulus = effective_modulus(
-        *(
-            config["elastic"][body][key]
-            for body in ("sphere", "substrate")
-            for key in ("modulus", "poisson_ratio")
-        )
-    )
+    modulus = effective_modulus(config["elastic"]["sphere"], config["elastic"]["substrate"])
     edge = min(contact["window"], 2 * grid.size)
     most = PRESSURE_OVER_MODULUS * modulus * (edge * 1e-9) ** 2
     yield Limit(

@@ -14,7 +14,7 @@ from typing import Any
 
 import jsonschema
 
-from hardcontact.numbers.units import magnitude, quantity_words
+from hardcontact.numbers.units import QUANTITIES, magnitude
 
 #: How the message names what a keyword of a schema expects.
 EXPECTED = {
@@ -147,7 +147,7 @@ def _sentence(fault: Any) -> str:
     if fault.validator == "unit":
         return str(fault.message)
     if fault.validator == "type" and "unit" in fault.schema:
-        expected = quantity_words(fault.schema["unit"])
+        expected = QUANTITIES[fault.schema["unit"]]
     elif fault.validator == "enum":
         expected = " or ".join(choice or "nothing" for choice in fault.validator_value)
     elif fault.validator == "type":

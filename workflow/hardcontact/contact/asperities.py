@@ -12,7 +12,7 @@ from scipy import ndimage
 
 from hardcontact.contact.bearing_area import ContactSettings, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, sampled_contacts
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
 
@@ -20,16 +20,12 @@ UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent
 
 
 class Asperities(NamedTuple):
-    """The asperities that carry a share of the force of one contact.
+    """The asperities that carry a share of the force of one contact."""
 
-    `largest_share` and `two_largest_share` are of the whole force; `extent` is the diameter in nm
-    of the circle about the centre of force that holds the share.
-    """
-
-    largest_share: float
+    largest_share: float  #: Of the whole force, as the next.
     two_largest_share: float
     patches: int
-    extent: float
+    extent: float  #: Diameter in nm of the circle about the centre of force that holds the share.
 
 
 def asperities(attraction: Floats, share: float, pixel_size: float) -> Asperities:
@@ -43,19 +39,12 @@ def asperities(attraction: Floats, share: float, pixel_size: float) -> Asperitie
     rest = (1 - share) * total / attraction.size
     values = np.sort(attraction[attraction > rest])[::-1]
     weakest = values[np.searchsorted(np.cumsum(values), share * total)]
-    part = _bounding_box(attraction, weakest)
+    (box,) = ndimage.find_objects((attraction >= weakest).astype(np.int8))
+    part = attraction[box]
     label, count = ndimage.label(part >= weakest, structure=np.ones((3, 3)))
     forces = np.sort(np.bincount(label.ravel(), part.ravel())[1:])[::-1] / total
     extent = _diameter(attraction, share, total) * pixel_size
     return Asperities(forces[0], forces[:2].sum(), count, extent)
-
-
-def _bounding_box(attraction: Floats, weakest: float) -> Floats:
-    """Return the smallest part of a map that has all pixels of at least some attraction."""
-    rows = np.flatnonzero(attraction.max(axis=1) >= weakest)
-    part = attraction[rows[0] : rows[-1] + 1]
-    columns = np.flatnonzero(part.max(axis=0) >= weakest)
-    return part[:, columns[0] : columns[-1] + 1]
 
 
 def _diameter(attraction: Floats, share: float, total: float) -> int:
@@ -89,36 +78,23 @@ def asperities_of_pair(
 
     The generator draws the contacts. The dataset has the fields of `Asperities` (contact, rho).
     """
+    share, ranges, pixel_size = settings["share"], settings["ranges"], bodies.geometry.pixel_size
     places = sampled_contacts(rng, contact["count"], settings["contacts"])
-    pixel_size = bodies.geometry.pixel_size
     contact_pixels = contact_pixel_count(contact, pixel_size)
-    carriers = np.array(
-        [
-            _asperities_of_contact(gap_map(bodies, place), contact_pixels, settings, pixel_size)
-            for place in progress(places, len(places), "contacts")
-        ]
-    )
-    rho = {"units": "nm", "long_name": "range of adhesion"}
+    found = []
+    for place in progress(places, len(places), "contacts"):
+        gap = flattened_gaps(gap_map(bodies, place), contact_pixels)
+        found.append([asperities(np.exp(-gap / rho), share, pixel_size) for rho in ranges])
+    carriers = np.array(found)
     return xr.Dataset(
         {
             name: (("contact", "rho"), carriers[..., k], {"units": UNITS[name]})
             for k, name in enumerate(Asperities._fields)
         },
         {
-            "rho": ("rho", settings["ranges"], rho),
+            "rho": ("rho", ranges, {"units": "nm", "long_name": "range of adhesion"}),
             "contact_y": ("contact", places[:, 0]),
             "contact_x": ("contact", places[:, 1]),
         },
-        {"share": settings["share"], "sphere_radius": bodies.geometry.radius},
+        {"share": share, "sphere_radius": bodies.geometry.radius},
     )
-
-
-def _asperities_of_contact(
-    gap: Floats, contact_pixels: int, settings: AsperitySettings, pixel_size: float
-) -> list[Asperities]:
-    """Return the asperities of one contact at every range of adhesion."""
-    flattened = flattened_gaps(gap, contact_pixels)
-    return [
-        asperities(np.exp(-flattened / rho), settings["share"], pixel_size)
-        for rho in settings["ranges"]
-    ]

@@ -11,8 +11,10 @@ from typing import NamedTuple, TypedDict
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry
+from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, plastic_approach
 from hardcontact.surfaces.height_map import HeightMap
+
+Floats = NDArray[np.float64]
 
 #: Pixels along an edge of a tile.
 TILE = 64
@@ -20,15 +22,11 @@ TILE = 64
 
 @dataclass(frozen=True, eq=False)
 class Tiles:
-    """A periodic map (n, n) cut into tiles.
+    """A periodic map (n, n), in nm, cut into tiles."""
 
-    `pixels` is the period n. The blocks (tiles, TILE, tiles, TILE), in nm, are padded with minus
-    infinity; the maxima (tiles, tiles), in nm, are the highest point of each tile.
-    """
-
-    pixels: int
-    blocks: NDArray[np.floating]
-    maxima: NDArray[np.floating]
+    pixels: int  #: The period n.
+    blocks: NDArray[np.floating]  #: (tiles, TILE, tiles, TILE), padded with minus infinity.
+    maxima: NDArray[np.floating]  #: (tiles, tiles), the highest point of each.
 
     def in_window(self, position: int, window: int) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
         """Return the tiles that meet a window of pixels about the apex, along one axis.
@@ -42,24 +40,19 @@ class Tiles:
         meets = (origin <= last) & (origin + TILE > first)
         return origin[meets], np.tile(np.arange(count), len(periods))[meets]
 
-    def upper_bound(
-        self, offset_y: NDArray[np.int_], offset_x: NDArray[np.int_]
-    ) -> NDArray[np.floating]:
+    def upper_bound(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
         """Return an upper bound (k, l) of the map on TILE x TILE pixels from offsets (k,), (l,).
 
         Such a square meets at most three tiles along an axis where the last one is not full.
         """
         rows = np.maximum.reduce([np.roll(self.maxima, -i, axis=0) for i in range(3)])
         columns = np.maximum.reduce([np.roll(rows, -i, axis=1) for i in range(3)])
-        y, x = (offset % self.pixels // TILE for offset in (offset_y, offset_x))
-        bound: NDArray[np.floating] = columns[np.ix_(y, x)]
-        return bound
+        return np.asarray(columns[np.ix_(y % self.pixels // TILE, x % self.pixels // TILE)])
 
     def heights_at(self, y: NDArray[np.int_], x: NDArray[np.int_]) -> NDArray[np.floating]:
         """Return the heights (nm) at any offsets from the origin of the map."""
         y, x = y % self.pixels, x % self.pixels
-        heights: NDArray[np.floating] = self.blocks[y // TILE, y % TILE, x // TILE, x % TILE]
-        return heights
+        return np.asarray(self.blocks[y // TILE, y % TILE, x // TILE, x % TILE])
 
 
 def as_tiles(surface: HeightMap) -> Tiles:
@@ -70,9 +63,6 @@ def as_tiles(surface: HeightMap) -> Tiles:
         heights = np.pad(heights, ((0, extra), (0, extra)), constant_values=-np.inf)
     blocks = heights.reshape(count, TILE, count, TILE)
     return Tiles(surface.pixels, blocks, blocks.max(axis=1).max(axis=2))
-
-
-Floats = NDArray[np.float64]
 
 
 class Load(TypedDict):
@@ -93,19 +83,12 @@ class ContactSettings(ContactArray, Load):
 
 
 class LowestGaps(NamedTuple):
-    """The contact pixels of one contact.
+    """The contact pixels of one contact."""
 
-    Attributes
-    ----------
-    gaps : numpy.ndarray
-        (contact_pixels,) nm, ascending. The first is minus the separation of rigid closest
-        approach, the last that of plastic closest approach.
-    offsets : numpy.ndarray
-        (contact_pixels, 2) pixels from the apex: row, column.
-    """
-
+    #: (contact_pixels,) nm, ascending. The first is minus the separation of rigid closest approach,
+    #: the last that of plastic closest approach.
     gaps: Floats
-    offsets: NDArray[np.int_]
+    offsets: NDArray[np.int_]  #: (contact_pixels, 2) pixels from the apex: row, column.
 
 
 def contact_pixel_count(load: Load, pixel_size: float) -> int:
@@ -135,9 +118,12 @@ class _Window:
             substrate.in_window(index, geometry.window) for index in position
         )
         self.offset_y, self.offset_x = first_y - position[0], first_x - position[1]
-        bound = _sphere_lowest_in_tile(self.offset_y, geometry)[:, None] + _sphere_lowest_in_tile(
-            self.offset_x, geometry
+        # The lowest point of the sphere over the TILE pixels that begin at each offset.
+        low_y, low_x = (
+            geometry.paraboloid(np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0))
+            for offset in (self.offset_y, self.offset_x)
         )
+        bound = low_y[:, None] + low_x
         bound -= substrate.maxima[self.tile_y].take(self.tile_x, axis=1)
         if roughness is not None:
             bound -= roughness.upper_bound(self.offset_y, self.offset_x)
@@ -153,24 +139,15 @@ class _Window:
         """Return the gaps (tiles, TILE, TILE) in nm, infinite outside the window."""
         row, column = np.unravel_index(tiles, self.shape)
         y, x = self.offsets(tiles)
-        gaps: Floats = (
-            _sphere_in_window(y, self.geometry)[:, :, None]
-            + _sphere_in_window(x, self.geometry)[:, None, :]
-            - self.substrate.blocks[self.tile_y[row], :, self.tile_x[column], :]
+        sphere_y, sphere_x = (
+            np.where(self.geometry.inside(offset), self.geometry.paraboloid(offset), np.inf)
+            for offset in (y, x)
         )
+        blocks = self.substrate.blocks[self.tile_y[row], :, self.tile_x[column], :]
+        gaps: Floats = sphere_y[:, :, None] + sphere_x[:, None, :] - blocks
         if self.roughness is not None:
             gaps -= self.roughness.heights_at(y[:, :, None], x[:, None, :])
         return gaps
-
-
-def _sphere_lowest_in_tile(offset: NDArray[np.int_], geometry: ContactGeometry) -> Floats:
-    """Return the lowest point of the sphere over the TILE pixels that begin at each offset."""
-    return geometry.paraboloid(np.maximum(np.maximum(offset, -(offset + TILE - 1)), 0))
-
-
-def _sphere_in_window(offset: NDArray[np.int_], geometry: ContactGeometry) -> Floats:
-    """Return the sphere at offsets inside the window, infinity outside it."""
-    return np.where(geometry.inside(offset), geometry.paraboloid(offset), np.inf)
 
 
 def lowest_gaps(
@@ -182,10 +159,9 @@ def lowest_gaps(
 ) -> LowestGaps:
     """Return the smallest gaps of one contact and the pixels that they belong to.
 
-    Only tiles with a lower bound on their gaps below the largest gap of the contact are read: tiles
-    of the heights h of the substrate and of the roughness t of the sphere, None of a smooth one.
-    The position (2,) is the pixel of the apex: row, column. Gaps are as many as contact pixels;
-    equal ones come in the order of their offsets.
+    Only tiles with a lower bound on their gaps below the largest gap of the contact are read. The
+    roughness is None of a smooth sphere, the position (2,) the pixel of the apex: row, column.
+    Gaps are as many as contact pixels; equal ones come in the order of their offsets.
     """
     window = _Window(substrate, roughness, geometry, position)
     limit = _limit_of_gaps(window, contact_pixels)
@@ -206,14 +182,8 @@ def _limit_of_gaps(window: _Window, contact_pixels: int) -> float:
     It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
     """
     most = min(-(-contact_pixels // TILE**2), window.bound.size)
-    if most == 1:
-        tiles = np.array([window.bound.argmin()])
-    else:
-        tiles = np.argpartition(window.bound, most - 1)[:most]
-    gaps = window.gaps(tiles).ravel()
-    if gaps.size < contact_pixels:
-        return float("inf")
-    return float(np.partition(gaps, contact_pixels - 1)[contact_pixels - 1])
+    gaps = window.gaps(np.argpartition(window.bound, most - 1)[:most])
+    return plastic_approach(gaps, contact_pixels) if gaps.size >= contact_pixels else np.inf
 
 
 def _gaps_up_to(window: _Window, tiles: NDArray[np.int_], limit: float) -> LowestGaps:
@@ -230,7 +200,7 @@ def _lowest(first: LowestGaps, second: LowestGaps, contact_pixels: int) -> Lowes
     offsets = np.concatenate([first.offsets, second.offsets])
     if gaps.size > contact_pixels:
         # Few are left to sort, and equal gaps at the end are all among them.
-        low = gaps <= np.partition(gaps, contact_pixels - 1)[contact_pixels - 1]
+        low = gaps <= plastic_approach(gaps, contact_pixels)
         gaps, offsets = gaps[low], offsets[low]
     order = np.lexsort((offsets[:, 1], offsets[:, 0], gaps))[:contact_pixels]
     return LowestGaps(gaps[order], offsets[order])

@@ -25,11 +25,9 @@ def closest_gaps(heights: NDArray[np.floating], geometry: ContactGeometry) -> Fl
     (contact,) ascend. The gap (contact, contact) is minus the separation of rigid closest approach.
     """
     rows, columns = touching_pixels(heights, geometry)
-    sphere = geometry.paraboloid(rows - geometry.positions[:, None]) + geometry.paraboloid(
-        columns - geometry.positions
-    )
-    pixels = len(heights)
-    return np.asarray(sphere - heights[rows % pixels, columns % pixels])
+    offset_y, offset_x = rows - geometry.positions[:, None], columns - geometry.positions
+    sphere = geometry.paraboloid(offset_y) + geometry.paraboloid(offset_x)
+    return np.asarray(sphere - heights[rows % len(heights), columns % len(heights)])
 
 
 def touching_pixels(

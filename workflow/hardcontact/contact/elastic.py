@@ -18,7 +18,6 @@ from scipy.optimize import minimize_scalar
 from SurfaceTopography import Topography
 from threadpoolctl import threadpool_limits
 
-from hardcontact.contact import hertz
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.contact.geometry import (
     Bodies,
@@ -27,7 +26,8 @@ from hardcontact.contact.geometry import (
     sampled_contacts,
     window_pixels,
 )
-from hardcontact.records.log import progress
+from hardcontact.contact.smooth_sphere import Material, effective_modulus, hertz_contact
+from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
 
@@ -94,11 +94,9 @@ def adhesive_pull_off(
     Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
     bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
     paper, elastic analysis). The gap (n, n) at any approach, the pixel size and rho, the range of
-    adhesion, are in nm, the effective modulus in Pa and the work of adhesion in J/m².
-
-    A ValueError is raised if no equilibrium was reached, and for bodies so soft that attraction
-    stretches them by more than a tenth of rho: their pull-off may lie outside the range that is
-    searched.
+    adhesion, are in nm, the effective modulus in Pa and the work of adhesion in J/m². A ValueError
+    is raised if no equilibrium was reached, and for bodies so soft that attraction stretches them
+    by more than a tenth of rho: their pull-off may lie outside the range that is searched.
     """
     heights = gap.min() - gap
     attraction = work_of_adhesion / rho * pixel_size**2 * np.exp(heights / rho)
@@ -168,13 +166,6 @@ UNITS = {
 }
 
 
-class Material(TypedDict):
-    """Young's modulus (Pa) and Poisson's ratio of a body."""
-
-    modulus: float
-    poisson_ratio: float
-
-
 class ElasticSettings(TypedDict):
     """Materials, number of contacts, and edge of the window in nm that is solved for the pull-off.
 
@@ -187,74 +178,42 @@ class ElasticSettings(TypedDict):
     window: float
 
 
-class _Solver(NamedTuple):
-    """What all contacts of a pair are solved with; period and window in pixels."""
-
-    bodies: Bodies
-    contact: ContactSettings
-    modulus: float
-    rho: float
-    work_of_adhesion: float
-    period: int
-    window: int
-
-    def numbers(self, place: NDArray[np.int_]) -> tuple[dict[str, float], NDArray[np.float64]]:
-        """Return the numbers of one contact, named as in UNITS, and the pressure at its peak."""
-        gap, pixel_size = gap_map(self.bodies, place), self.bodies.geometry.pixel_size
-        pressure, iterations = contact_at_load(
-            part_around_lowest(gap, self.period), pixel_size, self.modulus, self.contact["preload"]
-        )
-        near = part_around_lowest(gap, self.window)
-        pull_off = adhesive_pull_off(
-            near, pixel_size, self.modulus, self.work_of_adhesion, self.rho
-        )
-        contact_pressure = pressure[pressure > 0]
-        numbers = (
-            contact_pressure.size * pixel_size**2,
-            np.mean(contact_pressure > self.contact["hardness"]),
-            contact_pressure.max(),
-            contact_pressure.mean(),
-            pull_off.rigid,
-            pull_off.elastic,
-            iterations + pull_off.iterations,
-        )
-        peak = -part_around_lowest(-pressure, min(64, self.period))
-        return dict(zip(UNITS, numbers, strict=True)), peak
-
-    def attributes(self) -> dict[str, float]:
-        """Return what the contacts are solved with, in nm, N, Pa and J/m²."""
-        geometry, preload = self.bodies.geometry, self.contact["preload"]
-        return {
-            "hardness": self.contact["hardness"],
-            "preload": preload,
-            "effective_modulus": self.modulus,
-            "rho": self.rho,
-            "work_of_adhesion": self.work_of_adhesion,
-            "window": self.window * geometry.pixel_size,
-            "sphere_radius": geometry.radius,
-            "hertz_peak_pressure": hertz.contact(
-                preload, geometry.radius, self.modulus
-            ).peak_pressure,
-        }
-
-
-def _solver(
-    bodies: Bodies,
-    contact: ContactSettings,
-    elastic: ElasticSettings,
-    rho: float,
-    work_of_adhesion: float,
-) -> _Solver:
-    """Return what all contacts of a pair of scans are solved with."""
-    modulus = hertz.effective_modulus(
-        elastic["sphere"]["modulus"],
-        elastic["sphere"]["poisson_ratio"],
-        elastic["substrate"]["modulus"],
-        elastic["substrate"]["poisson_ratio"],
+def _numbers(
+    contact: ElasticContact, pull_off: ElasticPullOff, pixel_size: float, hardness: float
+) -> tuple[float, ...]:
+    """Return the numbers of UNITS of one contact."""
+    pressure = contact.pressure[contact.pressure > 0]
+    return (
+        pressure.size * pixel_size**2,
+        float(np.mean(pressure > hardness)),
+        pressure.max(),
+        pressure.mean(),
+        pull_off.rigid,
+        pull_off.elastic,
+        contact.iterations + pull_off.iterations,
     )
-    period = min(bodies.substrate.pixels, bodies.geometry.window)
-    window = min(window_pixels(elastic["window"], bodies.geometry.pixel_size), period)
-    return _Solver(bodies, contact, modulus, rho, work_of_adhesion, period, window)
+
+
+def _as_dataset(
+    places: NDArray[np.int_], numbers: list[tuple[float, ...]], peak: Floats, pixel_size: float
+) -> xr.Dataset:
+    """Return the numbers of UNITS of contacts at places (contacts, 2), and a pressure (n, n)."""
+    variables = {
+        name: ("contact", list(values), {"units": unit})
+        for (name, unit), values in zip(UNITS.items(), zip(*numbers, strict=True), strict=True)
+    }
+    position = (np.arange(len(peak)) - len(peak) // 2) * pixel_size
+    from_peak = {"units": "nm", "long_name": "position from the peak"}
+    example = {"units": "Pa", "long_name": "pressure, one contact"}
+    return xr.Dataset(
+        variables | {"pressure": (("y", "x"), peak, example)},
+        {
+            "contact_y": ("contact", places[:, 0]),
+            "contact_x": ("contact", places[:, 1]),
+            "y": ("y", position, from_peak),
+            "x": ("x", position, from_peak),
+        },
+    )
 
 
 def elastic_contacts_of_pair(
@@ -267,47 +226,32 @@ def elastic_contacts_of_pair(
 ) -> xr.Dataset:
     """Return some contacts of a pair of scans, elastic instead of rigid or plastic.
 
-    Parameters
-    ----------
-    bodies : Bodies
-        With a rough sphere.
-    contact : ContactSettings
-        Array of contacts and load.
-    elastic : ElasticSettings
-        Materials, number of contacts and window.
-    rho : float
-        Range of adhesion in nm.
-    work_of_adhesion : float
-        In J/m².
-    rng : numpy.random.Generator
-        Draws the contacts.
-
-    Returns
-    -------
-    xarray.Dataset
-        The variables of UNITS by contact; of the first the pressure (y, x) about its peak.
+    The range of adhesion rho is in nm, the work of adhesion in J/m²; the generator draws the
+    contacts. The dataset has the variables of UNITS by contact, and of the first the pressure
+    (y, x) about its peak.
     """
-    solver = _solver(bodies, contact, elastic, rho, work_of_adhesion)
+    geometry, modulus = bodies.geometry, effective_modulus(elastic["sphere"], elastic["substrate"])
+    preload, hardness, pixel_size = contact["preload"], contact["hardness"], geometry.pixel_size
+    period = min(bodies.substrate.pixels, geometry.window)
+    window = min(window_pixels(elastic["window"], pixel_size), period)
     places = sampled_contacts(rng, contact["count"], elastic["contacts"])
+    numbers, peaks = [], []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):
-        steps = progress(places, len(places), "elastic contacts")
-        solved = [solver.numbers(place) for place in steps]
-    pressure = solved[0][1]
-    position = (np.arange(pressure.shape[0]) - pressure.shape[0] // 2) * bodies.geometry.pixel_size
-    from_peak = {"units": "nm", "long_name": "position from the peak"}
-    variables = {
-        name: ("contact", [numbers[name] for numbers, _ in solved], {"units": unit})
-        for name, unit in UNITS.items()
-    }
-    example = {"units": "Pa", "long_name": "pressure, one contact"}
-    return xr.Dataset(
-        variables | {"pressure": (("y", "x"), pressure, example)},
-        {
-            "contact_y": ("contact", places[:, 0]),
-            "contact_x": ("contact", places[:, 1]),
-            "y": ("y", position, from_peak),
-            "x": ("x", position, from_peak),
-        },
-        solver.attributes(),
+        for place in progress(places, len(places), "elastic contacts"):
+            gap = gap_map(bodies, place)
+            whole, near = part_around_lowest(gap, period), part_around_lowest(gap, window)
+            pressed = contact_at_load(whole, pixel_size, modulus, preload)
+            pull_off = adhesive_pull_off(near, pixel_size, modulus, work_of_adhesion, rho)
+            numbers.append(_numbers(pressed, pull_off, pixel_size, hardness))
+            peaks.append(-part_around_lowest(-pressed.pressure, min(64, period)))
+    return _as_dataset(places, numbers, peaks[0], pixel_size).assign_attrs(
+        hardness=hardness,
+        preload=preload,
+        effective_modulus=modulus,
+        rho=rho,
+        work_of_adhesion=work_of_adhesion,
+        window=window * pixel_size,
+        sphere_radius=geometry.radius,
+        hertz_peak_pressure=hertz_contact(preload, geometry.radius, modulus).peak_pressure,
     )

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
+Floats = NDArray[np.float64]
+
 
 class ContactArray(TypedDict):
     """Edge of the analysis window (nm) and contacts along an edge of the array."""
@@ -23,26 +25,15 @@ class ContactArray(TypedDict):
 
 @dataclass(frozen=True, eq=False)
 class ContactGeometry:
-    """The smooth sphere, its analysis window and the array of contacts.
+    """The smooth sphere, its analysis window and the array of contacts."""
 
-    Attributes
-    ----------
-    radius : float
-        Of the sphere, in nm.
-    pixel_size : float
-        Edge of a pixel in nm.
-    window : int
-        Pixels along an edge of the analysis window, even.
-    positions : numpy.ndarray
-        (contact,) pixels along either axis; the contacts are all pairs of them.
-    """
-
-    radius: float
-    pixel_size: float
-    window: int
+    radius: float  #: Of the sphere, in nm.
+    pixel_size: float  #: Edge of a pixel in nm.
+    window: int  #: Pixels along an edge of the analysis window, even.
+    #: (contact,) pixels along either axis; the contacts are all pairs of them.
     positions: NDArray[np.int_]
 
-    def paraboloid(self, offsets: ArrayLike) -> NDArray[np.float64]:
+    def paraboloid(self, offsets: ArrayLike) -> Floats:
         """Return the height (nm) of the sphere along one axis, u pixels from its apex: (u p)²/2R.
 
         The height at (u, v) is the sum of both axes; this makes the force sum separable.
@@ -60,24 +51,22 @@ class ContactGeometry:
 
 @dataclass(frozen=True, eq=False)
 class Bodies:
-    """A substrate and a sphere on common pixels, ready for contact.
+    """A substrate and a sphere on common pixels, ready for contact."""
 
-    Attributes
-    ----------
-    substrate : HeightMap
-        Heights h (n, n), periodic.
-    roughness : HeightMap or None
-        Of the sphere, t (m, m), periodic, its apex at the origin; None of a smooth sphere.
-    geometry : ContactGeometry
-        The sphere over the substrate.
-    stretch : float
-        Relative change of a period that common pixels needed, at most half a pixel a period.
-    """
-
-    substrate: HeightMap
+    substrate: HeightMap  #: Heights h (n, n), periodic.
+    #: Of the sphere, t (m, m), periodic, its apex at the origin; None of a smooth sphere.
     roughness: HeightMap | None
     geometry: ContactGeometry
+    #: Relative change of a period that common pixels needed, at most half a pixel a period.
     stretch: float = 0.0
+
+    def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
+        """Return the height s - t (k, l) of the sphere in nm, k and l pixels from its apex."""
+        shape = self.geometry.paraboloid(rows)[:, None] + self.geometry.paraboloid(columns)
+        if self.roughness is not None:
+            period = self.roughness.pixels
+            shape -= self.roughness.heights[np.ix_(rows % period, columns % period)]
+        return shape
 
 
 def window_pixels(window: float, pixel_size: float) -> int:
@@ -125,7 +114,10 @@ def bodies(
         (substrate, first), (rough, second) = (
             _on_pixels(surface, fine) for surface in (substrate, sphere)
         )
-        roughness, stretch = _with_apex_at_origin(rough), max(first, second)
+        # The origin of a stitched map is a corner of the scan, the apex in the middle of it.
+        middle = rough.pixels // 4
+        heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
+        roughness, stretch = replace(rough, heights=heights), max(first, second)
     geometry = ContactGeometry(
         radius,
         substrate.pixel_size,
@@ -150,16 +142,7 @@ def _on_pixels(surface: HeightMap, pixel_size: float) -> tuple[HeightMap, float]
     return replace(surface, pixel_size=pixel_size), stretch
 
 
-def _with_apex_at_origin(stitched: HeightMap) -> HeightMap:
-    """Return the stitched scan of a sphere with its apex in the middle of the scan.
-
-    The origin of the stitched map is a corner of the scan, about which the map is symmetric.
-    """
-    middle = stitched.pixels // 4
-    return replace(stitched, heights=np.roll(stitched.heights, (-middle, -middle), axis=(0, 1)))
-
-
-def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> NDArray[np.float64]:
+def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> Floats:
     """Return the height of a rough sphere near one place of it, in nm above the apex.
 
     The centre (2,) is in pixels from the apex: row, column. The map, (2 reach + 1, 2 reach + 1),
@@ -167,17 +150,7 @@ def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> NDArray[np.flo
     """
     if pair.roughness is None:
         raise ValueError("expected a rough sphere, found a smooth one")
-    geometry, offset = pair.geometry, np.arange(-reach, reach + 1)
-    rows, columns = (place + offset for place in np.asarray(centre))
-    period = pair.roughness.pixels
-    return np.asarray(
-        geometry.paraboloid(rows)[:, None]
-        + geometry.paraboloid(columns)
-        - pair.roughness.heights[np.ix_(rows % period, columns % period)]
-    )
-
-
-Floats = NDArray[np.float64]
+    return pair.sphere(*(place + np.arange(-reach, reach + 1) for place in np.asarray(centre)))
 
 
 def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
@@ -196,14 +169,10 @@ def gap_map(bodies: Bodies, place: tuple[int, int] | NDArray[np.int_]) -> Floats
     The apex stands at the pixel (window/2, window/2).
     """
     geometry, offset = bodies.geometry, bodies.geometry.offsets()
-    shape = geometry.paraboloid(offset)
     rows, columns = (
         (geometry.positions[index] + offset) % bodies.substrate.pixels for index in place
     )
-    gap = shape[:, None] + shape
-    if bodies.roughness is not None:
-        around = offset % bodies.roughness.pixels
-        gap -= bodies.roughness.heights[np.ix_(around, around)]
+    gap = bodies.sphere(offset, offset)
     gap -= bodies.substrate.heights[np.ix_(rows, columns)]
     return gap
 

@@ -4,7 +4,6 @@ Contact pixels that share an edge or a corner belong to one indent.
 """
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -15,7 +14,7 @@ from scipy.sparse.csgraph import connected_components
 from hardcontact.contact.bearing_area import Load, LowestGaps, all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, ContactArray, bodies, sphere_height
 from hardcontact.records.dataset import stack
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Pixels on either side of the deepest in the height map of one contact.
@@ -25,16 +24,12 @@ UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indents": "1
 
 
 class Indents(NamedTuple):
-    """The size of the indents that one plastic contact leaves in the sphere.
+    """The size of the indents that one plastic contact leaves in the sphere, in nm."""
 
-    The depth of the deepest pixel, the root of the area of the largest indent and the longer side
-    of its bounding box are in nm; `indents` counts the connected ones.
-    """
-
-    depth: float
-    edge_length: float
-    lateral_size: float
-    indents: int
+    depth: float  #: Of the deepest pixel.
+    edge_length: float  #: Root of the area of the largest indent.
+    lateral_size: float  #: Longer side of its bounding box.
+    indents: int  #: Number of connected ones.
 
 
 def indents(contact: LowestGaps, pixel_size: float) -> Indents:
@@ -71,53 +66,6 @@ class IndentingContact(ContactArray):
     hardness: float
 
 
-@dataclass(frozen=True)
-class _Scans:
-    """Scans of a substrate and of the sphere, by number, with the array of contacts and loads."""
-
-    substrates: Mapping[int, HeightMap]
-    spheres: Mapping[int, HeightMap]
-    radius: float
-    contact: IndentingContact
-    preloads: Sequence[float]
-
-    def bodies(self, scan: int, sphere_scan: int) -> Bodies:
-        """Bring one pair together."""
-        substrate, sphere = self.substrates[scan], self.spheres[sphere_scan]
-        return bodies(substrate, sphere, self.radius, self.contact)
-
-    def contacts(self, pair: Bodies) -> list[dict[tuple[int, int], LowestGaps]]:
-        """Return the contact pixels of all contacts of a pair, at each preload."""
-        hardness, pixel_size = self.contact["hardness"], pair.geometry.pixel_size
-        contact_pixels = [
-            contact_pixel_count(Load(preload=preload, hardness=hardness), pixel_size)
-            for preload in self.preloads
-        ]
-        largest = all_lowest_gaps(pair, max(contact_pixels))
-        return [
-            {place: LowestGaps(gaps[:n], offsets[:n]) for place, (gaps, offsets) in largest.items()}
-            for n in contact_pixels
-        ]
-
-    def sizes(self, scan: int, sphere_scan: int) -> xr.Dataset:
-        """Return the indents (preload, contact_y, contact_x) of one pair of scans."""
-        pair = self.bodies(scan, sphere_scan)
-        contacts_along_edge = self.contact["count"]
-        sizes = np.array(
-            [
-                [indents(one, pair.geometry.pixel_size) for one in contacts.values()]
-                for contacts in self.contacts(pair)
-            ]
-        ).reshape(len(self.preloads), contacts_along_edge, contacts_along_edge, -1)
-        dimensions = ("preload", "contact_y", "contact_x")
-        return xr.Dataset(
-            {
-                name: (dimensions, sizes[..., k], {"units": unit})
-                for k, (name, unit) in enumerate(UNITS.items())
-            }
-        )
-
-
 def indents_of_scans(
     substrates: Mapping[int, HeightMap],
     spheres: Mapping[int, HeightMap],
@@ -131,25 +79,65 @@ def indents_of_scans(
     (scan, sphere_scan, preload, contact_y, contact_x), and of the contact of median depth at the
     largest preload ``indentation`` (preload, y, x) and ``sphere_height`` (y, x).
     """
-    scans = _Scans(substrates, spheres, radius, contact, preloads)
+
+    def brought_together(scan: int, sphere_scan: int) -> Bodies:
+        return bodies(substrates[scan], spheres[sphere_scan], radius, contact)
+
+    loads = [Load(preload=preload, hardness=contact["hardness"]) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
-    steps = progress(keys, len(keys), "pairs of scans")
-    sizes = stack({key: scans.sizes(*key) for key in steps}, ["scan", "sphere_scan"])
+    parts = {
+        key: _sizes(brought_together(*key), loads)
+        for key in progress(keys, len(keys), "pairs of scans")
+    }
+    sizes = stack(parts, ["scan", "sphere_scan"])
     sizes = sizes.assign_coords(preload=("preload", list(preloads), {"units": "N"}))
-    return _with_median_contact(sizes, scans).assign_attrs(
+    key, place = _median_contact(sizes)
+    return _with_contact(sizes, brought_together(*key), loads, place).assign_attrs(
         hardness=contact["hardness"], sphere_radius=radius
     )
 
 
-def _with_median_contact(sizes: xr.Dataset, scans: _Scans) -> xr.Dataset:
-    """Add the indents of the contact whose depth at the largest preload is the median."""
+def _contacts(pair: Bodies, loads: Sequence[Load]) -> list[dict[tuple[int, int], LowestGaps]]:
+    """Return the contact pixels of all contacts of a pair, at each load."""
+    counts = [contact_pixel_count(load, pair.geometry.pixel_size) for load in loads]
+    largest = all_lowest_gaps(pair, max(counts))
+    return [
+        {place: LowestGaps(gaps[:n], offsets[:n]) for place, (gaps, offsets) in largest.items()}
+        for n in counts
+    ]
+
+
+def _sizes(pair: Bodies, loads: Sequence[Load]) -> xr.Dataset:
+    """Return the indents (preload, contact_y, contact_x) of one pair of scans."""
+    sizes = np.array(
+        [
+            [indents(one, pair.geometry.pixel_size) for one in contacts.values()]
+            for contacts in _contacts(pair, loads)
+        ]
+    ).reshape(len(loads), *[len(pair.geometry.positions)] * 2, -1)
+    dimensions = ("preload", "contact_y", "contact_x")
+    return xr.Dataset(
+        {
+            name: (dimensions, sizes[..., k], {"units": unit})
+            for k, (name, unit) in enumerate(UNITS.items())
+        }
+    )
+
+
+def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]]:
+    """Return scans and place of the contact whose depth at the largest preload is the median."""
     dimensions = ["scan", "sphere_scan", "contact_y", "contact_x"]
-    depth = sizes.depth.sel(preload=max(scans.preloads)).transpose(*dimensions).to_numpy()
+    depth = sizes.depth.sel(preload=sizes.preload.max()).transpose(*dimensions).to_numpy()
     number = np.argsort(depth, axis=None)[depth.size // 2]
     scan, sphere_scan, i, j = (int(index) for index in np.unravel_index(number, depth.shape))
-    pair = scans.bodies(int(sizes.scan[scan]), int(sizes.sphere_scan[sphere_scan]))
-    contacts = [of_all[i, j] for of_all in scans.contacts(pair)]
-    deepest = contacts[0].offsets[0]
+    return (int(sizes.scan[scan]), int(sizes.sphere_scan[sphere_scan])), (i, j)
+
+
+def _with_contact(
+    sizes: xr.Dataset, pair: Bodies, loads: Sequence[Load], place: tuple[int, int]
+) -> xr.Dataset:
+    """Add the indents of one contact at every preload, and the sphere there."""
+    contacts = [of_all[place] for of_all in _contacts(pair, loads)]
     position = np.arange(-REACH, REACH + 1) * pair.geometry.pixel_size
     axis = {"units": "nm", "long_name": "position from the deepest point"}
     return sizes.assign(
@@ -160,7 +148,7 @@ def _with_median_contact(sizes: xr.Dataset, scans: _Scans) -> xr.Dataset:
         ),
         sphere_height=(
             ("y", "x"),
-            sphere_height(pair, deepest, REACH),
+            sphere_height(pair, contacts[0].offsets[0], REACH),
             {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

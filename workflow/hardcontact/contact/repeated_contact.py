@@ -21,32 +21,23 @@ from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
 
-#: Pixels that share an edge or a corner belong to one indent, as in the indents of one contact.
-NEIGHBOURS = np.ones((3, 3))
-
 
 @dataclass(frozen=True, eq=False)
 class Indentation:
-    """One contact of a sequence: its contact pixels, with the gaps before they were flattened.
+    """One contact of a sequence."""
 
-    The depth (window, window), in nm, is what the sphere is flattened by after it, the apex at the
-    pixel (window/2, window/2). It is the same array at every contact and changes with the next.
-    """
-
-    contact: LowestGaps
+    contact: LowestGaps  #: With the gaps before they were flattened.
+    #: (window, window) in nm, what the sphere is flattened by after it, the apex at the pixel
+    #: (window/2, window/2). It is the same array at every contact and changes with the next.
     depth: Floats
 
 
 class IndentSizes(NamedTuple):
-    """The indents in a sphere, one value an indent, in nm.
+    """The indents in a sphere, one value an indent, in nm."""
 
-    The depth is of the deepest pixel, the edge length is the root of the area and the lateral size
-    the longer side of the bounding box.
-    """
-
-    depth: Floats
-    edge_length: Floats
-    lateral_size: Floats
+    depth: Floats  #: Of the deepest pixel.
+    edge_length: Floats  #: Root of the area.
+    lateral_size: Floats  #: Longer side of the bounding box.
 
 
 def over_window(bodies: Bodies) -> Bodies:
@@ -99,7 +90,8 @@ def _flatten(roughness: Tiles, offsets: NDArray[np.int_], penetration: Floats) -
 
 def indent_sizes(depth: Floats, pixel_size: float) -> IndentSizes:
     """Return the sizes of the connected indents in a map (n, n) of depths in nm."""
-    label, _ = ndimage.label(depth > 0, NEIGHBOURS)
+    # Pixels that share an edge or a corner belong to one indent, as in the indents of one contact.
+    label, _ = ndimage.label(depth > 0, np.ones((3, 3)))
     boxes = ndimage.find_objects(label)
     deepest = [depth[box][label[box] == k].max() for k, box in enumerate(boxes, 1)]
     longest = [max(side.stop - side.start for side in box) for box in boxes]

@@ -12,8 +12,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.contact import hertz
-from hardcontact.inference import smooth_sphere
+from hardcontact.contact import smooth_sphere
+from hardcontact.contact.smooth_sphere import Material
 from hardcontact.inference.classical_fits import (
     RoughnessSamples,
     compare_models,
@@ -45,43 +45,31 @@ def effective_works(
 ) -> xr.Dataset:
     """Return the effective work of adhesion with three Tabor parameters.
 
-    These are the printed parameter, that of the published work of adhesion, and the self-consistent
-    one, that of the effective work itself; `value` has the published `tabor_parameter` and
-    `work_of_adhesion`. The work is computed with the fit of the transition between JKR and DMT;
-    `pull_off_coefficient`, F/πRW, is given by the fit and by the exact pair of equations. Over
-    transition, tabor and surface.
+    These are the printed one, that of the published work of adhesion, both in `value`, and the
+    self-consistent one, that of the effective work itself. The work is computed with the fit of the
+    transition between JKR and DMT; `pull_off_coefficient`, F/πRW, is given by the fit and by the
+    exact pair of equations. Over transition, tabor and surface.
     """
-    tabor, coefficient = ("tabor", "surface"), smooth_sphere.transition_coefficient
-    own, ends = (_tabor_parameters(forces, contact, value) for forces in force)
-    work, interval = (
-        smooth_sphere.effective_work_of_adhesion(
-            forces, contact.radius, coefficient(smooth_sphere.maugis_parameter(tabors))
-        )
-        for forces, tabors in zip(force, (own, ends), strict=True)
+    forces = np.column_stack([force.value, force.interval])
+    own = smooth_sphere.self_consistent_work_of_adhesion(forces, *contact)
+    given = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *contact)
+    tabor = np.stack(
+        [
+            np.full(forces.shape, value["tabor_parameter"]),
+            np.full(forces.shape, given),
+            smooth_sphere.tabor_parameter(own, *contact),
+        ]
     )
-    units = {"units": "J m-2"}
+    fitted = smooth_sphere.transition_coefficient(smooth_sphere.maugis_parameter(tabor))
+    work = smooth_sphere.effective_work_of_adhesion(forces, contact.radius, fitted)
+    over, name = ("tabor", "surface"), "effective_work_of_adhesion"
     data = xr.Dataset(
-        with_interval("effective_work_of_adhesion", tabor, work, interval, units, confidence)
-        | {"effective_tabor_parameter": (tabor, own, {"units": "1"})},
+        with_interval(name, over, work[..., 0], work[..., 1:], ENERGY, confidence)
+        | {"effective_tabor_parameter": (over, tabor[..., 0], ONE)},
         {"tabor": ["printed", "computed", "self_consistent"]},
     )
     return data.assign(
         pull_off_coefficient=pull_off_coefficients(data["effective_tabor_parameter"])
-    )
-
-
-def _tabor_parameters(
-    force: np.ndarray, contact: Contact, value: Mapping[Any, float]
-) -> np.ndarray:
-    """Return Tabor parameters (3, ...) for forces (...), as in `effective_works`."""
-    own = smooth_sphere.self_consistent_work_of_adhesion(force, *contact)
-    given = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *contact)
-    return np.stack(
-        [
-            np.full(force.shape, value["tabor_parameter"]),
-            np.full(force.shape, given),
-            smooth_sphere.tabor_parameter(own, *contact),
-        ]
     )
 
 
@@ -99,7 +87,7 @@ def pull_off_coefficients(tabor: xr.DataArray) -> xr.DataArray:
         np.stack(list(both.values())),
         {"transition": list(both)} | dict(tabor.coords),
         ("transition", *tabor.dims),
-        attrs={"units": "1"},
+        attrs=ONE,
     )
 
 
@@ -121,35 +109,28 @@ def apply_classical_models(
 ) -> xr.Dataset:
     """Return effective works of adhesion and the forces and fits of classical models.
 
-    Parameters
-    ----------
-    inference : xarray.Dataset
-        That of the study: `force_mean` in N with its interval, of which that of plastic contact at
-        the published pair is taken; label and basis of each surface; attributes sphere_radius in nm
-        and error_threshold.
-    constants, table1, printed : pandas.DataFrame
-        As from `published.constants`, `published.table1` and `published.printed_pull_off`.
-    sampling : Sampling
-        Roughness is drawn within the uncertainty of Table 1.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over surface, model, metrics, against, tabor, transition, tabor_axis and rms_parameter; NaN
-        for surfaces of which the paper prints no force or no roughness. The interval of a printed
-        number holds whatever is rounded to it.
+    Of the inference of the study the mean forces of plastic contact at the published pair are
+    taken; the tables are those of `published.constants`, `table1` and `printed_pull_off`. Roughness
+    is drawn within its uncertainty. Surfaces of which the paper prints no force or no roughness are
+    NaN; the interval of a printed number holds whatever is rounded to it.
     """
     value, confidence = constants["value"].to_dict(), sampling.confidence
     contact = _contact(inference.attrs["sphere_radius"], value)
     published = _published(inference["surface"].values.tolist(), table1, printed)
-    computed = _computed_forces(inference, published.surfaces)
+    plastic = inference.sel(contact_model="plastic", pair="published", surface=published.surfaces)
+    interval = plastic["force_mean_interval"].transpose("surface", "bound")
+    computed = PerSurface(plastic["force_mean"].values, interval.values)
+    descriptions = {
+        f"model_{field}": ("model", [getattr(model, field) for model in MODELS.values()])
+        for field in ("label", "roughness", "verified")
+    }
     forces = {"published": published.force, "computed": computed}
     return (
         _works_and_models(forces, published.roughness, contact, value, sampling)
         .assign(_forces_and_works(published, computed, contact.radius, confidence))
         .assign_coords(surface=published.surfaces)
         .reindex(surface=inference["surface"].values)
-        .assign(_smooth_sphere(contact, value) | _descriptions_of_models())
+        .assign(_smooth_sphere(contact, value) | descriptions)
         .assign(label=inference["label"], basis=inference["basis"])
         .assign_attrs(
             sphere_radius=contact.radius,
@@ -163,13 +144,13 @@ def apply_classical_models(
 
 def _contact(radius: float, value: Mapping[Any, float]) -> Contact:
     """Return the contact of the published sphere and substrate."""
-    modulus = hertz.effective_modulus(
-        value["sphere_youngs_modulus"],
-        value["sphere_poisson_ratio"],
-        value["substrate_youngs_modulus"],
-        value["substrate_poisson_ratio"],
+    bodies = (
+        Material(
+            modulus=value[f"{body}_youngs_modulus"], poisson_ratio=value[f"{body}_poisson_ratio"]
+        )
+        for body in ("sphere", "substrate")
     )
-    return Contact(radius, modulus, value["equilibrium_spacing"])
+    return Contact(radius, smooth_sphere.effective_modulus(*bodies), value["equilibrium_spacing"])
 
 
 def _published(names: list[str], table1: pd.DataFrame, printed: pd.DataFrame) -> _Published:
@@ -205,13 +186,6 @@ def _half_unit(printed: str) -> float:
     return float(Decimal(5).scaleb(int(exponent) - 1))
 
 
-def _computed_forces(inference: xr.Dataset, surfaces: list[str]) -> PerSurface:
-    """Return the mean forces of plastic contacts at the published range and work of adhesion."""
-    plastic = inference.sel(contact_model="plastic", pair="published", surface=surfaces)
-    interval = plastic["force_mean_interval"].transpose("surface", "bound")
-    return PerSurface(plastic["force_mean"].values, interval.values)
-
-
 def _works_and_models(
     forces: Mapping[str, PerSurface],
     roughness: Mapping[str, tuple[Roughness, Roughness]],
@@ -220,13 +194,11 @@ def _works_and_models(
     sampling: Sampling,
 ) -> xr.Dataset:
     """Return effective works, models and power laws against published and computed forces."""
-    effective = stack(
-        {
-            (against,): effective_works(force, contact, value, sampling.confidence)
-            for against, force in forces.items()
-        },
-        ["against"],
-    )
+    of_forces = {
+        (against,): effective_works(force, contact, value, sampling.confidence)
+        for against, force in forces.items()
+    }
+    effective = stack(of_forces, ["against"])
     by_printed_tabor = effective["effective_work_of_adhesion"].sel(tabor="printed")
     works = {against: by_printed_tabor.sel(against=against).values for against in forces}
     targets = {against: force.value for against, force in forces.items()}
@@ -245,10 +217,10 @@ def _forces_and_works(
 ) -> dict[str, Any]:
     """Return forces and works of each surface, and the coefficients that the printed ones imply."""
     force, work = published.force, published.work
-    implied = smooth_sphere.effective_work_of_adhesion(force.value, radius, work.value)
-    # The coefficient F/πRW is least for the least force and the greatest work.
-    ends = smooth_sphere.effective_work_of_adhesion(
-        force.interval, radius, work.interval[..., ::-1]
+    # F/πRW, which is least for the least force and the greatest work.
+    implied, ends = (
+        smooth_sphere.effective_work_of_adhesion(forces, radius, works)
+        for forces, works in zip(force, (work.value, work.interval[..., ::-1]), strict=True)
     )
     variables: dict[str, Any] = {}
     for name, numbers, units in (
@@ -264,7 +236,7 @@ def _forces_and_works(
 def _smooth_sphere(contact: Contact, value: Mapping[Any, float]) -> dict[str, Any]:
     """Return parameters of the smooth sphere, and its transition between JKR and DMT."""
     tabor = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *contact)
-    _, peak_pressure, _ = hertz.contact(value["preload"], contact.radius, contact.modulus)
+    pressed = smooth_sphere.hertz_contact(value["preload"], contact.radius, contact.modulus)
     axis = xr.DataArray(TABOR_AXIS, {"tabor_axis": ("tabor_axis", TABOR_AXIS, ONE)})
     return {
         "transition_coefficient": pull_off_coefficients(axis),
@@ -272,13 +244,5 @@ def _smooth_sphere(contact: Contact, value: Mapping[Any, float]) -> dict[str, An
         "maugis_parameter": ((), smooth_sphere.maugis_parameter(tabor), ONE),
         "printed_tabor_parameter": ((), value["tabor_parameter"], ONE),
         "effective_modulus": ((), contact.modulus, {"units": "Pa"}),
-        "hertz_peak_pressure": ((), peak_pressure, {"units": "Pa"}),
-    }
-
-
-def _descriptions_of_models() -> dict[str, Any]:
-    """Return label, assumed asperities and source of the check of each model."""
-    return {
-        f"model_{field}": ("model", [getattr(model, field) for model in MODELS.values()])
-        for field in ("label", "roughness", "verified")
+        "hertz_peak_pressure": ((), pressed.peak_pressure, {"units": "Pa"}),
     }

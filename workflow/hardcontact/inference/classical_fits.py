@@ -19,7 +19,7 @@ from hardcontact.records.dataset import stack
 WORKS = np.geomspace(1e-3, 10, 401)
 REFINEMENTS = 3
 
-ONE, NEWTON = {"units": "1"}, {"units": "N"}
+NEWTON, ONE, ENERGY = {"units": "N"}, {"units": "1"}, {"units": "J m-2"}
 
 #: Least share of the given forces that a model must reach for its work of adhesion to mean any.
 PERCEPTIBLE = 1e-3
@@ -55,16 +55,10 @@ def sample_roughness(
     Every number is drawn by itself from a normal distribution of this mean and standard deviation,
     cut off at zero; the published ± is read as the standard deviation.
     """
+    size = draws, len(mean.height)
     return Roughness(
         *(
-            truncnorm.rvs(
-                -centre / spread,
-                np.inf,
-                loc=centre,
-                scale=spread,
-                size=(draws, len(centre)),
-                random_state=rng,
-            )
+            truncnorm.rvs(-centre / spread, np.inf, centre, spread, size=size, random_state=rng)
             for centre, spread in zip(mean, uncertainty, strict=True)
         )
     )
@@ -101,8 +95,7 @@ def _best_work(
     columns = Roughness(*(values[..., None] for values in roughness))  # (..., surface, 1)
     forces = model.force(work[..., None, :], columns, contact)
     errors = error_map.mean_relative_error(forces, target, np.ones(1))[..., 0]
-    best = errors.argmin(axis=-1)[..., None]
-    return np.take_along_axis(work, best, -1)[..., 0], np.take_along_axis(errors, best, -1)[..., 0]
+    return error_map.at_least(errors, work)
 
 
 def fit_power_law(parameter: np.ndarray, work: np.ndarray) -> PowerLaw:
@@ -149,24 +142,18 @@ def compare_models(
         variables = sampling.with_interval("pull_off_force", "surface", force, drawn, NEWTON)
         forces[(name,)] = xr.Dataset(variables)
         for against, target in targets.items():
-            fitted = [fit_work(model, roughness, contact, target) for roughness in both]
-            errors = [np.abs(values / target - 1).mean(axis=-1) for values in (force, drawn)]
-            fits[name, against] = _fit(fitted, errors, sampling)
+            (fitted, least), (works, leasts) = (
+                fit_work(model, roughness, contact, target) for roughness in both
+            )
+            # Where the mean does not adhere, there is no interval.
+            works = np.where(np.isnan(fitted), np.nan, works)
+            error, errors = (np.abs(one / target - 1).mean(axis=-1) for one in (force, drawn))
+            fits[name, against] = xr.Dataset(
+                sampling.with_interval("fitted_work_of_adhesion", (), fitted, works, ENERGY)
+                | sampling.with_interval("mean_relative_error", (), least, leasts, ONE)
+                | sampling.with_interval("error_at_published_work", (), error, errors, ONE)
+            )
     return stack(forces, ["model"]).merge(stack(fits, ["model", "against"])).assign(common)
-
-
-def _fit(
-    fitted: list[tuple[np.ndarray, np.ndarray]], errors: list[np.ndarray], sampling: Sampling
-) -> xr.Dataset:
-    """Return work of adhesion and error of the best fit, and the error at the published work."""
-    (work, least), (works, leasts) = fitted
-    error, drawn_errors = errors
-    works = np.where(np.isnan(work), np.nan, works)  # where the mean does not adhere, no interval
-    return xr.Dataset(
-        sampling.with_interval("fitted_work_of_adhesion", (), work, works, {"units": "J m-2"})
-        | sampling.with_interval("mean_relative_error", (), least, leasts, ONE)
-        | sampling.with_interval("error_at_published_work", (), error, drawn_errors, ONE)
-    )
 
 
 def power_laws(samples: RoughnessSamples, works: Mapping[str, np.ndarray]) -> xr.Dataset:

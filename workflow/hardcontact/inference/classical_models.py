@@ -14,8 +14,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 from scipy.optimize import brentq, minimize_scalar
 
-from hardcontact.contact.hertz import NANOMETRE
-from hardcontact.inference.smooth_sphere import Values, dmt_pull_off, jkr_pull_off
+from hardcontact.contact.smooth_sphere import NANOMETRE, Values, dmt_pull_off, jkr_pull_off
 
 # Close-packed hemispheres of radius r, heights from their base: rms² = π r²/4√3.
 HEMISPHERE_OVER_RMS = (4 * np.sqrt(3) / np.pi) ** 0.5
@@ -107,9 +106,7 @@ def adhesion_index(
     return modulus * height**1.5 / (np.sqrt(asperity) * work)
 
 
-def fuller_tabor(
-    work: Values, radius: Values, rms_height: Values, asperity_radius: Values, modulus: float
-) -> Values:
+def fuller_tabor(work: Values, roughness: Roughness, contact: Contact) -> Values:
     """Return the pull-off force of a sphere with JKR asperities of Gaussian heights.
 
     1.5πWR, that of the smooth sphere, times the pull-off force of the asperities over that of as
@@ -117,21 +114,19 @@ def fuller_tabor(
     Tabor, Proc. R. Soc. A 345 (1975) 327, restated by Greenwood, Tribol. Lett. 65 (2017) 159, whose
     assumptions and JKR equations these are; unverified against the primary source.
     """
-    index = adhesion_index(work, rms_height, asperity_radius, modulus)
-    return jkr_pull_off(work, radius) * _relative_pull_off(_logarithm_jkr, index)
+    index = adhesion_index(work, roughness.height, 1 / roughness.curvature, contact.modulus)
+    return jkr_pull_off(work, contact.radius) * _relative_pull_off(_logarithm_jkr, index)
 
 
-def maugis_rough_dmt(
-    work: Values, radius: Values, rms_height: Values, asperity_radius: Values, modulus: float
-) -> Values:
+def maugis_rough_dmt(work: Values, roughness: Roughness, contact: Contact) -> Values:
     """Return the pull-off force of a sphere with DMT asperities of Gaussian heights.
 
     2πWR, that of the smooth sphere, times the greatest tension over separations d of ∫ [K β^½
     (z-d)^1.5 - 2πβW] φ(z) dz, z > d, over 2πβW; assumed for a sphere as in `fuller_tabor`. Maugis,
     J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the primary source.
     """
-    index = adhesion_index(work, rms_height, asperity_radius, modulus)
-    return dmt_pull_off(work, radius) * _relative_pull_off(_logarithm_dmt, index)
+    index = adhesion_index(work, roughness.height, 1 / roughness.curvature, contact.modulus)
+    return dmt_pull_off(work, contact.radius) * _relative_pull_off(_logarithm_dmt, index)
 
 
 def _logarithm_jkr(index: float) -> float:
@@ -222,41 +217,26 @@ def _relative_pull_off(logarithm: Callable[[float], float], index: Values) -> Va
     return np.exp(-np.exp(_spline(logarithm)(np.log(np.clip(index, *INDICES)))))
 
 
-def _rumpf_height(work: Values, roughness: Roughness, contact: Contact) -> Values:
-    radius = HEMISPHERE_OVER_RMS * roughness.height
-    return rumpf(work, contact.radius, radius, contact.spacing)
-
-
-def _rumpf_curvature(work: Values, roughness: Roughness, contact: Contact) -> Values:
-    return rumpf(work, contact.radius, 1 / roughness.curvature, contact.spacing)
-
-
 def _rabinovich(work: Values, roughness: Roughness, contact: Contact) -> Values:
     distance = 2 * np.pi * roughness.height / roughness.slope
     return rabinovich(work, contact.radius, roughness.height, distance, contact.spacing)
 
 
-def _fuller_tabor(work: Values, roughness: Roughness, contact: Contact) -> Values:
-    radius = 1 / roughness.curvature
-    return fuller_tabor(work, contact.radius, roughness.height, radius, contact.modulus)
-
-
-def _maugis(work: Values, roughness: Roughness, contact: Contact) -> Values:
-    radius = 1 / roughness.curvature
-    return maugis_rough_dmt(work, contact.radius, roughness.height, radius, contact.modulus)
-
-
 MODELS = {
     "rumpf_height": Model(
         "Rumpf (height)",
-        _rumpf_height,
+        lambda work, roughness, contact: rumpf(
+            work, contact.radius, HEMISPHERE_OVER_RMS * roughness.height, contact.spacing
+        ),
         True,
         "hemispheres of radius 1.485 rms height (close-packed; assumed)",
         UNVERIFIED,
     ),
     "rumpf_curvature": Model(
         "Rumpf (curvature)",
-        _rumpf_curvature,
+        lambda work, roughness, contact: rumpf(
+            work, contact.radius, 1 / roughness.curvature, contact.spacing
+        ),
         True,
         "hemispheres of radius 1/rms curvature (assumed)",
         UNVERIFIED,
@@ -271,10 +251,10 @@ MODELS = {
     ),
     "fuller_tabor": Model(
         "Fuller–Tabor",
-        _fuller_tabor,
+        fuller_tabor,
         False,
         ASPERITIES,
         f"assumptions and JKR equations: Greenwood, Tribol. Lett. 65 (2017) 159; {UNVERIFIED}",
     ),
-    "maugis": Model("Maugis", _maugis, False, ASPERITIES, UNVERIFIED),
+    "maugis": Model("Maugis", maugis_rough_dmt, False, ASPERITIES, UNVERIFIED),
 }

@@ -18,8 +18,16 @@ def mean_relative_error(
     Forces f (..., surface, rho) in N are at 1 J/m², F (surface,) is measured, W (k,) is in J/m².
     """
     relative = mean_forces / published[:, None]
-    error: np.ndarray = np.abs(relative[..., None] * work - 1).mean(axis=-3)
-    return error
+    return np.asarray(np.abs(relative[..., None] * work - 1).mean(axis=-3))
+
+
+def at_least(
+    errors: np.ndarray, values: np.ndarray, axis: int = -1
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return values and errors, of one shape, where these are least along an axis."""
+    best = np.expand_dims(errors.argmin(axis=axis), axis)
+    value, error = (np.take_along_axis(one, best, axis).squeeze(axis) for one in (values, errors))
+    return value, error
 
 
 def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -38,11 +46,7 @@ def fit_work(mean_forces: np.ndarray, published: np.ndarray) -> tuple[np.ndarray
         ],
         axis=-2,
     )  # (..., candidate, rho)
-    best = errors.argmin(axis=-2)[..., None, :]
-    return (
-        np.take_along_axis(candidates, best, -2)[..., 0, :],
-        np.take_along_axis(errors, best, -2)[..., 0, :],
-    )
+    return at_least(errors, candidates, axis=-2)
 
 
 def fit(
@@ -53,13 +57,7 @@ def fit(
     Of forces as in `fit_work` follow the index into rho, the work in J/m² and the error, all (...).
     """
     work, error = fit_work(mean_forces, published)
-    best = error.argmin(axis=-1)
-    at_best = best[..., None]
-    return (
-        best,
-        np.take_along_axis(work, at_best, -1)[..., 0],
-        np.take_along_axis(error, at_best, -1)[..., 0],
-    )
+    return error.argmin(axis=-1), *at_least(error, work)
 
 
 def least_errors(errors: np.ndarray, count: int) -> np.ndarray:
@@ -67,11 +65,8 @@ def least_errors(errors: np.ndarray, count: int) -> np.ndarray:
 
     An end of the ranges counts where the error grows from it inwards.
     """
-    walled = np.concatenate([[np.inf], errors, [np.inf]])
-    minima = find_peaks(-walled)[0] - 1
-    order = np.argsort(errors[minima], kind="stable")
-    least: np.ndarray = minima[order[:count]]
-    return least
+    minima = find_peaks(-np.concatenate([[np.inf], errors, [np.inf]]))[0] - 1
+    return np.asarray(minima[np.argsort(errors[minima], kind="stable")[:count]])
 
 
 def fit_ratios(
@@ -96,8 +91,7 @@ def error_region(
 
     Two arrays (2,), NaN where there is no such place.
     """
-    small = errors < threshold
-    if not small.any():
+    rows, columns = np.nonzero(errors < threshold)
+    if not rows.size:
         return np.full(2, np.nan), np.full(2, np.nan)
-    rows, columns = np.nonzero(small)
     return rhos[[rows.min(), rows.max()]], work[[columns.min(), columns.max()]]

@@ -17,17 +17,9 @@ from hardcontact.adhesion.force_curves import (
     mean_forces,
     on_fine_grid,
 )
-from hardcontact.inference.error_map import (
-    WORK,
-    error_region,
-    fit,
-    fit_ratios,
-    fit_work,
-    least_errors,
-    mean_relative_error,
-)
+from hardcontact.inference import error_map
 from hardcontact.numbers.statistics import Sampling, bounds
-from hardcontact.records import log
+from hardcontact.records.job import progress
 
 #: Of range and work of adhesion.
 PAIRS = ["published", "fitted"]
@@ -76,27 +68,10 @@ def infer(
 ) -> xr.Dataset:
     """Infer range and work of adhesion of every contact model, and describe the forces they give.
 
-    Parameters
-    ----------
-    adhesion : xarray.Dataset
-        All pull-off forces, as in adhesion.nc.
-    published : Published
-        Measured forces, and the pair of the paper.
-    reference_surface : str
-        The surface that ratios are taken to.
-    error_threshold : float
-        The region of small error is where the mean relative error is below it.
-    force_floor : float
-        In N, of `force_statistics`.
-    sampling : Sampling
-        Of all intervals.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over contact_model, that of `infer_model`, and `force_statistics` and `ratio_at_pair` over
-        pair and surface, all at the pair as it stands; `model_error_ratio`, the least error of
-        rigid over that of plastic contact.
+    Adhesion is as in adhesion.nc; ratios are taken to the reference surface, the error is small
+    below its threshold, the floor in N is that of `force_statistics`. Over contact_model follow
+    `infer_model`, and `force_statistics` and `ratio_at_pair` over pair and surface, at the pair as
+    it stands; and `model_error_ratio`, the least error of rigid over that of plastic contact.
     """
     surfaces = adhesion.surface.values.tolist()
     target = published.forces.mean_force.reindex(surfaces).to_numpy()
@@ -108,7 +83,7 @@ def infer(
         fitted = Pair(float(inferred.range_of_adhesion), float(inferred.work_of_adhesion))
         pairs = [
             _at_pair(forces, pair, reference, force_floor, sampling)
-            for pair in log.progress([published.pair, fitted], 2, f"force statistics, {model}")
+            for pair in progress([published.pair, fitted], 2, f"force statistics, {model}")
         ]
         parts.append(inferred.merge(xr.concat(pairs, pd.Index(PAIRS, name="pair"))))
     models = xr.concat(parts, pd.Index(adhesion.contact_model.values, name="contact_model"))
@@ -151,10 +126,7 @@ def _at_pair(
     return (
         xr.concat(statistics, pd.Index(forces.surface.values, name="surface"))
         .assign(sampling.with_interval("ratio_at_pair", "surface", ratio, ratios, ONE))
-        .assign(
-            pair_range=((), pair.range_of_adhesion, NM),
-            pair_work=((), pair.work_of_adhesion, ENERGY),
-        )
+        .assign(pair_range=((), rho, NM), pair_work=((), work, ENERGY))
     )
 
 
@@ -170,9 +142,8 @@ def infer_model(
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N at 1 J/m², NaN where a
     scan is missing; surfaces without a published mean force (surface,) do not enter the fit;
     `reference` is the index of the surface that ratios are taken to, `threshold` that of the mean
-    relative error. The dataset is over surface, rho, rho_fine, work, minimum and sample. `minimum`
-    counts the local minima along the range of the error at its best work, the least first; NaN
-    where there is none.
+    relative error. `minimum` counts the local minima along the range of the error at its best work,
+    the least first; NaN where there is none.
     """
     rhos = forces.rho.values
     fine = np.geomspace(rhos[0], rhos[-1], FINE_RANGES)
@@ -189,11 +160,11 @@ def infer_model(
     for name, attributes in UNITS.items():
         variables |= sampling.with_interval(name, (), fits[name], samples[name], attributes)
     variables |= _errors(curve, target, fine, threshold)
-    variables["ratio_error"] = ("rho_fine", fit_ratios(curve, target, base)[1], ONE)
+    variables["ratio_error"] = ("rho_fine", error_map.fit_ratios(curve, target, base)[1], ONE)
     variables |= force_curves(forces, means, sampled, reference, sampling)
     coordinates = {
         "rho_fine": ("rho_fine", fine, NM),
-        "work": ("work", WORK, ENERGY),
+        "work": ("work", error_map.WORK, ENERGY),
         "minimum": np.arange(1, MINIMA + 1),
     }
     inferred = xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
@@ -204,8 +175,8 @@ def _fits(
     curves: np.ndarray, published: np.ndarray, reference: int, fine: np.ndarray
 ) -> dict[str, np.ndarray]:
     """Return what is fitted to curves (..., surface, rho): arrays (...), NaN where a curve is."""
-    best, work, error = fit(curves, published)
-    from_ratios, _ = fit_ratios(curves, published, reference)
+    best, work, error = error_map.fit(curves, published)
+    from_ratios, _ = error_map.fit_ratios(curves, published, reference)
     known = np.isfinite(error)
     return {
         "range_of_adhesion": np.where(known, fine[best], np.nan),
@@ -219,10 +190,10 @@ def _errors(
     curve: np.ndarray, published: np.ndarray, fine: np.ndarray, threshold: float
 ) -> dict[str, Any]:
     """Return the error over range and work of adhesion, its minima, and where it is small."""
-    errors = mean_relative_error(curve, published, WORK)
-    ranges, works = error_region(errors, fine, WORK, threshold)
-    work, least = fit_work(curve, published)
-    at_minima = least_errors(least, MINIMA)
+    errors = error_map.mean_relative_error(curve, published, error_map.WORK)
+    ranges, works = error_map.error_region(errors, fine, error_map.WORK, threshold)
+    work, least = error_map.fit_work(curve, published)
+    at_minima = error_map.least_errors(least, MINIMA)
     missing = (0, MINIMA - len(at_minima))
     return {
         "mean_relative_error": (("rho_fine", "work"), errors, ONE),
@@ -249,40 +220,21 @@ def undecided(inferred: xr.Dataset, threshold: float) -> str:
     `inferred` is that of one contact model; `threshold` is that of the mean relative error. Without
     an interval nothing is said of it.
     """
-    error = float(inferred.best_error)
-    limits = []
-    if error >= threshold:
-        limits.append(
-            f"no range and work of adhesion bring the mean relative error below "
-            f"{threshold:g} (least {error:.2f})"
-        )
-    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
-    if minima.sizes["minimum"] > 1:
-        both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
-        places = [f"{rho:.3g} nm ({least:.2f})" for rho, least in both]
-        limits.append(f"the error has several minima: {', '.join(places)}")
-    return "; ".join(limits + _limits_of_interval(inferred))
-
-
-def _limits_of_interval(inferred: xr.Dataset) -> list[str]:
-    """Return what the interval of the range leaves open; nothing where there is no interval."""
     low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
     least, greatest = (float(inferred.rho[end]) for end in (0, -1))
-    if not np.isfinite(low):
-        return []
-    limits = []
-    if high >= 0.99 * greatest:
-        limits.append(
-            f"the interval reaches the largest range computed, {greatest:g} nm: "
-            "there is no upper bound"
-        )
-    if low <= 1.02 * least:
-        limits.append(
-            f"the interval reaches the smallest range computed, {least:g} nm: "
-            "there is no lower bound"
-        )
-    limits.append(
+    error = float(inferred.best_error)
+    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
+    both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
+    places = [f"{rho:.3g} nm ({of_place:.2f})" for rho, of_place in both]
+    limits = {
+        f"no range and work of adhesion bring the mean relative error below {threshold:g} "
+        f"(least {error:.2f})": error >= threshold,
+        f"the error has several minima: {', '.join(places)}": len(places) > 1,
+        f"the interval reaches the largest range computed, {greatest:g} nm: "
+        "there is no upper bound": high >= 0.99 * greatest,
+        f"the interval reaches the smallest range computed, {least:g} nm: "
+        "there is no lower bound": low <= 1.02 * least,
         f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
-        "by these scans"
-    )
-    return limits
+        "by these scans": np.isfinite(low),
+    }
+    return "; ".join(limit for limit, holds in limits.items() if holds)

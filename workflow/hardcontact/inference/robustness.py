@@ -18,21 +18,15 @@ from hardcontact.adhesion.all_surfaces import at_load
 from hardcontact.adhesion.force_curves import at_range
 from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.records import log
+from hardcontact.records.job import progress
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.scales.stacked_masters import stacked_forces
 
 #: What is inferred of every variant of the forces.
 INFERRED = [
-    "range_of_adhesion",
-    "range_of_adhesion_interval",
-    "work_of_adhesion",
-    "work_of_adhesion_interval",
-    "best_error",
-    "minimum_range",
-    "minimum_work",
-    "minimum_error",
-]
+    "range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
+    "work_of_adhesion_interval", "best_error", "minimum_range", "minimum_work", "minimum_error",
+]  # fmt: skip
 
 #: What is computed for every variant of the filtered masters.
 CRITICAL = ["critical_wavelength", "critical_wavelength_interval"]
@@ -68,31 +62,16 @@ def robustness(
 ) -> xr.Dataset:
     """Return range and work of adhesion and the critical band under every variant.
 
-    Parameters
-    ----------
-    adhesion : mapping of tuple to xarray.Dataset
-        pull_off_force (scan, sphere_scan, load, rho) in N by surface and variant.
-    masters : mapping of tuple to xarray.Dataset
-        `filtered_pull_off` by surface, variant, realization, side and probe.
-    variants : sequence of dict
-        As this module describes them.
-    published : pandas.DataFrame
-        Measured forces, as from `published.pull_off`.
-    choices : Choices
-        What all variants share.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over variant, surface, minimum and side: what is inferred, with all local minima of the
-        error; `mean_force` (variant, surface) in N at the published pair; critical wavelengths
-        of all substrates pooled.
+    Forces pull_off_force (scan, sphere_scan, load, rho), in N, are by surface and variant; masters,
+    of `filtered_pull_off`, by surface, variant, realization, side and probe; published are those of
+    `published.pull_off`. Returned are INFERRED, `mean_force` (variant, surface) in N at the
+    published pair, and CRITICAL of all substrates pooled.
     """
     target = published.mean_force.reindex(choices.substrates).to_numpy()
     forces = {key: one["pull_off_force"] for key, one in adhesion.items()}
     parts = [
         xr.merge([_range_and_work(forces, target, one, choices), _band(masters, one, choices)])
-        for one in log.progress(variants, len(variants), "variants")
+        for one in progress(variants, len(variants), "variants")
     ]
     names = pd.Index([one["name"] for one in variants], name="variant")
     varied = xr.concat(parts, names, coords="minimal", join="outer")
@@ -116,14 +95,11 @@ def _range_and_work(
     """Return what forces on scans say of one variant; nothing of another probe."""
     if variant["probe"] != choices.probe:
         return xr.Dataset()
-    stacked = xr.concat(
-        [
-            at_load(forces[name, variant["variant"][name]], variant["load"])
-            for name in choices.substrates
-        ],
-        pd.Index(choices.substrates, name="surface"),
-        join="outer",
-    )
+    parts = [
+        at_load(forces[name, variant["variant"][name]], variant["load"])
+        for name in choices.substrates
+    ]
+    stacked = xr.concat(parts, pd.Index(choices.substrates, name="surface"), join="outer")
     inferred = infer_model(
         stacked.expand_dims(["contact_y", "contact_x"], [-2, -1]),
         target,

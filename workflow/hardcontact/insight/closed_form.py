@@ -35,7 +35,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import special, stats
 
 from hardcontact.contact.bearing_area import Load
-from hardcontact.inference.smooth_sphere import dmt_pull_off
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.summits import (
     Approaches,
     banded,

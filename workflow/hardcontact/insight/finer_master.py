@@ -11,7 +11,7 @@ import xarray as xr
 
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.numbers.statistics import jackknife_interval, with_interval
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.edge_of_curve import Curve, described_edge
 from hardcontact.scales.filtered_masters import filtered_pull_off

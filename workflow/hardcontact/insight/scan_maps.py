@@ -19,7 +19,7 @@ from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION
 from hardcontact.contact.closest_approach import closest_gaps, touching_pixels
 from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, bodies
-from hardcontact.inference.smooth_sphere import dmt_pull_off
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]

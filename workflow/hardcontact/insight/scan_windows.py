@@ -12,7 +12,7 @@ from hardcontact.adhesion.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.contact.geometry import ContactArray, bodies, window_pixels
 from hardcontact.numbers.random import generator
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density

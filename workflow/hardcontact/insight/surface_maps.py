@@ -8,7 +8,7 @@ import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
-from hardcontact.inference.smooth_sphere import dmt_pull_off
+from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.scan_maps import (
     SAMPLINGS,
     MapSettings,
@@ -18,7 +18,7 @@ from hardcontact.insight.scan_maps import (
 )
 from hardcontact.numbers.statistics import student_log_interval, with_interval
 from hardcontact.records.dataset import stack
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import read_height_map
 
 LONG_NAMES = {

@@ -26,7 +26,6 @@ DIGITS = 2
 ENDLESS = 1e6
 #: An interval that reaches so many times beyond its value says only that there are too few scans.
 BOUNDLESS = 100
-NOT_BOUNDED = "[not bounded]"
 
 
 def print_number(value: float, digits: int = 3) -> str:
@@ -47,22 +46,16 @@ def _print(
     open_end: str = "",
 ) -> str:
     """Return a number in the fitting one of its units, with its interval if both ends are known."""
-    name, size = _fitting(value, units, digits)
-    number, low, high = (print_number(one / size, digits) for one in (value, *interval))
+    # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
+    least = 1 - 0.5 * 10**-digits
+    fitting = (name for name, size in units.items() if abs(value) >= least * size)
+    name = next(fitting, list(units)[-1])
+    number, low, high = (print_number(one / units[name], digits) for one in (value, *interval))
     if any(map(math.isnan, interval)):
         return f"{number} {name}".rstrip()
     low += " or less" * (open_end == "low")
     high += " or more" * (open_end == "high")
     return _bracketed(number, low, high, name)
-
-
-def _fitting(value: float, units: Mapping[str, float], digits: int) -> tuple[str, float]:
-    """Return name and size of the unit in which a value, once rounded, is at least one."""
-    # 999.9 nm is printed as 1 µm, not as 1000 nm: half of the last digit is enough.
-    least = 1 - 0.5 * 10**-digits
-    fitting = (name for name, size in units.items() if abs(value) >= least * size)
-    name = next(fitting, list(units)[-1])
-    return name, units[name]
 
 
 def print_quantity(
@@ -76,7 +69,7 @@ def print_quantity(
     endless = (low == 0 and math.isinf(high)) or math.inf > high > ENDLESS * low > 0
     known = math.isfinite(low + high) and not endless
     text = _print(value, UNITS[unit], (low, high) if known else (math.nan, math.nan), digits)
-    return f"{text} {NOT_BOUNDED}" if endless else text
+    return f"{text} [not bounded]" if endless else text
 
 
 def print_length(length: float) -> str:
@@ -93,23 +86,9 @@ def print_as_paper(
 ) -> str:
     """Return a quantity in the units of the paper, with its interval: "1.66 [1.38, 2.84] µm".
 
-    Parameters
-    ----------
-    value : float
-        In `unit`; NaN, no number, is printed as nothing.
-    unit : str
-        Of the datasets; one that is not in `UNITS_OF_PAPER` is printed as it is.
-    interval : tuple of float
-        Low and high, in `unit`; NaN if there is none.
-    digits : int
-        Significant digits of each number.
-    open_end : str
-        End of the interval that is a bound on it: "low", "high" or none.
-
-    Returns
-    -------
-    str
-        Plain text; an open interval as "250 [175, 250 or more] nm".
+    All are in `unit`, one of the datasets; one that is not in `UNITS_OF_PAPER` is printed as it is.
+    The interval is NaN if there is none; NaN, no number, is printed as nothing. The open end of the
+    interval is a bound on it, "low" or "high": "250 [175, 250 or more] nm".
     """
     if math.isnan(value):
         return ""
@@ -117,22 +96,11 @@ def print_as_paper(
 
 
 def is_boundless(value: float, low: float, high: float, unit: str) -> bool:
-    """Return whether an interval reaches `BOUNDLESS` times beyond its value.
+    """Return whether an interval reaches `BOUNDLESS` times beyond its value; NaN does not.
 
-    Exponents and relative changes have no unit and may have either sign: where their interval holds
-    zero, they are compared with one, for their own size says nothing if they are near zero.
-
-    Parameters
-    ----------
-    value, low, high : float
-        The number and the ends of its interval, in `unit`; NaN of what is not known.
-    unit : str
-        As `print_as_paper` takes it.
-
-    Returns
-    -------
-    bool
-        False without an interval.
+    All are in `unit`. Exponents and relative changes have no unit and may have either sign: where
+    their interval holds zero, they are compared with one, for their own size says nothing if they
+    are near zero.
     """
     scale = abs(value)
     if unit == "1" and low <= 0 <= high:

@@ -33,27 +33,11 @@ def with_interval(
     attributes: dict[str, Any],
     confidence: float,
 ) -> dict[str, Any]:
-    """Return the variables `name` and `name_interval` of a Dataset.
+    """Return the variables `name` and `name_interval`, ready for `xarray.Dataset`.
 
-    Parameters
-    ----------
-    name : str
-        Of the variable.
-    dimensions : str or sequence of str
-        Those of the value.
-    value : array_like (...)
-        The value.
-    interval : array_like (..., 2)
-        Its low and its high end.
-    attributes : dict
-        Units and the like, of both variables.
-    confidence : float
-        Of the interval; an attribute of it.
-
-    Returns
-    -------
-    dict
-        The two variables, ready for `xarray.Dataset`; the coordinate `bound` comes with them.
+    The dimensions are those of the value (...), the interval (..., 2) is its low and its high end.
+    Both have the attributes, units and the like; the confidence is one of the interval. The
+    coordinate `bound` comes with them.
     """
     named = (dimensions,) if isinstance(dimensions, str) else tuple(dimensions)
     return {
@@ -115,8 +99,7 @@ def student_log_interval(values: xr.DataArray, confidence: float, dim: str) -> x
 
 def interval_between(low: xr.DataArray, high: xr.DataArray) -> xr.DataArray:
     """Return both ends of an interval in one array, along a new last dimension `bound`."""
-    ends = xr.concat([low, high], pd.Index(BOUNDS, name="bound"))
-    return ends.transpose(..., "bound")
+    return xr.concat([low, high], pd.Index(BOUNDS, name="bound")).transpose(..., "bound")
 
 
 def student_log_samples(rng: np.random.Generator, values: np.ndarray, samples: int) -> np.ndarray:
@@ -164,8 +147,7 @@ def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
 
     mean/median = exp(s²/2). It is biased if forces below a floor were not measured.
     """
-    shape: np.ndarray = np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median)))
-    return shape
+    return np.asarray(np.sqrt(2 * np.log(np.asarray(mean) / np.asarray(median))))
 
 
 def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
@@ -217,22 +199,12 @@ class Sampling:
 
     A sample is drawn about the mean over scans or realizations, as `student_log_samples` does, or
     from the distribution of published numbers within their uncertainty.
-
-    Attributes
-    ----------
-    seed : int
-        The seed of the study.
-    samples : int
-        How many are drawn; without any, all intervals are NaN.
-    confidence : float
-        Of the intervals.
-    stream : tuple of str
-        What the random numbers are for, before the names of `generator`.
     """
 
-    seed: int
-    samples: int
-    confidence: float
+    seed: int  #: The seed of the study.
+    samples: int  #: How many are drawn; without any, all intervals are NaN.
+    confidence: float  #: Of the intervals.
+    #: What the random numbers are for, before the names of `generator`.
     stream: tuple[str, ...] = ("sampling",)
 
     def generator(self, *names: str) -> np.random.Generator:
@@ -247,10 +219,6 @@ class Sampling:
         samples: ArrayLike,
         attributes: dict[str, Any],
     ) -> dict[str, Any]:
-        """Return the variables `name` and `name_interval` of a value and its samples (sample, ...).
-
-        The dimensions are those of the value of all data, without `bound`; both variables have the
-        attributes, units and long name, and are ready for `xarray.Dataset`.
-        """
+        """Return `with_interval` of the value (...) of all data and its samples (sample, ...)."""
         interval = percentile_interval(samples, self.confidence)
         return with_interval(name, dimensions, value, interval, attributes, self.confidence)

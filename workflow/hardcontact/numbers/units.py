@@ -8,7 +8,7 @@ from functools import cache
 import pint
 
 #: What has each unit, in words, and how users may write it.
-_EXPECTED = {
+QUANTITIES = {
     "nm": "a length with a unit, such as 5.6 nm or 250 um",
     "N": "a force with a unit, such as 10 uN",
     "Pa": "a pressure with a unit, such as 25 GPa",
@@ -32,7 +32,7 @@ def magnitude(text: object, unit: str) -> float:
     value = _magnitude(text, unit) if isinstance(text, str) else math.nan
     if math.isfinite(value):
         return value
-    raise ValueError(f"expected {quantity_words(unit)}, found {reprlib.repr(text)}")
+    raise ValueError(f"expected {QUANTITIES[unit]}, found {reprlib.repr(text)}")
 
 
 @cache
@@ -47,11 +47,6 @@ def _magnitude(text: str, unit: str) -> float:
         return float(f"{quantity.m_as(_powered(unit)):.12g}")
     except (pint.PintError, ValueError, AttributeError):
         return math.nan  # not a unit, or not of this dimension
-
-
-def quantity_words(unit: str) -> str:
-    """Return what is expected where a quantity of nm, N, Pa or J/m2 is: in words, with examples."""
-    return _EXPECTED[unit]
 
 
 def printed(text: str) -> str:

@@ -14,7 +14,6 @@ SCRIPTS = LIBRARY.parent / "scripts"
 #: The versions of the packages that the library is used with.
 PINS = ("environment.txt", "workflow/constraints.txt")
 
-
 #: The templates of pages, and what every page holds: layout, macros, style and scripts.
 TEMPLATES = LIBRARY.parent / "report/templates"
 OF_EVERY_PAGE = (
@@ -30,23 +29,11 @@ def template_inputs(*names: str) -> list[str]:
 
 @cache
 def code_inputs(script: str, *modules: str) -> Sequence[str]:
-    """Return the files that determine what a script does.
+    """Return the files that determine what a script does, relative to the working directory.
 
-    As inputs of a rule they are compared by content. Imports count wherever they stand in a file,
-    but for those that only a type checker sees.
-
-    Parameters
-    ----------
-    script : str
-        Name of a file in the folder of scripts.
-    *modules : str
-        Modules of the library that the script imports by a name it is given.
-
-    Returns
-    -------
-    sequence of str
-        Script, modules and packages, relative to the working directory and sorted; the lists of
-        pinned packages come last.
+    They are the script itself and the modules and packages of the library that it imports, sorted;
+    `modules` are those that it imports by a name it is given, the lists of pinned packages come
+    last. Imports count wherever they stand in a file, but for those that only a type checker sees.
     """
     paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
     pending = [*paths]

@@ -23,31 +23,11 @@ PROFILE = "https://w3id.org/ro/wfrun/process/0.5"
 def describe(
     folder: str | Path, study: str, citation: str | Path, versions: Mapping[str, str]
 ) -> str:
-    """Return the RO-Crate of a study's folder as JSON text, to be written to `NAME` in it.
+    """Return the RO-Crate of ``results/<study>`` as JSON text, to be written to `NAME` in it.
 
     Every file below the folder, but for logs and benchmarks, is an output with its SHA-256; what
-    the study was made from is named by its path in the repository.
-
-    Parameters
-    ----------
-    folder : str or Path
-        The folder ``results/<study>``.
-    study : str
-        Name of the study.
-    citation : str or Path
-        The file ``CITATION.cff``.
-    versions : mapping of str to str
-        Package to version.
-
-    Returns
-    -------
-    str
-        Sorted JSON; the same for the same files.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming a record of the folder that is damaged.
+    the study was made from is named by its path in the repository. The text is the same for the
+    same files, with versions by package; a ValueError of one line names a damaged record.
     """
     cited = yaml.safe_load(Path(citation).read_text("utf-8"))
     crate = ROCrate(version="1.1")
@@ -57,8 +37,7 @@ def describe(
         crate.add_file(dest_path=path.relative_to(folder).as_posix(), properties={"sha256": value})
         for path, value in _files(folder).items()
     ]
-    inputs: list[ContextEntity] = []
-    code: list[ContextEntity] = []
+    inputs, code = list[ContextEntity](), list[ContextEntity]()
     for path, value in provenance.sources(provenance.traced_records(folder)).items():
         into = code if path.endswith((".py", *PINS)) else inputs
         into.append(_entity(crate, f"#{path}", "CreativeWork", name=path, sha256=value))

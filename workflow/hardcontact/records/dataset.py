@@ -42,20 +42,11 @@ def read_all(
 
 
 def stack(parts: Mapping[tuple[Any, ...], xr.Dataset], dimensions: Sequence[str]) -> xr.Dataset:
-    """Join datasets along new dimensions.
+    """Join datasets along new dimensions, the outermost first.
 
-    Parameters
-    ----------
-    parts : mapping of tuple to xarray.Dataset
-        Key: the labels of the dataset, one of each new dimension.
-    dimensions : sequence of str
-        Names of the new dimensions, outermost first.
-
-    Returns
-    -------
-    xarray.Dataset
-        NaN where a combination of labels is missing. Labels are in the order of the keys; those of
-        an inner dimension are sorted if they are not the same for all outer labels.
+    A key has the labels of the dataset, one of each dimension; NaN where a combination of labels is
+    missing. Labels are in the order of the keys; those of an inner dimension are sorted if they are
+    not the same for all outer labels.
     """
     if not dimensions:
         return parts[()]

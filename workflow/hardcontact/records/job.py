@@ -1,50 +1,39 @@
 """One job of a rule: its log, its parameters, and whole files with their origin."""
 
 import json
+import logging
+import os
 import shutil
-from collections.abc import Iterator
-from contextlib import contextmanager
+import sys
+import traceback
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import xarray as xr
 
 from hardcontact.records import dataset as labelled
-from hardcontact.records import log
 from hardcontact.records.dataset import FileFormat
 from hardcontact.records.origin import Origin, canonical, digests
 from hardcontact.records.whole_file import whole_file
+
+_logger = logging.getLogger("hardcontact")
+
+Step = TypeVar("Step")
 
 
 class Job(NamedTuple):
     """Inputs and parameters of a script, and the ways in which it writes its outputs.
 
-    Attributes
-    ----------
-    input, output : named lists of paths
-        As the rule names them.
-    parameters : dict
-        The rule's `params.canonical`, decoded.
-    threads : int
-        Number of threads that the job may use.
-    origin : Origin
-        What determines the files of the job.
+    An output is told by its place or its name in the rule.
     """
 
-    input: Any
+    input: Any  #: Paths by the names that the rule gives them, as those of the outputs.
     output: Any
-    parameters: dict[str, Any]
-    threads: int
-    origin: Origin
-
-    def attributes(self, title: str) -> dict[str, str]:
-        """Return the global attributes of a file that the job writes."""
-        return {
-            "title": title,
-            "Conventions": "CF-1.11",
-            "history": f"made by the hardcontact study: {title}",
-            **self.origin.attributes(),
-        }
+    parameters: dict[str, Any]  #: The rule's `params.canonical`, decoded.
+    threads: int  #: How many the job may use.
+    origin: Origin  #: What determines the files of the job.
 
     def write(
         self,
@@ -53,17 +42,22 @@ class Job(NamedTuple):
         output: int | str = 0,
         file_format: FileFormat = "NETCDF4",
     ) -> None:
-        """Write a labelled dataset, with its origin, to an output by its place or name."""
-        complete = dataset.assign_attrs(self.attributes(title))
+        """Write a labelled dataset, with its origin."""
+        complete = dataset.assign_attrs(
+            title=title,
+            Conventions="CF-1.11",
+            history=f"made by the hardcontact study: {title}",
+            **self.origin.attributes(),
+        )
         labelled.write(complete, self._path(output), file_format)
 
     def write_text(self, text: str, output: int | str = 0) -> None:
-        """Write a text whole to an output by its place or name."""
+        """Write a text whole."""
         with whole_file(self._path(output)) as path:
             Path(path).write_text(text, "utf-8")
 
     def copy(self, source: str | Path, output: int | str = 0) -> None:
-        """Copy a file, byte by byte, to an output by its place or name."""
+        """Copy a file, byte by byte."""
         with whole_file(self._path(output)) as path:
             shutil.copyfile(source, path)
 
@@ -78,21 +72,8 @@ class Job(NamedTuple):
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[Job]:
-    """Keep the log of a script and give it its `Job`.
-
-    An error goes to the log in full and to stderr in one line, and ends the process.
-
-    Parameters
-    ----------
-    snakemake : object
-        The object of that name that Snakemake gives to every script.
-
-    Yields
-    ------
-    Job
-        Inputs, outputs and parameters.
-    """
-    with log.job_log(snakemake.log[0]):
+    """Keep the log of a script and give it its `Job`, of what Snakemake gives to every script."""
+    with job_log(snakemake.log[0]):
         inputs, canonical_parameters = snakemake.input, snakemake.params.canonical
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         yield Job(
@@ -102,3 +83,42 @@ def job(snakemake: Any) -> Iterator[Job]:
             snakemake.threads,
             Origin(canonical_parameters, list(inputs), list(code)),
         )
+
+
+@contextmanager
+def job_log(path: str | Path) -> Iterator[None]:
+    """Keep the log of a job; an error goes there in full and to stderr in one line.
+
+    An error ends the process at once with exit code 1: netCDF that could not write crashes when
+    Python cleans up.
+    """
+    # Where the log cannot be written, the line on stderr is all there is.
+    logging.raiseExceptions, logging.lastResort = False, None
+    try:
+        handler = logging.FileHandler(path, mode="w", encoding="utf-8")
+        handler.setFormatter(logging.Formatter("%(asctime)s %(message)s", "%H:%M:%S"))
+        _logger.addHandler(handler)
+        _logger.setLevel(logging.INFO)
+        yield
+    except Exception as error:
+        _logger.error("failed\n%s", traceback.format_exc())
+        message = " ".join(str(error).split()) or type(error).__name__
+        written = Path(path).is_file() and Path(path).stat().st_size > 0
+        told = f"error: {message} (see {path})" if written else f"error: {message}"
+        print(told, file=sys.stderr, flush=True)
+        os._exit(1)
+    else:
+        _logger.removeHandler(handler)
+        with suppress(OSError):  # the disk may be full
+            handler.close()
+
+
+def progress(steps: Iterable[Step], total: int, what: str) -> Iterator[Step]:
+    """Pass on steps and log how many of `total` are done, about ten times in all.
+
+    Their name, in the plural, is `what`.
+    """
+    for done, step in enumerate(steps, start=1):
+        yield step
+        if done == total or done * 10 // total > (done - 1) * 10 // total:
+            _logger.info("%s: %d of %d", what, done, total)

@@ -32,31 +32,16 @@ def digests(paths: Iterable[str | Path]) -> str:
 
 
 class Origin(NamedTuple):
-    """What a file was made from.
+    """What a file was made from."""
 
-    Attributes
-    ----------
-    parameters : str
-        Canonical JSON text.
-    inputs : list of str
-        Paths whose digests are kept one by one.
-    code : list of str
-        Paths among the inputs that are also digested together.
-    """
-
-    parameters: str
-    inputs: list[str]
-    code: list[str]
+    parameters: str  #: Canonical JSON text.
+    inputs: list[str]  #: Paths whose digests are kept one by one.
+    code: list[str]  #: Paths among the inputs that are also digested together.
 
     def attributes(self) -> dict[str, str]:
         """Return the origin as texts: equal texts mean an equal file.
 
         The time of writing is not among them: it would differ between equal files.
-
-        Returns
-        -------
-        dict of str to str
-            ``parameters``, ``versions``, ``code_digest`` and ``input_digests``.
         """
         return {
             "parameters": self.parameters,
@@ -67,22 +52,9 @@ class Origin(NamedTuple):
 
 
 def pinned_versions(environment: str | Path) -> dict[str, str]:
-    """Return the installed versions of the packages that a requirements file pins.
+    """Return the installed versions of the packages that requirements of pip pin, in their order.
 
-    Parameters
-    ----------
-    environment : str or Path
-        Requirements of pip; only lines ``package==version`` count.
-
-    Returns
-    -------
-    dict of str to str
-        Package to installed version, in the order of the file.
-
-    Raises
-    ------
-    ValueError
-        In one line, if a pinned package is not installed.
+    Only lines ``package==version`` count; a ValueError of one line names one that is not installed.
     """
     names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
     try:

@@ -44,15 +44,8 @@ def _record(path: str | Path) -> Record:
 def require(paths: Iterable[str | Path]) -> None:
     """Refuse files that are not those that the study wrote.
 
-    Parameters
-    ----------
-    paths : iterable of paths
-        Those in the folder FOLDER are records; the files that they name are compared.
-
-    Raises
-    ------
-    ValueError
-        In one line, naming the first file that is another or none, or a damaged record.
+    Paths in the folder FOLDER are records; the files that they name are compared. A ValueError of
+    one line names the first file that is another or none, or a damaged record.
     """
     for path in paths:
         outputs = _record(path)["output_digests"] if Path(path).parent.name == FOLDER else {}
@@ -67,8 +60,7 @@ def require(paths: Iterable[str | Path]) -> None:
 def folder_records(folder: str | Path) -> dict[str, Record]:
     """Return the records of the files in ``results/<study>`` by path.
 
-    They are in the attributes of a file or in the folder FOLDER; a damaged one is a
-    ValueError.
+    They are in the attributes of a file or in the folder FOLDER; a damaged one is a ValueError.
     """
     datasets = {path.as_posix(): _attributes(path) for path in sorted(Path(folder).glob("*.nc"))}
     result = {path: record for path, record in datasets.items() if record is not None}
@@ -101,26 +93,11 @@ def sources(records: Mapping[str, Record]) -> dict[str, str]:
 
 
 def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], str]:
-    """Compare every file that led to a study's folder with the record of what it was made from.
+    """Compare every file that led to ``results/<study>`` with the record of what it was made from.
 
-    Parameters
-    ----------
-    folder : str or Path
-        The folder ``results/<study>``.
-    described : mapping of str to str
-        Path to SHA-256 of the folder's files in its RO-Crate.
-
-    Returns
-    -------
-    faults : list of str
-        One line a file that is missing, or another than what is recorded.
-    counts : str
-        One line: how many files were checked, are at fault, and how many inputs are not at hand.
-
-    Raises
-    ------
-    ValueError
-        In one line, if there is nothing to compare or a record is damaged.
+    `described` has the SHA-256 of the folder's files in its RO-Crate, by path. Returned are the
+    faults, one line a file that is missing or another than what is recorded, and a line of counts.
+    A ValueError of one line says that there is nothing to compare, or that a record is damaged.
     """
     known = traced_records(folder)
     if not known and not described:

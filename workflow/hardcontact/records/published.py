@@ -20,31 +20,25 @@ def pull_off(path: str | Path) -> pd.DataFrame:
     """Return `pull_off.csv`: statistics of the measured pull-off forces, indexed by surface.
 
     Columns: mean_force and median_force in N, effective_work_of_adhesion in J/m²; NaN where the
-    paper has none. Another unit, an unknown quantity or a repeated row is a ValueError of one line
-    each.
+    paper has none. Another unit, an unknown quantity or a repeated row is a line of a ValueError.
     """
     rows = pd.read_csv(path)
     wrong = (rows["unit"] != rows["quantity"].map(UNITS)) | rows.duplicated(["surface", "quantity"])
     known = ", ".join(f"{name} in {unit}" for name, unit in UNITS.items())
     faults = [
-        f"{path}: line {line + 2}: expected each quantity of a surface once, one of {known}; "
-        f"found {quantity} of {surface} in {unit}"
-        for line, (surface, quantity, unit) in enumerate(
-            zip(rows["surface"], rows["quantity"], rows["unit"], strict=True)
-        )
-        if wrong[line]
+        f"{path}: line {line}: expected each quantity of a surface once, one of {known}; "
+        f"found {row.quantity} of {row.surface} in {row.unit}"
+        for line, row in enumerate(rows.itertuples(), start=2)
+        if wrong[line - 2]
     ]
     if faults:
         raise ValueError("\n".join(faults))
-    return _by_surface(rows)
+    return rows.pivot(index="surface", columns="quantity", values="value")
 
 
 def printed_pull_off(path: str | Path) -> pd.DataFrame:
     """Return the same table as `pull_off`, as text with the digits that are printed."""
-    return _by_surface(pd.read_csv(path, dtype=str))
-
-
-def _by_surface(rows: pd.DataFrame) -> pd.DataFrame:
+    rows = pd.read_csv(path, dtype=str)
     return rows.pivot(index="surface", columns="quantity", values="value")
 
 

@@ -17,20 +17,7 @@ PART = ".part-"
 def whole_file(path: str | Path) -> Iterator[str]:
     """Give a temporary path beside `path`; rename it if the block succeeds, else remove it.
 
-    Parameters
-    ----------
-    path : str or Path
-        The file to be written; folders above it are made.
-
-    Yields
-    ------
-    str
-        The path to write to.
-
-    Raises
-    ------
-    ValueError
-        In one line, if the file cannot be written.
+    Folders above the file are made. A ValueError of one line says that it cannot be written.
     """
     path = Path(path)
     temporary = None
@@ -39,76 +26,47 @@ def whole_file(path: str | Path) -> Iterator[str]:
         handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=PART, suffix=path.suffix)
         os.close(handle)
         yield temporary
-        os.chmod(temporary, 0o666 & ~_umask())
+        mask = os.umask(0)  # which cannot be read but by setting it
+        os.umask(mask)
+        os.chmod(temporary, 0o666 & ~mask)
         os.replace(temporary, path)
     except OSError as error:
+        there = next(folder for folder in path.parents if folder.exists())
         raise ValueError(
             f"{path}: expected a file to be written, found: {error.strerror or error}; "
-            f"{_free_megabytes(path.parent):.1f} MB of the disk are free"
+            f"{shutil.disk_usage(there).free / 1e6:.1f} MB of the disk are free"
         ) from error
     finally:
         if temporary:
             Path(temporary).unlink(missing_ok=True)
 
 
-def remove_parts(folder: str | Path) -> None:
-    """Remove the unfinished files of jobs that were killed, anywhere below a folder."""
-    for path in Path(folder).rglob(f"{PART}*"):
-        path.unlink(missing_ok=True)
-
-
-def _free_megabytes(folder: Path) -> float:
-    while not folder.exists():
-        folder = folder.parent
-    return shutil.disk_usage(folder).free / 1e6
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
 def hold(folder: str | Path) -> TextIO:
-    """Keep every other run out of a folder until this process ends; remove unfinished files.
+    """Keep every other run out of a folder until this process ends.
 
-    The system releases the folder when the process ends, however it ends: after a run that was
-    killed there is nothing to unlock.
-
-    Parameters
-    ----------
-    folder : str or Path
-        It is made if there is none.
-
-    Returns
-    -------
-    file object
-        The open file to be kept until the folder may be released.
-
-    Raises
-    ------
-    ValueError
-        In one line, if another run holds the folder or nothing can be written there.
+    Unfinished files of jobs that were killed, anywhere below it, are removed. The folder is made if
+    there is none, and released by the system when the process ends, however it ends: after a run
+    that was killed there is nothing to unlock. The open file that is returned is to be kept until
+    then. A ValueError of one line says that another run holds the folder or that it is unwritable.
     """
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         file = open(folder / ".lock", "w")
-    except OSError as error:
-        raise _unwritable(folder, error) from None
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError as error:
-        file.close()
-        if not isinstance(error, BlockingIOError):
-            raise _unwritable(folder, error) from None
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            file.close()
+            raise
+    except BlockingIOError:
         raise ValueError(
             f"{folder}: expected no other run in this folder, found one; "
             "wait until it has ended, or stop it"
         ) from None
-    remove_parts(folder)
+    except OSError as error:
+        raise ValueError(
+            f"{folder}: expected a folder to write to, found: {error.strerror}"
+        ) from None
+    for path in folder.rglob(f"{PART}*"):
+        path.unlink(missing_ok=True)
     return file
-
-
-def _unwritable(folder: Path, error: OSError) -> ValueError:
-    return ValueError(f"{folder}: expected a folder to write to, found: {error.strerror}")

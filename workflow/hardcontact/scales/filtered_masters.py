@@ -11,7 +11,7 @@ from hardcontact.adhesion.force_sum import pull_off_force
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, Axis, load_axis, plastic_totals
 from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
 from hardcontact.contact.geometry import ContactArray, bodies
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.scales.stacked_masters import CONTACT_AXES
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap

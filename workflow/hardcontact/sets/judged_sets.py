@@ -1,4 +1,8 @@
-"""Numbers of many sets: every claim that the sets hold, range and work of adhesion, the band."""
+"""Sets of scans: drawn from a pool, shaped as the datasets of the study, and judged as it is.
+
+A set takes scans of a pool and gives each its height, from which its forces follow. Its numbers are
+those of every claim that sets hold, range and work of adhesion, and the band.
+"""
 
 from collections.abc import Mapping
 from typing import Any, NamedTuple
@@ -6,20 +10,28 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 import xarray as xr
+from numpy.typing import NDArray
 
 from hardcontact.claims.evaluation import values
 from hardcontact.inference.inference import Published, infer
-from hardcontact.numbers.statistics import Sampling
-from hardcontact.records.log import progress
-from hardcontact.sets.set_datasets import (
-    Draw,
-    Sources,
-    drawn_scans,
-    set_adhesion,
-    set_band,
-    set_topography,
-)
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import Sampling, student_log_samples
+from hardcontact.records.job import progress
+from hardcontact.scales.critical_band import critical_band
+from hardcontact.sets.pool import height_weights
+from hardcontact.surfaces.conditioning import group_heights
+from hardcontact.surfaces.roughness_table import averages
+from hardcontact.surfaces.topography import METRICS
 
+Floats = NDArray[np.float64]
+
+#: Scans of one set, by substrate.
+Drawn = Mapping[str, xr.Dataset]
+
+#: How often a set is drawn in search of one with the heights asked for.
+TRIES = 1000
+#: Metrics that do not change with the height of a scan.
+SHAPES = ("skewness", "kurtosis")
 #: Of the inference of a set.
 INFERRED = [
     "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
@@ -29,6 +41,30 @@ INFERRED = [
 OF_BAND = ["scale_ratio", "scale_change", "critical_wavelength"]
 #: What may move the range of adhesion: facts of topography, means and deviations over scans.
 FACTS = ["rms_height", "rms_gradient", "rms_half_laplacian"]
+
+
+class Sources(NamedTuple):
+    """What all sets are made from."""
+
+    topography: xr.Dataset  #: Of the study.
+    adhesion: xr.Dataset  #: Of the study.
+    #: Of `pool.compute_pool`, by substrate; a substrate without one keeps its scans.
+    pools: Mapping[str, xr.Dataset]
+    #: (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
+    #: substrates with a pool.
+    sphere_factor: xr.DataArray
+    masters: xr.Dataset  #: Of `stacked_masters.stacked_forces` at one load.
+
+
+class Draw(NamedTuple):
+    """Which of all sets it is."""
+
+    seed: int  #: The seed of the study.
+    number: int  #: Of the set.
+
+    def generator(self, surface: str, purpose: str) -> np.random.Generator:
+        """Return the random generator for one purpose on one surface."""
+        return generator(self.seed, surface, self.number, "set", purpose)
 
 
 class SetSettings(NamedTuple):
@@ -61,9 +97,8 @@ def gathered_sources(
 ) -> Sources:
     """Return what sets are made from, of the files of the study and of the pools.
 
-    The study gives `topography` and `adhesion`; the chunks are of `pool.compute_pool`, by
-    substrate, first and last scan, the smooth ones of `pool.on_smooth_sphere`, by substrate, and
-    the masters of `stacked_masters.stacked_forces` at one load.
+    The study gives `topography` and `adhesion`; the chunks of `pool.compute_pool` are by substrate,
+    first and last scan, the smooth ones of `pool.on_smooth_sphere` by substrate.
     """
     pools: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
@@ -83,6 +118,123 @@ def gathered_sources(
     )
 
 
+def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
+    """Draw a set of scans of one substrate from its pool, without replacement.
+
+    A set of which a height would be below those of the pool is drawn again: with six scans or more
+    it could be negative; ValueError if none is found. METRICS and `number` in the pool are over
+    scan, which counts from 1; `pull_off_force` (scan, contact_model, rho, contact_y, contact_x) in
+    N is that on a smooth sphere.
+    """
+    least = pool["rms_height_of_force"].values.min()
+    mean, deviation = pool.attrs["mean_rms_height"], pool.attrs["rms_height_deviation"]
+    for _ in range(TRIES):
+        drawn = pool.isel(scan=rng.choice(pool.sizes["scan"], scans, replace=False))
+        heights = group_heights(drawn["rms_height"].values, mean, deviation)
+        if heights.min() >= least * (1 - 1e-9):
+            return _at_heights(drawn, heights)
+    raise ValueError(
+        f"expected sets of {scans} scans with rms heights of {mean:.3g} +- {deviation:.3g} nm, "
+        f"found none above {least:.3g} nm in {TRIES} tries"
+    )
+
+
+def _at_heights(drawn: xr.Dataset, heights: Floats) -> xr.Dataset:
+    """Return scans of a pool with their forces and metrics at other rms heights (scan,) in nm."""
+    factor = heights / drawn["rms_height"].values
+    weights = height_weights(drawn["rms_height_of_force"].values, heights)
+    log_forces = np.einsum("na,na...->n...", weights, drawn["log_force"].values)
+    axes = ("scan", "contact_model", "rho", "contact_y", "contact_x")
+    variables = {
+        name: ("scan", drawn[name].values * (1.0 if name in SHAPES else factor), drawn[name].attrs)
+        for name in METRICS
+    } | {
+        "pull_off_force": (axes, np.exp(log_forces), {"units": "N"}),
+        "number": ("scan", drawn["scan"].values),
+    }
+    coordinates = {"scan": np.arange(1, len(heights) + 1)}
+    return xr.Dataset(variables, coordinates | {name: drawn[name] for name in axes[1:]})
+
+
+def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.DataArray:
+    """Return the forces of measured scans times one sample of what their mean may be.
+
+    Other scans of the surface would have another mean force; the scans that there are keep their
+    distribution over contacts, and a single scan is left as it is. Forces (scan, sphere_scan,
+    contact_model, rho, contact_y, contact_x) are in N.
+    """
+    axes = ("scan", "contact_model", "rho")
+    means = forces.mean([dim for dim in forces.dims if dim not in axes]).transpose(*axes)
+    if means.sizes["scan"] < 2:
+        return forces
+    sample = student_log_samples(rng, means.values, 1)[0]
+    factor = xr.DataArray(sample, dims=axes[1:]) / means.mean("scan").drop_vars(axes[1:])
+    return (forces * factor).transpose(*forces.dims)
+
+
+def drawn_scans(sources: Sources, draw: Draw) -> dict[str, xr.Dataset]:
+    """Return the scans of a set by substrate, of those with a pool; as many as the study has."""
+    scans = sources.topography["rms_height"].count("scan")
+    return {
+        name: draw_scans(pool, draw.generator(name, "scans"), int(scans.sel(surface=name)))
+        for name, pool in sources.pools.items()
+    }
+
+
+def set_topography(study: xr.Dataset, drawn: Drawn, confidence: float) -> xr.Dataset:
+    """Return METRICS, their averages, and all that scans do not enter, as topography.nc has them.
+
+    Surfaces without drawn scans keep those of the study.
+    """
+    parts = [
+        drawn[name] if name in drawn else study.sel(surface=name, drop=True)
+        for name in study["surface"].values
+    ]
+    scans = xr.concat([part[list(METRICS)] for part in parts], study["surface"], join="outer")
+    constant = [name for name in study if str(name).startswith("all_scales_")]
+    named = study[[*constant, "label", "basis", "calibrated_to_table1"]]
+    return xr.merge([named, scans, averages(scans, confidence)], combine_attrs="override")
+
+
+def set_adhesion(sources: Sources, drawn: Drawn, draw: Draw) -> xr.Dataset:
+    """Return the pull-off forces of a set, as adhesion.nc has them.
+
+    Forces of drawn scans are those on a smooth sphere times what its roughness changes. Other
+    substrates keep their scans and get another mean.
+    """
+    study, parts = sources.adhesion, []
+    for surface in study["surface"].values.tolist():
+        if surface in drawn:
+            factor = sources.sphere_factor.sel(surface=surface, drop=True)
+            forces = (drawn[surface]["pull_off_force"] * factor).expand_dims(sphere_scan=[1])
+        else:
+            own = study["pull_off_force"].sel(surface=surface, drop=True)
+            own = own.dropna("scan", how="all").dropna("sphere_scan", how="all")
+            forces = with_sampled_mean(own, draw.generator(surface, "mean force"))
+        parts.append(forces)
+    stacked = xr.concat(parts, study["surface"], join="outer")
+    return study[["label", "basis", "contact_pixels"]].assign(
+        pull_off_force=stacked.transpose(*study["pull_off_force"].dims)
+    )
+
+
+def set_band(
+    masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, draw: Draw
+) -> xr.Dataset:
+    """Return the critical band of some masters of each substrate, drawn with replacement.
+
+    It is as band.nc, without labels.
+    """
+    parts = []
+    for surface in masters["surface"].values.tolist():
+        known = masters["ratio"].sel(surface=surface).dropna("realization", how="all")
+        chosen = draw.generator(surface, "masters").choice(known.realization, realizations)
+        ratio = known.sel(realization=chosen).assign_coords(realization=range(realizations))
+        parts.append(ratio.drop_vars("surface"))
+    ratio = xr.concat(parts, masters["surface"])
+    return critical_band(masters.drop_dims("realization").assign(ratio=ratio), tolerance, sampling)
+
+
 def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
 
@@ -91,8 +243,6 @@ def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Data
     (contact_model, surface, rho), the latter the root mean square over the pool; NaN of a surface
     without one.
     """
-    replicated = paper.statements[paper.statements["replicated"] == "yes"]
-    paper = paper._replace(statements=replicated)
     numbers = range(1, settings.replicates + 1)
     sets = [
         _judged_set(sources, paper, settings, Draw(settings.seed, number))
@@ -101,26 +251,42 @@ def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Data
     errors = xr.full_like(sources.sphere_factor, np.nan)
     for surface, pool in sources.pools.items():
         errors.loc[{"surface": surface}] = (pool["interpolation_error"] ** 2).mean("scan") ** 0.5
-    one, long_name = {"units": "1"}, "long_name"
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
         sphere_factor=sources.sphere_factor.assign_attrs(
-            one | {long_name: "pull-off force on the rough sphere over that on a smooth one"}
+            units="1", long_name="pull-off force on the rough sphere over that on a smooth one"
         ),
         interpolation_error=errors.assign_attrs(
-            one | {long_name: "root mean square error of an interpolated mean force of one scan"}
+            units="1", long_name="root mean square error of an interpolated mean force of one scan"
         ),
     )
 
 
 def _judged_set(sources: Sources, paper: Paper, settings: SetSettings, draw: Draw) -> xr.Dataset:
     """Return the numbers of one set."""
-    datasets = _datasets(sources, paper.published, settings, draw)
-    substrates = datasets["adhesion"]["surface"].values
+    sampling = Sampling(settings.seed, 0, settings.confidence)
+    drawn = drawn_scans(sources, draw)
+    adhesion = set_adhesion(sources, drawn, draw)
+    band = set_band(sources.masters, settings.realizations, settings.tolerance, sampling, draw)
+    datasets = {  # by the names that claims give them
+        "topography": set_topography(sources.topography, drawn, settings.confidence),
+        "adhesion": adhesion,
+        "inference": infer(
+            adhesion,
+            paper.published,
+            settings.reference_surface,
+            settings.error_threshold,
+            settings.force_floor,
+            sampling,
+        ),
+        "band": band.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
+    }
+    replicated = paper.statements[paper.statements["replicated"] == "yes"]
+    value = values(replicated, datasets, paper.constants)
+    substrates = adhesion["surface"].values
     topography = datasets["topography"].sel(surface=substrates).assign_coords(surface=substrates)
     facts: dict[str, Any] = {}
     for name in FACTS:
         facts |= {name: topography[f"{name}_mean"], f"{name}_std": topography[f"{name}_std"]}
-    value = values(paper.statements, datasets, paper.constants)
     return xr.merge(
         [
             xr.Dataset({"value": ("claim", value.to_numpy())}, {"claim": value.index.to_list()}),
@@ -131,28 +297,3 @@ def _judged_set(sources: Sources, paper: Paper, settings: SetSettings, draw: Dra
         join="exact",
         combine_attrs="drop",
     )
-
-
-def _datasets(
-    sources: Sources, published: Published, settings: SetSettings, draw: Draw
-) -> dict[str, xr.Dataset]:
-    """Return the datasets of one set, by the names that claims give them."""
-    sampling = Sampling(settings.seed, 0, settings.confidence)
-    drawn = drawn_scans(sources, draw)
-    adhesion = set_adhesion(sources, drawn, draw)
-    inference = infer(
-        adhesion,
-        published,
-        settings.reference_surface,
-        settings.error_threshold,
-        settings.force_floor,
-        sampling,
-    )
-    return {
-        "topography": set_topography(sources.topography, drawn, settings.confidence),
-        "adhesion": adhesion,
-        "inference": inference,
-        "band": set_band(
-            sources.masters, settings.realizations, settings.tolerance, sampling, draw
-        ).assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
-    }

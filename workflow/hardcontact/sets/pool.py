@@ -13,13 +13,13 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
+from scipy.interpolate import make_interp_spline
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_of_pair
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.contact.geometry import bodies
-from hardcontact.numbers.interpolation import height_weights
 from hardcontact.numbers.random import generator
-from hardcontact.records.log import progress
+from hardcontact.records.job import progress
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import Density
@@ -33,18 +33,14 @@ LEAST = 0.05
 
 
 class PoolSettings(TypedDict):
-    """What the scans of a pool and their contacts are made with.
+    """What the scans of a pool and their contacts are made with."""
 
-    The seed is that of the study, `surface` the name of the substrate; the radius of the smooth
-    sphere and the ranges of adhesion are in nm.
-    """
-
-    seed: int
-    surface: str
+    seed: int  #: The seed of the study.
+    surface: str  #: Name of the substrate.
     scan: ScanGrid
     contact: ContactSettings
-    radius: float
-    ranges: list[float]
+    radius: float  #: Of the smooth sphere, in nm.
+    ranges: list[float]  #: Of adhesion, in nm.
 
 
 def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
@@ -62,6 +58,18 @@ def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
     return np.asarray(np.linspace(least**0.5, (mean + reach) ** 0.5, amplitudes) ** 2)
 
 
+def height_weights(heights: Floats, at: Floats) -> Floats:
+    """Return the weights (at, amplitude) of logarithms of forces at `heights`, all in nm.
+
+    Those of a cubic spline in the root of the height.
+    """
+    if len(heights) == 1:
+        return np.ones((len(at), 1))
+    degree = min(3, len(heights) - 1)
+    spline = make_interp_spline(np.sqrt(heights), np.eye(len(heights)), k=degree)
+    return np.asarray(spline(np.sqrt(at)))
+
+
 def compute_pool(
     numbers: Sequence[int],
     density: Density,
@@ -71,26 +79,11 @@ def compute_pool(
 ) -> xr.Dataset:
     """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
 
-    Parameters
-    ----------
-    numbers : sequence of int
-        Of the scans.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-    targets : Targets
-        What a set of them is to have: mean and deviation of rms heights are kept as attributes.
-    heights : numpy.ndarray
-        (amplitude,) rms heights in nm, of `pool_heights`.
-    settings : PoolSettings
-        Scans and contacts.
-
-    Returns
-    -------
-    xarray.Dataset
-        Over scan: `log_force` (scan, rms_height_of_force, contact_model, rho, contact_y,
-        contact_x), the logarithm of forces in N; METRICS of the scan as it was drawn; and
-        `interpolation_error` (scan, contact_model, rho) of the logarithm of the mean force, at one
-        height drawn at random.
+    The density is C_iso in nm⁴ as a function of the wavevector in rad/nm, `heights` (amplitude,)
+    are those of `pool_heights`; mean and deviation of the targets are kept as attributes. Over scan
+    follow `log_force` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x), the
+    logarithm of forces in N; METRICS of the scan as it was drawn; and `interpolation_error` (scan,
+    contact_model, rho) of the logarithm of the mean force, at one height drawn at random.
     """
     parts = [
         _pool_scan(number, density, heights, settings)
@@ -169,10 +162,9 @@ def on_smooth_sphere(
         for surface in progress(stitched.values(), len(stitched), "scans on a smooth sphere")
     ]
     forces = [pair["pull_off_force"].values.mean(axis=(-2, -1)) for pair in pairs]
-    scans = (("scan",), np.array(list(stitched)), {"long_name": "number of the scan"})
-    kept = {name: pairs[0][name] for name in ("contact_model", "rho")}
+    scans = ("scan", list(stitched), {"long_name": "number of the scan"})
     return xr.Dataset(
         {"pull_off_force": (("scan", "contact_model", "rho"), np.array(forces), FORCE)},
-        {"scan": scans} | kept,
+        {"scan": scans} | {name: pairs[0][name] for name in ("contact_model", "rho")},
         {"work_of_adhesion": WORK_OF_ADHESION},
     )

@@ -1,19 +1,51 @@
-"""Adhesion of a smooth elastic sphere on a flat: between JKR and DMT.
+"""A smooth elastic sphere on a flat: Hertz without adhesion, and with it between JKR and DMT.
 
-Lengths in nm, forces in N, works of adhesion in J/m², moduli in Pa. Forces are positive where they
-pull. Arguments may be arrays; they broadcast.
+Lengths in nm, forces in N, works of adhesion in J/m², pressures and moduli in Pa. Loads push,
+pull-off forces are positive where they pull. Arguments may be arrays; they broadcast.
 """
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple, TypedDict
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
 
-from hardcontact.contact.hertz import NANOMETRE
+NANOMETRE = 1e-9  # m
 
 #: A number or an array of any shape; arrays broadcast.
 Values = Any
+
+
+class Material(TypedDict):
+    """Young's modulus (Pa) and Poisson's ratio of a body."""
+
+    modulus: float
+    poisson_ratio: float
+
+
+class HertzContact(NamedTuple):
+    """A smooth elastic sphere on a flat without adhesion."""
+
+    radius: float  #: In nm.
+    peak_pressure: float  #: In Pa.
+    approach: float  #: In nm.
+
+
+def effective_modulus(*bodies: Material) -> float:
+    """Return the effective modulus E* of two bodies in Pa: 1/E* is the sum of (1 - nu²)/E."""
+    return 1 / sum((1 - body["poisson_ratio"] ** 2) / body["modulus"] for body in bodies)
+
+
+def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
+    """Return the contact of a sphere under a load: a³ = 3FR/4E*, p0 = 3F/2πa², approach a²/R.
+
+    The modulus E* is the effective one. Johnson, Contact Mechanics (Cambridge University Press,
+    1985), chapter 4.
+    """
+    a = np.cbrt(0.75 * load * radius * NANOMETRE / modulus)
+    return HertzContact(
+        a / NANOMETRE, 1.5 * load / (np.pi * a**2), a**2 / (radius * NANOMETRE) / NANOMETRE
+    )
 
 
 def jkr_pull_off(work: Values, radius: Values) -> Values:
@@ -25,7 +57,7 @@ def jkr_pull_off(work: Values, radius: Values) -> Values:
 
 
 def dmt_pull_off(work: Values, radius: Values) -> Values:
-    """Return the pull-off force 2πWR (N) of a stiff sphere, W in J/m² and R in nm.
+    """Return the pull-off force 2πWR of a stiff sphere.
 
     Derjaguin, Muller and Toporov, J. Colloid Interface Sci. 53 (1975) 314.
     """

@@ -1,4 +1,4 @@
-"""Smooth spheres between JKR and DMT: closed forms against each other and published numbers."""
+"""Smooth spheres, Hertz and from DMT to JKR: closed forms and published numbers."""
 
 import numpy as np
 import pytest
@@ -6,21 +6,26 @@ from published_contact import CONTACT, MODULUS, RADIUS, SPACING, WORK
 from refusals import assert_says, refusal
 from scipy.optimize import brentq
 
-from hardcontact.contact import hertz
-from hardcontact.inference import smooth_sphere
+from hardcontact.contact import smooth_sphere
 
 LAMBDAS = np.geomspace(0.01, 100, 41)
 
 
 def test_numbers_of_ruby_on_diamond():
     assert MODULUS == pytest.approx(289.7e9, rel=2e-4)
-    contact, pressure, approach = hertz.contact(10e-6, RADIUS, MODULUS)
+    contact, pressure, approach = smooth_sphere.hertz_contact(10e-6, RADIUS, MODULUS)
     assert pressure == pytest.approx(137e6, rel=5e-3)  # 135 MPa are published
     assert approach == pytest.approx(contact**2 / RADIUS)
     tabor = smooth_sphere.tabor_parameter(WORK, RADIUS, MODULUS, SPACING)
     assert tabor == pytest.approx(0.618, abs=5e-4)
     assert smooth_sphere.maugis_parameter(tabor) == pytest.approx(0.7155, abs=5e-4)
     assert smooth_sphere.maugis_parameter(1.0) == pytest.approx(1.157, abs=1e-4)
+
+
+def test_the_pressure_of_hertz_carries_the_load():
+    contact = smooth_sphere.hertz_contact(3e-6, 5e3, 100e9)
+    carried = 2 / 3 * contact.peak_pressure * np.pi * (contact.radius * 1e-9) ** 2
+    assert carried == pytest.approx(3e-6)
 
 
 @pytest.mark.parametrize("law", ["transition_coefficient", "maugis_dugdale_coefficient"])
