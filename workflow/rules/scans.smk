@@ -135,9 +135,7 @@ rule prepare_scan:
     benchmark:
         PATTERNS.benchmark("prepare_scan", PATTERNS.levelled)
     wildcard_constraints:
-        surface=any_of(
-            surface for surface, basis in SELECTION.basis.items() if basis == "measured"
-        ),
+        surface=any_of(name for name, basis in SELECTION.basis.items() if basis == "measured"),
     params:
         canonical=lambda w: canonical(
             {

@@ -71,9 +71,7 @@ rule judge_sets:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
-        smooth_spheres=[
-            FILES.path(PATTERNS.smooth_sphere, surface) for surface in SELECTION.pooled
-        ],
+        smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
         masters=FILES.paths(PATTERNS.varied_scales, FILES.set_masters),
         statements="resources/paper/claims.csv",
         published_pull_off=PUBLISHED["published_pull_off"],
