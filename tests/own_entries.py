@@ -3,7 +3,8 @@
 from repository import PAPER, SCHEMAS
 
 from hardcontact.commands.inventory import Entry
-from hardcontact.commands.proposal import Choice, nested
+from hardcontact.commands.new import nested
+from hardcontact.commands.proposal import Choice
 from hardcontact.commands.proposed_contact import Probe
 from hardcontact.commands.request import Source
 from hardcontact.config.configuration import configuration

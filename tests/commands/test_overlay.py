@@ -7,8 +7,8 @@ from repository import SCHEMAS
 from scan_files import scan
 
 from hardcontact.commands.inventory import table_rows
-from hardcontact.commands.new import table_text, write_files
-from hardcontact.commands.proposal import Choice, nested, overlay_text
+from hardcontact.commands.new import nested, overlay_text, table_text, write_files
+from hardcontact.commands.proposal import Choice
 from hardcontact.config.selection import surface_table
 
 CHOICES = [

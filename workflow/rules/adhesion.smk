@@ -5,7 +5,7 @@ rule compute_pull_off:
     """Compute rigid and plastic pull-off of one scan on all scans of the sphere."""
     input:
         substrate=PATTERNS.stitched_substrate,
-        spheres=FILES.stitched_spheres,
+        spheres=[FILES.stitched(SPHERE, scan) for scan in SELECTION.scans(SPHERE)],
         code=code_inputs("compute_pull_off.py"),
     output:
         PATTERNS.pull_off,
@@ -32,7 +32,7 @@ rule compute_pull_off:
 rule aggregate_adhesion:
     """Gather the pull-off forces of all pairs of scans: adhesion.nc."""
     input:
-        scans=FILES.pull_offs,
+        scans=FILES.paths(PATTERNS.pull_off, FILES.substrate_scans),
         code=code_inputs("aggregate_adhesion.py"),
     output:
         PATTERNS.dataset("adhesion"),

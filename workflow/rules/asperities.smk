@@ -33,7 +33,7 @@ rule find_asperities:
 rule aggregate_asperities:
     """Gather the patches of all scans: asperities.nc."""
     input:
-        scans=FILES.of_pairs(PATTERNS.asperities, FILES.pairs_in_turn),
+        scans=FILES.paths(PATTERNS.asperities, FILES.pairs_in_turn),
         code=code_inputs("aggregate_asperities.py"),
     output:
         PATTERNS.dataset("asperities"),

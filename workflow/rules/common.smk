@@ -3,12 +3,11 @@
 from hardcontact.records.code import code_inputs, template_inputs
 from hardcontact.records.origin import canonical
 from hardcontact.config import start
-from hardcontact.config.configuration import computed_ranges
 from hardcontact.config.patterns import PUBLISHED, Patterns
 from hardcontact.config.configuration import PAPER
 
 config.update(start.with_effort(config))
 STUDY = start.checked_configuration(workflow, config)
 PATTERNS = Patterns(f"results/{STUDY['study']}", STUDY["store"], STUDY["sphere"]["surface"])
-RANGES = computed_ranges(STUDY)
+RANGES = sorted({*STUDY["adhesion"]["ranges"], STUDY["scales"]["range"]})
 COMPARED = STUDY["published"] == PAPER

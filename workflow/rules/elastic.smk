@@ -34,7 +34,7 @@ rule solve_elastic_contact:
 rule aggregate_elastic:
     """Gather elastic contact of all scans: elastic.nc."""
     input:
-        scans=FILES.of_pairs(PATTERNS.elastic, FILES.pairs_in_turn),
+        scans=FILES.paths(PATTERNS.elastic, FILES.pairs_in_turn),
         code=code_inputs("aggregate_elastic.py"),
     output:
         PATTERNS.dataset("elastic"),

@@ -33,7 +33,7 @@ rule estimate_elastic_limit:
 rule aggregate_elastic_limit:
     """Gather which contacts yield, and the force of the others: elastic_limit.nc."""
     input:
-        scans=FILES.of_pairs(PATTERNS.elastic_limit, FILES.pairs_in_turn),
+        scans=FILES.paths(PATTERNS.elastic_limit, FILES.pairs_in_turn),
         elastic=PATTERNS.dataset("elastic"),
         code=code_inputs("aggregate_elastic_limit.py"),
     output:

@@ -1,9 +1,6 @@
 # Insight: what decides the critical band, and how far the method can be trusted.
 
-from hardcontact.config.insight_files import InsightFiles
-
 INSIGHT = STUDY["insight"]
-INSIGHT_FILES = InsightFiles(config, SELECTION, PATTERNS)
 INSIGHT_RANGES = sorted({*INSIGHT["ranges"], STUDY["scales"]["range"]})
 NAMED_SURFACES = {"labels": SELECTION.labels, "basis": SELECTION.basis}
 

@@ -41,9 +41,9 @@ rule compute_law_forces:
 rule compare_laws:
     """Fit every law of attraction, and find its critical band: laws.nc."""
     input:
-        scans=INSIGHT_FILES.of_scans(PATTERNS.law_scan),
-        small=INSIGHT_FILES.of_scans(PATTERNS.law_small),
-        large=INSIGHT_FILES.of_scans(PATTERNS.law_large),
+        scans=FILES.paths(PATTERNS.law_scan, FILES.realized_scans),
+        small=FILES.paths(PATTERNS.law_small, FILES.realized_scans),
+        large=FILES.paths(PATTERNS.law_large, FILES.realized_scans),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("compare_laws.py"),
@@ -58,7 +58,7 @@ rule compare_laws:
     params:
         canonical=canonical(
             {
-                "scans": INSIGHT_FILES.realized_scans,
+                "scans": FILES.realized_scans,
                 **NAMED_SURFACES,
                 "reference_surface": STUDY["reference_surface"],
                 "spacing": INSIGHT["spacing"],

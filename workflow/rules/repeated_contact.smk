@@ -23,7 +23,7 @@ rule repeat_contact:
                 "scan": int(w.scan),
                 "contact": {
                     **{key: STUDY["contact"][key] for key in ("hardness", "window", "count")},
-                    "preload": INSIGHT_FILES.repeated_loads[w.load]["preload"],
+                    "preload": FILES.repeated_loads[w.load]["preload"],
                 },
                 "radius": STUDY["sphere"]["radius"],
                 "orders": INSIGHT["orders"],
@@ -37,7 +37,7 @@ rule repeat_contact:
 rule aggregate_repeated_contact:
     """Gather repeated contact of all scans: repeated_contact.nc."""
     input:
-        pairs=list(INSIGHT_FILES.repeated),
+        pairs=list(FILES.repeated),
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("aggregate_repeated_contact.py"),
     output:
@@ -51,7 +51,7 @@ rule aggregate_repeated_contact:
     params:
         canonical=canonical(
             {
-                "pairs": list(INSIGHT_FILES.repeated.values()),
+                "pairs": list(FILES.repeated.values()),
                 **NAMED_SURFACES,
                 "confidence": STUDY["inference"]["confidence"],
             }

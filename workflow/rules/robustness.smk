@@ -10,7 +10,7 @@ rule vary_adhesion:
         substrates=lambda w: [
             FILES.stitched(w.surface, scan, w.variant) for scan in SELECTION.scans(w.surface)
         ],
-        sphere=FILES.sphere(SELECTION.sphere_scans[0]),
+        sphere=FILES.first_sphere,
         code=code_inputs("vary_adhesion.py"),
     output:
         PATTERNS.varied_adhesion,
@@ -84,8 +84,11 @@ for surfaces, variants in FILES.varied_together.items():
 rule aggregate_robustness:
     """Infer adhesion and the critical band again under every variant: robustness.nc."""
     input:
-        adhesion=FILES.varied_adhesion,
-        scales=FILES.varied_scales,
+        adhesion=[
+            FILES.path(PATTERNS.varied_adhesion, surface, variant=variant)
+            for surface, variant in FILES.varied_surfaces
+        ],
+        scales=FILES.paths(PATTERNS.varied_scales, FILES.varied_masters),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("aggregate_robustness.py"),

@@ -92,7 +92,7 @@ rule compute_filtered_pull_off:
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.filtered_pull_offs,
+        masters=FILES.paths(PATTERNS.filtered_pull_off, FILES.masters),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),

@@ -40,7 +40,7 @@ rule compute_scaled_pull_off:
 rule scale_edges:
     """How the edges of the band scale with R, rho and the contact area: scaling.nc."""
     input:
-        masters=list(INSIGHT_FILES.scaled),
+        masters=FILES.paths(PATTERNS.scaled, FILES.scaled_masters),
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         code=code_inputs("scale_edges.py"),
     output:
@@ -54,7 +54,7 @@ rule scale_edges:
     params:
         canonical=canonical(
             {
-                "masters": list(INSIGHT_FILES.scaled.values()),
+                "masters": FILES.scaled_masters,
                 "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
                 "tolerance": STUDY["scales"]["tolerance"],

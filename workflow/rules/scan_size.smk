@@ -49,7 +49,7 @@ rule filter_windows:
 rule try_scan_sizes:
     """How large a scan must be, from random surfaces, tested on the study's: scan_size.nc."""
     input:
-        windows=list(INSIGHT_FILES.filtered_windows),
+        windows=[FILES.path(PATTERNS.filtered_windows, name) for name in SELECTION.substrates],
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         code=code_inputs("try_scan_sizes.py"),
     output:

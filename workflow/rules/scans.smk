@@ -135,7 +135,7 @@ rule prepare_scan:
     benchmark:
         PATTERNS.benchmark("prepare_scan", PATTERNS.levelled)
     wildcard_constraints:
-        surface=any_of(SELECTION.measured_surfaces),
+        surface=any_of(name for name, basis in SELECTION.basis.items() if basis == "measured"),
     params:
         canonical=lambda w: canonical(
             {

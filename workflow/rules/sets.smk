@@ -70,9 +70,9 @@ rule judge_sets:
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
-        pools=FILES.pools,
-        smooth_spheres=FILES.smooth_spheres,
-        masters=FILES.set_scales,
+        pools=FILES.paths(PATTERNS.pool, FILES.chunks),
+        smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
+        masters=FILES.paths(PATTERNS.varied_scales, FILES.set_masters),
         statements="resources/paper/claims.csv",
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],

@@ -4,8 +4,8 @@
 rule aggregate_topography:
     """Measure rms metrics and power spectra of all scans, with averages: topography.nc."""
     input:
-        scans=FILES.levelled_scans,
-        spectra=FILES.spectra,
+        scans=FILES.paths(PATTERNS.levelled, FILES.scans),
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.surfaces],
         conditionings=FILES.conditionings.values(),
         code=code_inputs("aggregate_topography.py"),
     output:

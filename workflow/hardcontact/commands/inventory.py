@@ -1,18 +1,16 @@
 """What the files of own surfaces hold: one entry a topography, and what cannot be read."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.numbers.printing import print_length
-from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 
@@ -20,11 +18,6 @@ from hardcontact.surfaces.scans import flattened, list_measurements, read_measur
 SPECTRUM = "spectrum"
 #: How undefined pixels are filled, so that what a file holds can be told.
 FILLING = "harmonic"
-
-COLUMNS = (
-    "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
-    "tip radius", "reliable", "used for",
-)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -89,29 +82,22 @@ def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
     """
     found = Found([], [], [])
     for source in sources:
-        entries, refusals = _read_file(source, tip_radius)
+        entries, refusals = [], []
+        try:
+            for dataset in list_measurements(source.file):
+                try:
+                    entries.append(_entry(source, dataset, tip_radius))
+                except ValueError as error:
+                    file = f"{source.file}: "
+                    refusals += [
+                        f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
+                        for line in str(error).splitlines()
+                    ]
+        except ValueError as error:
+            refusals += str(error).splitlines()
         found.entries.extend(entries)
         (found.unreadable if entries else found.problems).extend(refusals)
     return found
-
-
-def _read_file(source: Source, tip_radius: float | None) -> tuple[list[Entry], list[str]]:
-    """Return the topographies of a file, and why others in it cannot be used."""
-    entries, refusals = [], []
-    try:
-        datasets = list_measurements(source.file)
-    except ValueError as error:
-        return [], str(error).splitlines()
-    for dataset in datasets:
-        try:
-            entries.append(_entry(source, dataset, tip_radius))
-        except ValueError as error:
-            where = f"{source.file}: {dataset}: " if dataset else ""
-            refusals += [
-                where + line.removeprefix(f"{source.file}: ") if dataset else line
-                for line in str(error).splitlines()
-            ]
-    return entries, refusals
 
 
 def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
@@ -120,7 +106,10 @@ def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
     flat = flattened(measurement, source.sphere_radius)
-    levelled = _levelled(flat)
+    levelled = flat.heights
+    if flat.kind != "map":  # A line scan is levelled by its mean line.
+        place = np.arange(len(levelled))
+        levelled = levelled - np.polynomial.Polynomial.fit(place, levelled, 1)(place)
     stated = measurement.tip_radius
     radius = tip_radius if stated is None else stated
     return Entry(
@@ -142,22 +131,25 @@ def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
     )
 
 
-def _levelled(flat: Measurement) -> NDArray[np.float64]:
-    """Return the heights (nm) of a flat map, those of a line scan less their mean line."""
-    if flat.kind == "map":
-        return flat.heights
-    place = np.arange(len(flat.heights))
-    line = np.polynomial.Polynomial.fit(place, flat.heights, 1)
-    return np.asarray(flat.heights - line(place))
-
-
 def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
-    """Return a table of what was found, and used for what, as text with the notes below it."""
+    """Return a table of what was found, and used for what, as text with the notes below it.
+
+    Notes say what was done in reading, and what ends the reliable wavelengths other than pixels.
+    """
+    columns = (
+        "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms",
+        "peak to valley", "tip radius", "reliable", "used for",
+    )  # fmt: skip
     cells = [_cells(entry, use) for entry, use in zip(entries, uses, strict=True)]
-    rows = [COLUMNS, *((str(number), *row) for number, row in enumerate(cells, 1))]
+    rows = [columns, *((str(number), *row) for number, row in enumerate(cells, 1))]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
-    return "\n".join([*lines, *_notes(entries)])
+    for number, entry in enumerate(entries, 1):
+        lines += [f"{number}: {note}" for note in entry.notes]
+        if "pixels" not in entry.band.shortest_reason:
+            reason = entry.band.shortest_reason
+            lines.append(f"{number}: what is shorter is not reliable: {reason}")
+    return "\n".join(lines)
 
 
 def _cells(entry: Entry, use: str) -> tuple[str, ...]:
@@ -181,15 +173,6 @@ def _cells(entry: Entry, use: str) -> tuple[str, ...]:
     )
 
 
-def _notes(entries: Sequence[Entry]) -> Iterator[str]:
-    """Yield what was done in reading, and what ends the reliable wavelengths other than pixels."""
-    for number, entry in enumerate(entries, 1):
-        for note in entry.notes:
-            yield f"{number}: {note}"
-        if "pixels" not in entry.band.shortest_reason:
-            yield f"{number}: what is shorter is not reliable: {entry.band.shortest_reason}"
-
-
 def table_rows(
     entries: Sequence[Entry], contact: Sequence[Entry], tip_radius: str
 ) -> list[dict[str, str]]:
@@ -198,23 +181,21 @@ def table_rows(
     Surface by surface in the order of the entries. The tip radius is a quantity that the user gave
     for scans whose files state none, or nothing.
     """
-    surfaces = dict.fromkeys(entry.source.surface for entry in entries)
     in_contact = {id(entry) for entry in contact}
     rows = []
-    for surface in surfaces:
+    for surface in dict.fromkeys(entry.source.surface for entry in entries):
         of_it = [entry for entry in entries if entry.source.surface == surface]
-        ordered = sorted(of_it, key=lambda entry: id(entry) not in in_contact)
-        for number, entry in enumerate(ordered, 1):
-            rows.append(
-                {
-                    "surface": surface,
-                    "label": entry.source.label,
-                    "scan": str(number),
-                    "source": "measured",
-                    "path": entry.source.path,
-                    "dataset": entry.dataset,
-                    "use": CONTACT if id(entry) in in_contact else SPECTRUM,
-                    "tip_radius": tip_radius if entry.tip_given else "",
-                }
-            )
+        of_it.sort(key=lambda entry: id(entry) not in in_contact)
+        for number, entry in enumerate(of_it, 1):
+            row = {
+                "surface": surface,
+                "label": entry.source.label,
+                "scan": str(number),
+                "source": "measured",
+                "path": entry.source.path,
+                "dataset": entry.dataset,
+                "use": CONTACT if id(entry) in in_contact else SPECTRUM,
+                "tip_radius": tip_radius if entry.tip_given else "",
+            }
+            rows.append(row)
     return rows

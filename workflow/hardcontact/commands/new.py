@@ -5,11 +5,15 @@ of surfaces. All problems are told at once, a line each, and then nothing is wri
 """
 
 import sys
+import textwrap
 from argparse import Namespace
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from functools import partial
 from pathlib import Path
+from typing import Any
+
+import yaml
 
 from hardcontact.commands.inventory import (
     SPECTRUM,
@@ -19,14 +23,7 @@ from hardcontact.commands.inventory import (
     printed_table,
     table_rows,
 )
-from hardcontact.commands.proposal import (
-    Choice,
-    Proposal,
-    nested,
-    overlay_text,
-    propose,
-    refuse_unreliable,
-)
+from hardcontact.commands.proposal import Choice, Proposal, propose, refuse_unreliable
 from hardcontact.commands.proposed_contact import Probe
 from hardcontact.commands.request import (
     QUANTITIES,
@@ -50,15 +47,17 @@ from hardcontact.config.tables import measured_forces
 from hardcontact.contact.bearing_area import Load
 from hardcontact.records.whole_file import whole_file
 
+#: Characters of a line of an overlay.
+WIDTH = 100
+
 
 def main() -> int:
     """Carry out the command line, `new` or `predict`; return the exit code."""
-    command, rest = sys.argv[1:2], sys.argv[2:]
     try:
-        if command == ["predict"]:
+        if sys.argv[1:2] == ["predict"]:
             from hardcontact.commands.predict import predict, predict_arguments
 
-            print(predict(predict_arguments(rest)))
+            print(predict(predict_arguments(sys.argv[2:])))
         else:
             print(new_study(parsed(sys.argv[1:])))
     except ValueError as error:
@@ -80,52 +79,42 @@ def new_study(arguments: Namespace) -> str:
     found = inventory(files, given["tip"].number if tip else None)
     faults = [*option_faults, *file_faults, *found.problems]
     surfaces = list(dict.fromkeys(file.surface for file in files if file.surface != SPHERE))
-    plans: list[tuple[Proposal, list[Choice], list[Choice]]] = []
-    checks: list[Callable[[], object]] = [
+    checks: list[Callable[[], Any]] = [
         partial(refuse_lines, [*name_faults(arguments.name, arguments.overwrite), *faults]),
-        partial(_refuse_labels, arguments),
-        partial(_refuse_cells, table_rows(found.entries, [], tip)),
+        *_checks(arguments, table_rows(found.entries, [], tip), surfaces),
     ]
-    if arguments.forces is not None:
-        checks.append(partial(_refuse_forces, arguments.forces, surfaces))
     if not faults:  # Else problems would be told that are none once these are mended.
-        checks.append(lambda: plans.append(_plan(arguments, given, found.entries)))
-    refuse_all(checks)
-    ((proposal, choices, quick),) = plans
+        checks.append(partial(_plan, arguments, given, found.entries))
+    *_, (proposal, choices, quick) = refuse_all(checks)
     overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
-    rows = table_rows(found.entries, proposal.contact, tip)
-    head = ["Written by `hardcontact new`; config/README.md explains every key.", _run(overlay)]
-    texts = {overlay: overlay_text(head, choices, quick), table: table_text(rows)}
-    write_files({ROOT / path: text for path, text in texts.items()})
-    return "\n".join(_told(found, proposal, choices, overlay, table))
+    run = f"snakemake --configfile {overlay}"
+    head = ["Written by `hardcontact new`; config/README.md explains every key.", run]
+    text = table_text(table_rows(found.entries, proposal.contact, tip))
+    write_files({ROOT / overlay: overlay_text(head, choices, quick), ROOT / table: text})
+    told = [
+        *_told(found, proposal, choices),
+        f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:",
+        f"{run} --config effort=quick   # a first answer",
+        run,
+    ]
+    return "\n".join(told)
 
 
-def _refuse_forces(path: str, surfaces: Sequence[str]) -> None:
-    """Refuse own forces that the study would refuse."""
-    try:
-        measured_forces(path, surfaces)
-    except ValueError as error:
-        raise ValueError(str(error).replace("config key forces", "--forces")) from None
-
-
-def _refuse_labels(arguments: Namespace) -> None:
-    """Refuse labels that figures cannot have; the name of a study is one if files follow it."""
-    label = read_yaml("workflow/schemas/surfaces.schema.yaml")["properties"]["label"]
-    given = [("--surface", text) for text, *_ in arguments.surface]
-    if arguments.files and not list(name_faults(arguments.name, True)):
-        given.append(("NAME", arguments.name))
-    refuse_all(
-        partial(refuse, {f"{key}: label": text}, {"properties": {f"{key}: label": label}}, "")
-        for key, text in given
-    )
-
-
-def _refuse_cells(rows: Sequence[Mapping[str, str]]) -> None:
-    """Refuse paths and names of scans that the table of surfaces cannot have."""
+def _checks(
+    arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str]
+) -> Iterator[Callable[[], object]]:
+    """Yield the checks of labels, which figures must have, of cells of the table, of own forces."""
     schema = read_yaml("workflow/schemas/surfaces.schema.yaml")
-    # The label of a surface is refused by itself, not with each of its files.
-    labelled = ({**row, "label": row["surface"]} for row in rows)
-    refuse_all(partial(refuse, row, schema, f"{row['path']!r}: ") for row in labelled)
+    labels = [("--surface", text) for text, *_ in arguments.surface]
+    if arguments.files and not list(name_faults(arguments.name, True)):
+        labels.append(("NAME", arguments.name))  # The name of a study is one if files follow it.
+    for option, text in labels:
+        key = f"{option}: label"
+        yield partial(refuse, {key: text}, {"properties": {key: schema["properties"]["label"]}}, "")
+    for row in rows:  # The label of a surface is refused by itself, not with each of its files.
+        yield partial(refuse, {**row, "label": row["surface"]}, schema, f"{row['path']!r}: ")
+    if arguments.forces is not None:
+        yield partial(measured_forces, arguments.forces, surfaces, "--forces")
 
 
 def _plan(
@@ -133,7 +122,7 @@ def _plan(
 ) -> tuple[Proposal, list[Choice], list[Choice]]:
     """Return what is computed, all keys of the overlay and those that count at quick effort.
 
-    The study itself would accept them.
+    What the study would refuse of these scans at either effort is refused.
     """
     load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
     probe = Probe(given["radius"].number, load, given["range"].number, given["range"].given)
@@ -148,7 +137,17 @@ def _plan(
         Choice("store", f"results/store-{quick_name}", ""),
         *proposal.quick,
     ]
-    _check(proposal.contact, choices, quick)
+    grids: dict[str, Grid] = {}
+    for entry in proposal.contact:
+        first = grids.setdefault(entry.source.surface, entry.grid)
+        relief = max(first.relief, entry.relief)
+        grids[entry.source.surface] = first._replace(relief=relief)
+    schema = read_yaml("workflow/schemas/config.schema.yaml")
+    base = read_yaml("config/config.yaml")
+    for keys in (choices, [*choices, *quick]):
+        # What is wrong with keys that follow from the name is told of the name.
+        others = [choice for choice in keys if choice.key not in ("study", "store")]
+        check_grids(configuration(nested(others, base), schema), grids)
     refuse_unreliable(entries)
     return proposal, choices, quick
 
@@ -170,29 +169,8 @@ def _named_choices(arguments: Namespace, given: Mapping[str, Option]) -> Iterato
             yield Choice(key, given[option].text, f"{meaning}: {source}")
 
 
-def _check(contact: Sequence[Entry], choices: Sequence[Choice], quick: Sequence[Choice]) -> None:
-    """Refuse what the study would refuse of these scans, at both efforts."""
-    grids: dict[str, Grid] = {}
-    for entry in contact:
-        first = grids.setdefault(entry.source.surface, entry.grid)
-        relief = max(first.relief, entry.relief)
-        grids[entry.source.surface] = first._replace(relief=relief)
-    schema = read_yaml("workflow/schemas/config.schema.yaml")
-    base = read_yaml("config/config.yaml")
-    for keys in (choices, [*choices, *quick]):
-        # What is wrong with keys that follow from the name is told of the name.
-        others = [choice for choice in keys if choice.key not in ("study", "store")]
-        check_grids(configuration(nested(others, base), schema), grids)
-
-
-def _run(overlay: str) -> str:
-    return f"snakemake --configfile {overlay}"
-
-
-def _told(
-    found: Found, proposal: Proposal, choices: Sequence[Choice], overlay: str, table: str
-) -> Iterator[str]:
-    """Yield the lines that tell what was found, chosen and written."""
+def _told(found: Found, proposal: Proposal, choices: Sequence[Choice]) -> Iterator[str]:
+    """Yield the lines that tell what was found and chosen."""
     contact = {id(entry) for entry in proposal.contact}
     uses = [CONTACT if id(entry) in contact else SPECTRUM for entry in found.entries]
     yield "Found:"
@@ -215,9 +193,64 @@ def _told(
     if proposal.cautions:
         yield "\nTake care:"
         yield from (f"- {caution}" for caution in proposal.cautions)
-    yield f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:"
-    yield f"{_run(overlay)} --config effort=quick   # a first answer"
-    yield _run(overlay)
+
+
+def nested(choices: Sequence[Choice], base: Mapping[str, Any]) -> dict[str, Any]:
+    """Return a configuration with the values of choices, the last of several, for its own."""
+    config = dict(base)
+    for key, value, _ in choices:
+        *branch, last = key.split(".")
+        place = config
+        for part in branch:
+            place[part] = place = dict(place.get(part, {}))
+        place[last] = value
+    return config
+
+
+def overlay_text(head: Sequence[str], choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
+    """Return an overlay with a comment for every choice that has a reason, as YAML.
+
+    Below the lines of a head stand the keys of the study, and those that count with `effort:
+    quick`. Choices of one section follow each other.
+    """
+    of_quick = [choice._replace(key=f"quick.{choice.key}") for choice in quick]
+    lines = [*(f"# {line}" for line in head), "", *_keys(choices)]
+    lines += ["", "# With --config effort=quick these replace those above.", *_keys(of_quick)]
+    return "\n".join(lines) + "\n"
+
+
+def _keys(choices: Sequence[Choice]) -> Iterator[str]:
+    """Yield the lines of choices below those of their sections."""
+    above: list[str] = []
+    for key, value, reason in choices:
+        *branch, name = key.split(".")
+        for depth, section in enumerate(branch):
+            if above[: depth + 1] != branch[: depth + 1]:
+                yield f"{depth * '  '}{section}:"
+        above = branch
+        yield from _commented(len(branch) * "  ", name, value, reason)
+
+
+def _commented(indent: str, name: str, value: object, reason: str) -> list[str]:
+    """Return a key with its value, and its reason beside it or, if that is too long, above it."""
+    lines = [f"{indent}{name}: {_scalar(value)}"]
+    if isinstance(value, list):
+        # An item stays on one line: its spaces are no places to break at.
+        items = ", ".join(_scalar(item).replace(" ", "\0") for item in value)
+        lines = [line.replace("\0", " ") for line in _wrapped(f"{name}: [{items}]", indent, "  ")]
+    beside = f"{lines[0]:32} # {reason}"
+    if reason and len(lines) == 1 and len(beside) <= WIDTH:
+        return [beside]
+    return [*_wrapped(reason, f"{indent}# "), *lines]
+
+
+def _wrapped(text: str, indent: str, hanging: str = "") -> list[str]:
+    return textwrap.wrap(text, WIDTH, initial_indent=indent, subsequent_indent=f"{indent}{hanging}")
+
+
+def _scalar(value: object) -> str:
+    text = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
+    return str(text).strip()[1:-1]
 
 
 def table_text(rows: Sequence[Mapping[str, str]]) -> str:

@@ -1,7 +1,5 @@
 """The command `hardcontact predict`: force, edges and regime from a spectrum, without a study."""
 
-import csv
-import io
 import json
 import math
 import re
@@ -10,9 +8,11 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from hardcontact.commands.request import QUANTITIES, Option, options
+import pandas as pd
+
+from hardcontact.commands.request import QUANTITIES, Option, add_quantities, options
 from hardcontact.config.configuration import read_yaml, refuse_all
-from hardcontact.config.own_spectrum import OwnSpectrum, own_spectrum
+from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
 from hardcontact.insight.closed_form import (
@@ -63,8 +63,6 @@ MEANING = {
     MANY_POINTS: "the whole surface attracts, not only the points that touch",
     SINGLE_PEAKS: "the few highest summits carry the force",
 }
-#: Units of the quantities in files of numbers.
-UNITS = {"radius": "nm", "hardness": "Pa", "preload": "N", "range": "nm", "work": "J/m2"}
 
 
 def predict_arguments(arguments: Sequence[str]) -> Namespace:
@@ -73,11 +71,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
         "hardcontact predict", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
     )
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
-    paper = read_yaml("config/config.yaml")
-    for name, (key, meaning) in QUANTITIES.items():
-        group, quantity = key.split(".")
-        usual = paper[group][quantity]
-        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {usual})")
+    add_quantities(parser)
     parser.add_argument("--tip", help="radius of the tip, if the file of a scan does not state it")
     parser.add_argument("--dataset", default="", help="the only scan of a container that counts")
     for name in WRITERS:
@@ -91,42 +85,34 @@ def predict(arguments: Namespace) -> str:
     A file named - is returned in place of the words; all problems are a ValueError, a line each.
     """
     given, faults = options(arguments)
-    contact = _contact(given)
+    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
+    radius, rho, work = (given[name].number for name in ("radius", "range", "work"))
+    contact = Contact(radius, rho, work, contact_area(load))
     wide = too_wide(contact, given["preload"].number)
     if wide and not faults:
         faults.append(f"--{wide}")
-    files = {name: getattr(arguments, name) for name in WRITERS}
+    files = {name: file for name in WRITERS if (file := getattr(arguments, name)) is not None}
     if [*files.values()].count("-") > 1:
         faults.append("--csv: expected a file, as --json goes to stdout, found -")
     tip = given["tip"].number if "tip" in given else None
-    read: list[OwnSpectrum] = []
     reader = partial(own_spectrum, [arguments.file], dataset=arguments.dataset, tip_radius=tip)
-    refuse_all([partial(refuse_lines, faults), lambda: read.append(reader())])
-    ((spectrum, notes),) = read
+    _, (spectrum, notes) = refuse_all([partial(refuse_lines, faults), reader])
     tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
     numbers = prediction(rough_part(spectrum, arguments.file), contact, tolerance)
     of_options = {
-        name: Number(
-            name, given[name].number, unit, status="given" if given[name].given else "paper"
-        )
-        for name, unit in UNITS.items()
+        name: Number(name, one.number, one.unit, status="given" if one.given else "paper")
+        for name, one in given.items()
+        if name in QUANTITIES
     }
     told = "\n".join([*notes, *_told(numbers, given)])
     for name, path in files.items():
-        text = WRITERS[name](of_options | numbers) if path is not None else ""
+        text = WRITERS[name](of_options | numbers)
         if path == "-":
             told = text
-        elif path is not None:
+        else:
             with whole_file(path) as temporary:
                 Path(temporary).write_text(text + "\n", "utf-8")
     return told
-
-
-def _contact(given: Mapping[str, Option]) -> Contact:
-    """Return sphere, attraction and area in contact of the options."""
-    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
-    radius, rho, work = (given[name].number for name in ("radius", "range", "work"))
-    return Contact(radius, rho, work, contact_area(load))
 
 
 def _json(numbers: Mapping[str, Number]) -> str:
@@ -142,11 +128,10 @@ def _json(numbers: Mapping[str, Number]) -> str:
 
 def _csv(numbers: Mapping[str, Number]) -> str:
     """Return numbers as a table, a row each; cells are empty where there is nothing."""
-    text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    rows.writerow(["quantity", "value", "unit", "low", "high", "status"])
-    rows.writerows(plain([*one[:6]]) for one in numbers.values())
-    return text.getvalue().rstrip("\n")
+    columns = ["quantity", "value", "unit", "low", "high", "status"]
+    table = pd.DataFrame([one[:6] for one in numbers.values()], columns=columns)
+    known = table.replace([math.inf, -math.inf], math.nan)
+    return str(known.to_csv(index=False, lineterminator="\n")).rstrip("\n")
 
 
 #: Writers of files of numbers, by the option that names the file.

@@ -1,33 +1,27 @@
-"""What a study of own surfaces computes, with reasons in words, and the overlay that says so.
+"""Every key of a study of own surfaces that depends on its scans, with reasons in words."""
 
-Every key that depends on the scans follows from what the files hold and from the few options of the
-command line.
-"""
-
-import textwrap
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
 
 import numpy as np
-import yaml
 
 from hardcontact.commands.inventory import FILLING, Entry
 from hardcontact.commands.proposed_contact import (
+    FEWEST_CONTACTS,
+    PIXELS,
     Contact,
     Probe,
     contact_cautions,
     contact_scans,
     proposed_contact,
+    proposed_tiles,
 )
-from hardcontact.commands.proposed_scales import (
-    FULL,
-    QUICK,
-    Effort,
-    Scales,
-    Setting,
-    proposed_scales,
-)
+from hardcontact.config.grids import CONTACT_PIXELS
+from hardcontact.config.limits import window_images
 from hardcontact.config.schema import refuse_lines
+from hardcontact.contact.bearing_area import TILE, contact_pixel_count
+from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import FEWEST
 from hardcontact.surfaces.spectrum import BIN_EDGES
@@ -39,8 +33,37 @@ TRANSITION_PIXELS, TRANSITION_SHARE = 4, 0.4
 RANGE_SPAN = 8.0
 #: Ranges of adhesion (nm) that the configuration accepts.
 RANGES = (0.01, 1000.0)
-#: Characters of a line of an overlay.
-WIDTH = 100
+#: The finest pixels worth computing, in nm: half the distance of atoms.
+FINEST = 0.15
+#: Numbers of contacts along an edge of the array. Even ones fall evenly on the quarters of a scan.
+COUNTS = (20, 16, 12, 10, 8, 6, FEWEST_CONTACTS)
+#: Seconds that the contacts of one filtered surface may take.
+CONTACT_SECONDS = 2.0
+#: Seconds a contact pixel and image of the cell in the window, and a tile in the window (measured).
+SECONDS_A_PIXEL, SECONDS_A_TILE = 4e-7, 4e-8
+#: The least ratio of neighbouring cutoffs: forces in between are as good interpolated.
+RATIO = 1.15
+
+
+class Effort(NamedTuple):
+    """What a study may cost.
+
+    Pixels along an edge of masters, if scans do not have more; cutoffs on each side; masters of
+    each side, and those of contacts that take long; contacts along an edge of the array; ranges of
+    adhesion.
+    """
+
+    pixels: int
+    cutoffs: int
+    realizations: int
+    fewest: int
+    contacts: int
+    ranges: int
+
+
+#: Ten minutes on two cores, for one scan of 512 x 512 pixels; and two.
+FULL = Effort(pixels=PIXELS, cutoffs=14, realizations=5, fewest=3, contacts=20, ranges=12)
+QUICK = Effort(pixels=2048, cutoffs=5, realizations=2, fewest=2, contacts=8, ranges=5)
 
 
 class Choice(NamedTuple):
@@ -52,11 +75,10 @@ class Choice(NamedTuple):
 
 
 class Proposal(NamedTuple):
-    """What is proposed.
+    """The scans that contacts are made on (all others only enter the spectrum), and what is chosen.
 
-    The scans that contacts are made on (all others only enter the spectrum), what is chosen for the
-    study and what differs at quick effort, reasons for the scans of each surface, and what the user
-    should know before believing the answer.
+    Quick is what differs at quick effort, reasons are those for the scans of each surface, and
+    cautions what the user should know before believing the answer.
     """
 
     contact: list[Entry]
@@ -74,16 +96,33 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     """
     scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
-    _refuse_different(substrates)
+    coarsest = max(substrates, key=lambda scan: scan.pixel_size)
+    smallest = min(substrates, key=lambda scan: scan.size)
+    if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
+        raise ValueError(
+            "--surface: expected scans of similar size on all surfaces, found "
+            f"{print_length(smallest.size)} on {smallest.source.surface} and pixels of "
+            f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
+            "make a study of each"
+        )
     contact = proposed_contact(scans, substrates, probe)
-    full, quick = (_choices(substrates, probe, contact, effort) for effort in (FULL, QUICK))
+    full, quick = (list(_choices(substrates, probe, contact, effort)) for effort in (FULL, QUICK))
     usual = {choice.key: choice.value for choice in full}
+    blind = (
+        f"{scan.name}: no wavelength is reliable: {scan.band.shortest_reason}, but "
+        f"{scan.band.longest_reason} ends at {print_length(scan.band.longest)}"
+        for scan in substrates
+        if scan.band.shortest > scan.band.longest
+    )
+    if gaps := sum(entry.undefined > 0 for entry in entries):
+        reason = f"{gaps} of the files have undefined pixels"
+        full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
     return Proposal(
         scans,
-        [*_filling(entries), *full],
+        full,
         [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
         reasons,
-        [*contact_cautions(substrates, probe, contact), *_band_cautions(substrates)],
+        [*contact_cautions(substrates, probe, contact), *blind],
     )
 
 
@@ -98,7 +137,12 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
         ]
         count = int(np.any(reliable, axis=0).sum())
         if count < FEWEST:
-            found = "; ".join(map(_band_ends, scans))
+            found = "; ".join(
+                f"{scan.name} from {print_length(scan.band.shortest)} "
+                f"({scan.band.shortest_reason}) to {print_length(scan.band.longest)} "
+                f"({scan.band.longest_reason})"
+                for scan in scans
+            )
             faults.append(
                 f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
                 f"wavelengths (ten a decade), found {count}: {found}; add one of another size"
@@ -106,72 +150,100 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
     refuse_lines(faults)
 
 
-def _band_ends(scan: Entry) -> str:
-    """Return what ends the reliable wavelengths of a scan, in words."""
-    band = scan.band
-    return (
-        f"{scan.name} from {print_length(band.shortest)} ({band.shortest_reason}) "
-        f"to {print_length(band.longest)} ({band.longest_reason})"
-    )
-
-
-def _refuse_different(substrates: Sequence[Entry]) -> None:
-    """Refuse surfaces whose scans have no wavelength in common."""
-    coarsest = max(substrates, key=lambda scan: scan.pixel_size)
-    smallest = min(substrates, key=lambda scan: scan.size)
-    if TRANSITION_PIXELS * coarsest.pixel_size > TRANSITION_SHARE * smallest.size:
-        raise ValueError(
-            "--surface: expected scans of similar size on all surfaces, found "
-            f"{print_length(smallest.size)} on {smallest.source.surface} and pixels of "
-            f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
-            "make a study of each"
-        )
-
-
 def _choices(
     substrates: Sequence[Entry], probe: Probe, contact: Contact, effort: Effort
-) -> list[Choice]:
-    """Return what is computed at some effort."""
-    counts = [scan.source.surface for scan in substrates]
-    setting = Setting(
-        [scan.grid for scan in substrates],
-        max(map(counts.count, counts)),
-        probe.load,
-        probe.radius,
-        contact.rho,
-        contact.window,
-    )
-    scales = proposed_scales(setting, effort)
-    ranges = _quantities(_ranges(contact, effort.ranges))
+) -> Iterator[Choice]:
+    """Yield what is computed at some effort, within what the checks permit."""
+    small_pixels = max(_small_pixels(scan, probe, contact, effort.pixels) for scan in substrates)
+    count, slow = _count(substrates, probe, contact, small_pixels, effort.contacts)
+    masters = effort.fewest if slow else effort.realizations
+    surfaces = [scan.source.surface for scan in substrates]
+    most_scans = max(map(surfaces.count, surfaces))
+    if effort is QUICK:
+        realizations = max(masters, min(most_scans, 3))
+    else:
+        of_each = max(1, round(masters / most_scans))
+        realizations = min(most_scans * of_each, 2 * effort.realizations)
+    ranges = list(map(quantity, _ranges(contact, effort.ranges)))
     permitted = f"these scans permit {contact.least:.3g} nm or more"
     why = contact.rho_reason or ("as given" if probe.rho_given else "the paper's")
-    return [
-        Choice("contact.window", quantity(contact.window), contact.window_reason),
-        Choice("contact.count", scales.contacts, "contacts along an edge of their array"),
-        Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}"),
-        Choice("scales.range", quantity(contact.rho), why),
-        Choice("scales.realizations", scales.realizations, "masters on each side"),
-        *_master_choices(substrates, scales),
-    ]
+    yield Choice("contact.window", quantity(contact.window), contact.window_reason)
+    yield Choice("contact.count", count, "contacts along an edge of their array")
+    yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
+    yield Choice("scales.range", quantity(contact.rho), why)
+    yield Choice("scales.realizations", realizations, "masters on each side")
+    yield from _master_choices(substrates, probe, contact, effort, small_pixels)
 
 
-def _master_choices(substrates: Sequence[Entry], scales: Scales) -> Iterator[Choice]:
+def _master_choices(
+    substrates: Sequence[Entry], probe: Probe, contact: Contact, effort: Effort, small_pixels: int
+) -> Iterator[Choice]:
     """Yield what masters and their filters are."""
-    shortest, longest, shortest_reason = _transitions(substrates)
-    longest_reason = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
-    size = 2 * min(scan.size for scan in substrates)
-    pixel = max(2 * scan.size / scales.small_pixels for scan in substrates)
-    edge = f"mirrored scans along an edge, {print_length(size * scales.tiles)}"
-    small, large = (
-        _quantities(cutoffs) for cutoffs in (scales.small_cutoffs, scales.large_cutoffs)
-    )
-    yield Choice("scales.small.pixels", scales.small_pixels, f"{print_length(pixel)} a pixel")
-    yield Choice("scales.small.transition", quantity(shortest), shortest_reason)
+    tiles = proposed_tiles(substrates, contact.window, effort.pixels)
+    large_pixels = max(2 * scan.pixels for scan in substrates) * tiles
+    size = min(scan.size for scan in substrates)
+    finest = max(2 * scan.size / small_pixels for scan in substrates)
+    coarsest = max(scan.pixel_size for scan in substrates)
+    shortest = min(size / 25, math.sqrt(2 * probe.radius * contact.rho) / 16)
+    small = _cutoffs(4 * finest, size, effort.cutoffs)
+    large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
+    least, most, reason = _transitions(substrates)
+    above = f"{TRANSITION_SHARE:g} of the size of the scan; above, roughness is artificial"
+    edge = f"mirrored scans along an edge, {print_length(2 * size * tiles)}"
+    yield Choice("scales.small.pixels", small_pixels, f"{print_length(finest)} a pixel")
+    yield Choice("scales.small.transition", quantity(least), reason)
     yield Choice("scales.small.cutoffs", small, "from four pixels to the size of the scan")
-    yield Choice("scales.large.pixels", scales.large_pixels, "those of the scans")
-    yield Choice("scales.large.tiles", scales.tiles, edge)
-    yield Choice("scales.large.transition", quantity(longest), longest_reason)
+    yield Choice("scales.large.pixels", large_pixels, "those of the scans")
+    yield Choice("scales.large.tiles", tiles, edge)
+    yield Choice("scales.large.transition", quantity(most), above)
     yield Choice("scales.large.cutoffs", large, "to half the size of the master")
+
+
+def _small_pixels(scan: Entry, probe: Probe, contact: Contact, most: int) -> int:
+    """Return the pixels of small-scale masters of one scan: stitched, halved repeatedly."""
+    pixels = 2 * scan.pixels
+    while 2 * pixels <= most:
+        pixel_size = scan.size / pixels
+        seconds = _contact_seconds(scan, probe, contact, pixel_size)
+        if pixel_size < FINEST or FEWEST_CONTACTS**2 * seconds > CONTACT_SECONDS:
+            break
+        pixels *= 2
+    return pixels
+
+
+def _contact_seconds(scan: Entry, probe: Probe, contact: Contact, pixel_size: float) -> float:
+    """Return about how long (s) one contact, and all its images, take on pixels of a size (nm)."""
+    images = window_images(contact.window, scan.size)
+    tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
+    contact_pixels = contact_pixel_count(probe.load, pixel_size)
+    return contact_pixels * images * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
+
+
+def _count(
+    substrates: Sequence[Entry], probe: Probe, contact: Contact, small_pixels: int, most: int
+) -> tuple[int, bool]:
+    """Return the contacts along an edge, as many as time and memory permit, and if they take long.
+
+    Pixels are kept in memory on scans, with their images, and on masters.
+    """
+    seconds, kept = 0.0, 0.0
+    for scan in substrates:
+        images, finest = window_images(contact.window, scan.size), 2 * scan.size / small_pixels
+        for pixel_size, repeated in ((scan.pixel_size, images), (finest, 1.0)):
+            seconds = max(seconds, _contact_seconds(scan, probe, contact, pixel_size))
+            kept = max(kept, contact_pixel_count(probe.load, pixel_size) * repeated)
+    for count in COUNTS:
+        slow = count**2 * seconds > CONTACT_SECONDS
+        if count <= most and count**2 * kept <= CONTACT_PIXELS and not slow:
+            break
+    return count, slow
+
+
+def _cutoffs(shortest: float, longest: float, most: int) -> list[str]:
+    """Return wavelengths (nm) of three digits, evenly spaced in their logarithm, as quantities."""
+    steps = int(math.log(longest / shortest) / math.log(RATIO))
+    wavelengths = np.geomspace(shortest, longest, min(most, max(steps, 1) + 1))
+    return [quantity(float(f"{wavelength:.3g}")) for wavelength in wavelengths]
 
 
 def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
@@ -198,99 +270,6 @@ def _ranges(contact: Contact, count: int) -> list[float]:
     return sorted({shortest, contact.rho, *others})
 
 
-def _filling(entries: Sequence[Entry]) -> Iterator[Choice]:
-    """Yield that gaps are filled, if there are any."""
-    count = sum(entry.undefined > 0 for entry in entries)
-    if count:
-        yield Choice(
-            "scan.undefined_pixels", FILLING, f"{count} of the files have undefined pixels"
-        )
-
-
-def _band_cautions(substrates: Sequence[Entry]) -> Iterator[str]:
-    """Yield which scans of contacts have no reliable wavelength, in words."""
-    for scan in substrates:
-        if scan.band.shortest > scan.band.longest:
-            yield (
-                f"{scan.name}: no wavelength is reliable: {scan.band.shortest_reason}, but "
-                f"{scan.band.longest_reason} ends at {print_length(scan.band.longest)}"
-            )
-
-
-def _quantities(lengths: Sequence[float]) -> list[str]:
-    return [quantity(length) for length in lengths]
-
-
 def quantity(length: float) -> str:
     """Return a length (nm) as the configuration has it."""
     return f"{length:.12g} nm"
-
-
-def nested(choices: Sequence[Choice], base: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a configuration with the values of choices, the last of several, for its own."""
-    config = dict(base)
-    for key, value, _ in choices:
-        *branch, last = key.split(".")
-        place = config
-        for part in branch:
-            place[part] = place = dict(place.get(part, {}))
-        place[last] = value
-    return config
-
-
-def overlay_text(head: Sequence[str], choices: Sequence[Choice], quick: Sequence[Choice]) -> str:
-    """Return an overlay with a comment for every choice that has a reason, as YAML.
-
-    Below the lines of a head stand the keys of the study, and those that count with `effort:
-    quick`.
-    """
-    of_quick = [choice._replace(key=f"quick.{choice.key}") for choice in quick]
-    lines = [f"# {line}" for line in head]
-    lines += ["", *_section(choices), "", "# With --config effort=quick these replace those above."]
-    return "\n".join([*lines, *_section(of_quick)]) + "\n"
-
-
-def _section(choices: Sequence[Choice], depth: int = 0) -> Iterator[str]:
-    """Yield the lines of choices whose keys are the same up to one depth."""
-    groups: dict[str, list[Choice]] = {}
-    for choice in choices:
-        groups.setdefault(choice.key.split(".")[depth], []).append(choice)
-    indent = depth * "  "
-    for name, group in groups.items():
-        if group[0].key.count(".") > depth:
-            yield f"{indent}{name}:"
-            yield from _section(group, depth + 1)
-        else:
-            yield from _commented(f"{indent}{name}: ", indent, group[0])
-
-
-def _commented(start: str, indent: str, choice: Choice) -> Iterator[str]:
-    """Yield a key with its value, and its reason beside it or, if that is too long, above it."""
-    lines = _value_lines(start, indent, choice.value)
-    beside = f"{lines[0]:32} # {choice.reason}"
-    if choice.reason and len(lines) == 1 and len(beside) <= WIDTH:
-        yield beside
-        return
-    if choice.reason:
-        comment = f"{indent}# "
-        yield from textwrap.wrap(
-            choice.reason, WIDTH, initial_indent=comment, subsequent_indent=comment
-        )
-    yield from lines
-
-
-def _value_lines(start: str, indent: str, value: object) -> list[str]:
-    """Return a key and its value as YAML, long lists on several lines."""
-    if not isinstance(value, list):
-        return [start + _scalar(value)]
-    # An item stays on one line: its spaces are no places to break at.
-    items = ", ".join(_scalar(item).replace(" ", "\0") for item in value)
-    text = f"{start.strip()} [{items}]"
-    hanging = f"{indent}  "
-    lines = textwrap.wrap(text, WIDTH, initial_indent=indent, subsequent_indent=hanging)
-    return [line.replace("\0", " ") for line in lines]
-
-
-def _scalar(value: object) -> str:
-    text = yaml.safe_dump([value], default_flow_style=True, allow_unicode=True, width=2**20)
-    return str(text).strip()[1:-1]

@@ -2,26 +2,28 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from functools import partial
 from typing import TYPE_CHECKING, NamedTuple
 
-from hardcontact.commands.proposed_scales import COUNTS, FULL, proposed_tiles
-from hardcontact.config.configuration import refuse_all
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
     PENETRATION_OVER_RANGE,
     PIXEL_SIZES,
+    alike,
     least_range,
 )
+from hardcontact.config.limits import carrying_pixels, pressed_depth, window_images
 from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
-from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length, print_quantity
 
 if TYPE_CHECKING:
     from hardcontact.commands.inventory import Entry
 
+#: Edge of the large-scale master over that of a scan, and over the window.
+SCANS, WINDOWS = 8, 1.6
+#: The fewest contacts along an edge of the array, and the pixels of masters, of the full effort.
+FEWEST_CONTACTS, PIXELS = 4, 4096
 #: The sphere above its apex at the edge of the window, over the range of adhesion (14 in the paper)
 #: and over the rms height.
 RANGES_IN_WINDOW, RMS_IN_WINDOW = 14, 4
@@ -77,29 +79,31 @@ def proposed_contact(
     rho = max(probe.rho, least)
     # A wider window, as a longer range needs, does not raise the least range.
     window, reason = _window(scans, probe.radius, rho)
-    loaded = partial(_refuse_load, scans, probe.load, window)
-    refuse_all([partial(_refuse_range, probe, least, why), loaded])
+    faults = []
+    if rho > probe.rho and (probe.rho_given or least > LONGEST_RANGE):
+        usual = "" if probe.rho_given else "the usual "
+        faults.append(
+            f"--range: expected at least {least:.3g} nm on these scans, where {why}, "
+            f"found {usual}{probe.rho:.4g} nm"
+        )
+    most = min(_most_load(scan, probe.load, window) for scan in scans)
+    if probe.load["preload"] > most:
+        faults.append(
+            f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
+            f"scans can carry at this hardness, found {print_quantity(probe.load['preload'], 'N')}"
+        )
+    refuse_lines(faults)
     raised = f"the least on these scans, where {why}" if rho > probe.rho else ""
     return Contact(rho, least, raised, window, reason)
-
-
-def _refuse_range(probe: Probe, least: float, why: str) -> None:
-    """Refuse a range that is too short, if the user asked for it or no range known is as long."""
-    if probe.rho < least and (probe.rho_given or least > LONGEST_RANGE):
-        found = f"{'' if probe.rho_given else 'the usual '}{probe.rho:.4g} nm"
-        raise ValueError(
-            f"--range: expected at least {least:.3g} nm on these scans, where {why}, found {found}"
-        )
 
 
 def _window(scans: Sequence["Entry"], radius: float, rho: float) -> tuple[float, str]:
     """Return the edge of the window (nm) for a range of adhesion (nm), and the reason."""
     rms_height = max(scan.rms_height for scan in scans)
     finest, least_size = min(scan.pixel_size for scan in scans), min(scan.size for scan in scans)
-    height = max(RANGES_IN_WINDOW * rho, RMS_IN_WINDOW * rms_height)
-    what = f"{RANGES_IN_WINDOW} ranges of adhesion"
-    if RMS_IN_WINDOW * rms_height > RANGES_IN_WINDOW * rho:
-        what = f"{RMS_IN_WINDOW} rms heights"
+    height, what = RANGES_IN_WINDOW * rho, f"{RANGES_IN_WINDOW} ranges of adhesion"
+    if RMS_IN_WINDOW * rms_height > height:
+        height, what = RMS_IN_WINDOW * rms_height, f"{RMS_IN_WINDOW} rms heights"
     edge, reason = min(
         (2 * math.sqrt(2 * radius * height), f"at its edge the sphere is {what} above its apex"),
         (MAP_PIXELS * finest, f"{MAP_PIXELS} pixels of the scans, the most that are computed"),
@@ -113,34 +117,33 @@ def _least_range(
     scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Probe, window: float
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
-    tiles = proposed_tiles([scan.grid for scan in substrates], window, FULL.pixels)
+    tiles = proposed_tiles(substrates, window, PIXELS)
     limits = [least_range(probe.radius, window, scan.grid) for scan in scans]
     for scan in substrates:
         master = scan.grid._replace(size=scan.size * tiles)
         limits.append(least_range(probe.radius, window, master))
-        edge = math.sqrt(probe.load["preload"] / probe.load["hardness"]) * 1e9
-        depth = min(edge, scan.relief)
-        least = float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}")
-        limits.append(
-            (least, f"the preload presses the bodies some {depth:.3g} nm into each other")
-        )
+        depth = pressed_depth(probe.load, scan.relief)
+        pressed = f"the preload presses the bodies some {depth:.3g} nm into each other"
+        limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), pressed))
     return max(limits)
 
 
-def _refuse_load(scans: Sequence["Entry"], load: Load, window: float) -> None:
-    """Refuse a preload that needs too many pixels: of the window, of a scan, of the memory."""
-    most = math.inf
-    for scan in scans:
-        pixels = min(window_pixels(window, scan.pixel_size), 2 * scan.pixels) ** 2 // 4
-        images = max(1.0, window / (2 * scan.size)) ** 2
-        kept = CONTACT_PIXELS / min(COUNTS) ** 2 / images
-        area = min(pixels, kept) * (scan.pixel_size * 1e-9) ** 2
-        most = min(most, area * load["hardness"])
-    if load["preload"] > most:
-        raise ValueError(
-            f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
-            f"scans can carry at this hardness, found {print_quantity(load['preload'], 'N')}"
-        )
+def proposed_tiles(substrates: Sequence["Entry"], window: float, pixels: int) -> int:
+    """Return the stitched scans along an edge of large-scale masters of so many pixels.
+
+    The master is eight scans long, as in the paper, and longer than the window (nm), if its pixels
+    suffice.
+    """
+    size = min(scan.size for scan in substrates)
+    wanted = math.ceil(max(SCANS * size, WINDOWS * window) / (2 * size) * (1 - 1e-9))
+    return max(1, min(wanted, pixels // max(2 * scan.pixels for scan in substrates)))
+
+
+def _most_load(scan: "Entry", load: Load, window: float) -> float:
+    """Return the preload (N) that the pixels of the window, a scan and the memory can carry."""
+    kept = CONTACT_PIXELS / FEWEST_CONTACTS**2 / window_images(window, scan.size)
+    area = min(carrying_pixels(window, scan.grid), kept) * (scan.pixel_size * 1e-9) ** 2
+    return area * load["hardness"]
 
 
 def contact_cautions(
@@ -196,9 +199,10 @@ def contact_scans(
         together = [group for groups in substrates.values() for group in groups]
         compared = together if common else of_it
         roughest = max(entry.rms_height for group in compared for entry in group)
-        group = _best(of_it, radius, rho, roughest)
+        enough = SIZE_OVER_REACH * math.sqrt(2 * radius * roughest)
+        group = _best(of_it, math.sqrt(2 * radius * rho), enough)
         chosen += group
-        reasons.append(_reason(surface, group, of_it, radius, roughest))
+        reasons.append(f"{surface}: {_named(group)}: {_reason(group, of_it, enough)}")
     if sphere is not None:
         group = _of_sphere(groups[sphere], chosen, radius)
         chosen += group
@@ -212,12 +216,10 @@ def _groups_by_surface(entries: Sequence["Entry"]) -> dict[str, list[Group]]:
     least, most = PIXEL_SIZES
     for entry in entries:
         of_it = groups.setdefault(entry.source.surface, [])
-        if entry.kind != "map" or not least <= entry.pixel_size <= most:
-            continue
-        same = next((group for group in of_it if _alike(group[0], entry)), None)
-        if same is None:
-            of_it.append([entry])
-        else:
+        if entry.kind == "map" and least <= entry.pixel_size <= most:
+            same = next((group for group in of_it if alike(group[0].grid, entry.grid)), None)
+            if same is None:
+                of_it.append(same := [])
             same.append(entry)
     refuse_lines(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
@@ -228,33 +230,23 @@ def _groups_by_surface(entries: Sequence["Entry"]) -> dict[str, list[Group]]:
     return groups
 
 
-def _alike(first: "Entry", second: "Entry") -> bool:
-    """Return whether two maps have the same pixels, as the checks of the study see it."""
-    same_size = math.isclose(second.pixel_size, first.pixel_size, rel_tol=1e-3)
-    return first.pixels == second.pixels and same_size
-
-
 def _common(groups: dict[str, list[Group]]) -> dict[str, list[Group]]:
     """Return the groups whose pixels all surfaces have, if there are some and two surfaces."""
-    if len(groups) < 2:
-        return {}
-    common = {
-        surface: [
-            group
-            for group in of_it
-            if all(
-                any(_alike(other[0], group[0]) for other in others) for others in groups.values()
-            )
-        ]
-        for surface, of_it in groups.items()
-    }
-    return common if all(common.values()) else {}
+
+    def everywhere(group: Group) -> bool:
+        return all(
+            any(alike(one[0].grid, group[0].grid) for one in others) for others in groups.values()
+        )
+
+    common = {surface: list(filter(everywhere, of_it)) for surface, of_it in groups.items()}
+    return common if len(groups) > 1 and all(common.values()) else {}
 
 
-def _best(groups: list[Group], radius: float, rho: float, rms_height: float) -> Group:
-    """Return the group that contacts are made on, of one surface."""
-    interaction = math.sqrt(2 * radius * rho)
-    enough = SIZE_OVER_REACH * math.sqrt(2 * radius * rms_height)
+def _best(groups: list[Group], interaction: float, enough: float) -> Group:
+    """Return the group that contacts are made on, of one surface.
+
+    Given are the interaction radius and the size (nm) from which scans have the highest points.
+    """
 
     def rank(group: Group) -> tuple[bool, bool, bool, float, int, float]:
         size, pixel_size, count = group[0].size, group[0].pixel_size, len(group)
@@ -267,18 +259,12 @@ def _best(groups: list[Group], radius: float, rho: float, rms_height: float) -> 
     return min(groups, key=rank)
 
 
-def _reason(
-    surface: str, group: Group, groups: list[Group], radius: float, rms_height: float
-) -> str:
+def _reason(group: Group, groups: list[Group], enough: float) -> str:
     """Return why contacts on a surface are made on these scans, in words."""
     if len(groups) == 1:
-        return f"{surface}: {_named(group)}: no others can be used"
-    enough = SIZE_OVER_REACH * math.sqrt(2 * radius * rms_height)
-    if group[0].size >= enough:
-        why = f"the smallest of at least {print_length(enough)}, twice sqrt(2 R sigma)"
-    else:
-        why = f"they come nearest to {print_length(enough)}, twice sqrt(2 R sigma)"
-    return f"{surface}: {_named(group)}: {why}"
+        return "no others can be used"
+    sizes = "they come nearest to" if group[0].size < enough else "the smallest of at least"
+    return f"{sizes} {print_length(enough)}, twice sqrt(2 R sigma)"
 
 
 def _named(group: Group) -> str:
@@ -298,7 +284,7 @@ def _of_sphere(groups: list[Group], substrates: Sequence["Entry"], radius: float
             2 * max(first.size, other.size) / min(first.pixel_size, other.pixel_size) > MAP_PIXELS
             for other in substrates
         )
-        alike = all(_alike(first, other) for other in substrates)
-        return large or first.size > radius, not alike, -len(group), -first.size
+        same = all(alike(first.grid, other.grid) for other in substrates)
+        return large or first.size > radius, not same, -len(group), -first.size
 
     return min(groups, key=rank)

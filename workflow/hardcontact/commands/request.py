@@ -3,12 +3,12 @@
 import os
 import re
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from hardcontact.config.configuration import read_yaml
-from hardcontact.config.schema import Schema, refuse, resolved
+from hardcontact.config.configuration import at, read_yaml
+from hardcontact.config.schema import refuse, resolved
 from hardcontact.numbers.units import magnitude
 from hardcontact.records.code import LIBRARY
 
@@ -48,6 +48,7 @@ class Option(NamedTuple):
 
     text: str
     number: float
+    unit: str
     given: bool
 
 
@@ -86,9 +87,7 @@ def parsed(arguments: Sequence[str]) -> Namespace:
         "--sphere", nargs="+", default=[], metavar="FILE",
         help="scans of the sphere where it touches; without them it is smooth",
     )  # fmt: skip
-    for name, (key, meaning) in QUANTITIES.items():
-        usual = _at(read_yaml("config/config.yaml"), key)
-        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {usual})")
+    add_quantities(parser)
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
@@ -97,55 +96,40 @@ def parsed(arguments: Sequence[str]) -> Namespace:
     return parser.parse_intermixed_args(arguments)
 
 
+def add_quantities(parser: ArgumentParser) -> None:
+    """Add QUANTITIES to a command line."""
+    paper = read_yaml("config/config.yaml")
+    for name, (key, meaning) in QUANTITIES.items():
+        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {at(paper, key)})")
+
+
 def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
     """Return the quantities of the command line by name, and a line for each that is wrong.
 
     The tip is there only if it is given; a faulty quantity has the paper's value.
     """
+    paper = read_yaml("config/config.yaml")
     schema = read_yaml("workflow/schemas/config.schema.yaml")
-    usual = read_yaml("config/config.yaml")
+    usual = {name: at(paper, key) for name, (key, _) in QUANTITIES.items()}
+    accepted = {
+        name: resolved(at(schema, f"properties.{key.replace('.', '.properties.')}"), schema)
+        for name, (key, _) in QUANTITIES.items()
+    }
+    columns = read_yaml("workflow/schemas/surfaces.schema.yaml")["properties"]
+    accepted["tip"] = columns["tip_radius"]["oneOf"][-1]
     found, faults = {}, []
-    for name, (key, _) in QUANTITIES.items():
-        accepted = _accepted(schema, key)
-        text, default = getattr(arguments, name), _at(usual, key)
-        fault = text is not None and _fault(name, text, accepted)
-        faults += [fault] if fault else []
-        given = text is not None and not fault
-        used = text.strip() if given else default
-        found[name] = Option(used, magnitude(used, accepted["unit"]), given)
-    if arguments.tip is not None:
-        columns = read_yaml("workflow/schemas/surfaces.schema.yaml")
-        accepted = columns["properties"]["tip_radius"]["oneOf"][-1]
-        if fault := _fault("tip", arguments.tip, accepted):
-            faults.append(fault)
-        else:
-            text = arguments.tip.strip()
-            found["tip"] = Option(text, magnitude(text, accepted["unit"]), True)
+    for name, part in accepted.items():
+        text = getattr(arguments, name)
+        whole, unit = {word: part[word] for word in part if word != "$ref"}, part["unit"]
+        try:
+            refuse({} if text is None else {name: text}, {"properties": {name: whole}}, "--")
+        except ValueError as error:
+            faults.append(str(error))
+            text = None
+        used = usual.get(name) if text is None else text.strip()
+        if used is not None:
+            found[name] = Option(used, magnitude(used, unit), unit, text is not None)
     return found, faults
-
-
-def _at(tree: Mapping[str, Any], key: str) -> Any:
-    """Return what a tree of keys has at one, with dots between its parts."""
-    for part in key.split("."):
-        tree = tree[part]
-    return tree
-
-
-def _accepted(schema: Schema, key: str) -> Schema:
-    """Return the schema of a key of the configuration."""
-    part = schema
-    for name in key.split("."):
-        part = part["properties"][name]
-    return {word: value for word, value in resolved(part, schema).items() if word != "$ref"}
-
-
-def _fault(name: str, text: str, accepted: Schema) -> str:
-    """Return what is wrong with a quantity, or nothing."""
-    try:
-        refuse({name: text}, {"type": "object", "properties": {name: accepted}}, "--")
-    except ValueError as error:
-        return str(error)
-    return ""
 
 
 def name_faults(name: str, overwrite: bool) -> Iterator[str]:
@@ -160,13 +144,12 @@ def name_faults(name: str, overwrite: bool) -> Iterator[str]:
         return
     if name.endswith(QUICK_NAME):
         yield f"NAME: expected another end than {QUICK_NAME}, that of a first answer, found {name}"
-        return
-    if name in TAKEN:
+    elif name in TAKEN:
         yield f"NAME: expected one of your own, found {name}, which is the project's"
-        return
-    for file in (f"config/{name}.yaml", f"config/{name}.tsv"):
-        if os.path.lexists(ROOT / file) and not overwrite:
-            yield f"{file}: expected no such file, found one: take another name, or --overwrite"
+    elif not overwrite:
+        for file in (f"config/{name}.yaml", f"config/{name}.tsv"):
+            if os.path.lexists(ROOT / file):
+                yield f"{file}: expected no such file, found one: take another name, or --overwrite"
 
 
 def refuse_another_clone(here: Path) -> None:
@@ -183,22 +166,21 @@ def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str
 
     The radius of the sphere is in nm; labels may be at fault, too.
     """
-    given = [(arguments.name, arguments.files)] if arguments.files else []
-    given += [(label, files) for label, *files in arguments.surface]
+    given: list[tuple[str, list[str], float | None]] = []
+    given += [(arguments.name, arguments.files, None)] if arguments.files else []
+    given += [(label, files, None) for label, *files in arguments.surface]
     found, faults = [], [] if given else ["FILE: expected files of scans, found none"]
-    for label, files in given:
+    given += [(SPHERE, arguments.sphere, radius)] if arguments.sphere else []
+    labels: dict[str, str] = {}
+    for label, files, of_sphere in given:
+        surface = surface_id(label)
         if not files:
             faults.append(f"--surface {label}: expected files of scans, found none")
-        found += [Source(surface_id(label), label, file, path_from_root(file)) for file in files]
-    labels = [label for label, _ in given] + [SPHERE] * bool(arguments.sphere)
-    ids = [surface_id(label) for label in labels]
-    for place, label in enumerate(labels):
-        if ids[place] in ids[:place]:
-            other = labels[ids.index(ids[place])]
+        if surface in labels:
+            other = labels[surface]
             faults.append(f"--surface {other}: expected a label of its own, found also {label}")
-    found += [
-        Source(SPHERE, SPHERE, file, path_from_root(file), radius) for file in arguments.sphere
-    ]
+        labels.setdefault(surface, label)
+        found += [Source(surface, label, file, path_from_root(file), of_sphere) for file in files]
     paths = [source.path for source in found]
     faults += [
         f"{path}: expected each file once, found it {paths.count(path)} times"

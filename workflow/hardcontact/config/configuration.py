@@ -4,7 +4,9 @@ Which targets and pages a study has, how all faults of the user's input are told
 each: the key, what was expected, what was found), and what contacts are computed for, in words.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import reduce
+from operator import getitem
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -43,7 +45,6 @@ REASONS = {
     "insight": "its parts are made of substitutes for the paper's surfaces",
     "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
 }
-NO_FORCES = "a fit needs pull-off forces measured on these surfaces (config key forces)"
 
 #: Chapters of the report that are written beforehand, one Markdown file each in workflow/report.
 CHAPTERS = ("departures", "methods", "performance", "cluster", "faults")
@@ -60,11 +61,11 @@ PAGES = {
 
 #: What a quantity of contacts is called, its key and its unit.
 QUANTITIES = {
-    "radius of the sphere": ("sphere", "radius", "nm"),
-    "hardness": ("contact", "hardness", "Pa"),
-    "preload": ("contact", "preload", "N"),
-    "range of adhesion": ("scales", "range", "nm"),
-    "work of adhesion": ("adhesion", "work", "J/m2"),
+    "radius of the sphere": ("sphere.radius", "nm"),
+    "hardness": ("contact.hardness", "Pa"),
+    "preload": ("contact.preload", "N"),
+    "range of adhesion": ("scales.range", "nm"),
+    "work of adhesion": ("adhesion.work", "J/m2"),
 }
 
 
@@ -112,9 +113,9 @@ def configuration(config: Any, schema: Schema) -> dict[str, Any]:
     return numbers
 
 
-def computed_ranges(config: dict[str, Any]) -> list[float]:
-    """Return the ranges of adhesion (nm) of scans: those listed, and that of the masters."""
-    return sorted({*config["adhesion"]["ranges"], config["scales"]["range"]})
+def at(tree: Mapping[str, Any], key: str) -> Any:
+    """Return what a tree of keys has at one, with dots between its parts."""
+    return reduce(getitem, key.split("."), tree)
 
 
 def _numbers(value: Any, schema: Schema, root: Schema) -> Any:
@@ -131,26 +132,22 @@ def _numbers(value: Any, schema: Schema, root: Schema) -> Any:
 
 def made(configuration: Mapping[str, Any]) -> list[str]:
     """Return the targets that the data of a study allow, in their order."""
-    if configuration["published"] == PAPER:
-        return list(OF_PAPER)
+    targets = OF_PAPER if configuration["published"] == PAPER else OF_OWN_SURFACES
     without = left_out(configuration)
-    return [target for target in OF_OWN_SURFACES if target not in without]
+    return [target for target in targets if target not in without]
 
 
 def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
     """Return the reason for each target that the data of a study do not allow."""
     if configuration["published"] == PAPER:
         return {}
-    of_forces = {"fit": NO_FORCES} if configuration["forces"] == NONE else {}
-    return REASONS | of_forces
+    fit = "a fit needs pull-off forces measured on these surfaces (config key forces)"
+    return REASONS | ({"fit": fit} if configuration["forces"] == NONE else {})
 
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
-    """Return what contacts are computed for, by what it is called: for example a radius "250 µm".
-
-    The surface of the sphere and QUANTITIES, given quantities as they are written.
-    """
-    quantities = {name: printed(config[group][key]) for name, (group, key, _) in QUANTITIES.items()}
+    """Return what contacts are computed for: the surface of the sphere, QUANTITIES as printed."""
+    quantities = {name: printed(at(config, key)) for name, (key, _) in QUANTITIES.items()}
     return {"sphere": str(config["sphere"]["surface"])} | quantities
 
 
@@ -158,16 +155,13 @@ def of_paper(config: Mapping[str, Any], paper: Mapping[str, Any]) -> list[str]:
     """Return which of QUANTITIES, by name, are those of the paper, a ruby sphere on diamond."""
     return [
         name
-        for name, (group, key, unit) in QUANTITIES.items()
-        if magnitude(config[group][key], unit) == magnitude(paper[group][key], unit)
+        for name, (key, unit) in QUANTITIES.items()
+        if magnitude(at(config, key), unit) == magnitude(at(paper, key), unit)
     ]
 
 
 class Limit(NamedTuple):
-    """What is expected of a key, or of several with "and" between them, and whether it holds.
-
-    What is expected and what was found are words, in the units of the user.
-    """
+    """What is expected of a key, or of several with "and" between them, and found, in words."""
 
     holds: bool
     key: str
@@ -175,20 +169,21 @@ class Limit(NamedTuple):
     found: object
 
 
-def refuse_first(limits: Iterable[Limit]) -> None:
-    """Refuse the first limit that does not hold, as a ValueError of one line."""
+def unmet(limits: Iterable[Limit]) -> Iterator[str]:
+    """Yield a line for each limit that does not hold."""
     for holds, key, expected, found in limits:
         if not holds:
             keys = "keys" if " and " in key else "key"
-            raise ValueError(f"config {keys} {key}: expected {expected}, found {found}")
+            yield f"config {keys} {key}: expected {expected}, found {found}"
 
 
-def refuse_all(checks: Iterable[Callable[[], object]]) -> None:
-    """Carry out all checks, and raise a ValueError with the lines of all faults, each line once."""
-    faults: list[str] = []
+def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
+    """Carry out all checks; return what they return, or raise a ValueError of each fault once."""
+    results, faults = [], list[str]()
     for one in checks:
         try:
-            one()
+            results.append(one())
         except ValueError as error:
             faults += str(error).splitlines()
     refuse_lines(dict.fromkeys(faults))
+    return results

@@ -1,34 +1,51 @@
 """Every file of one study: those of each surface, pair of scans, realization and variant."""
 
+from collections import namedtuple
 from collections.abc import Iterable, Mapping
 from functools import cached_property
 from itertools import cycle, product
-from typing import Any, NamedTuple
+from typing import Any, TypeVar
 
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
-from hardcontact.config.selection import NO_SCAN, Selection
-from hardcontact.config.variants import (
-    SurfaceVariant,
-    Variant,
-    named_load,
-    surface_variants,
-    variants,
-)
+from hardcontact.config.selection import Selection
+from hardcontact.config.variants import Variant, named_load, surface_variants, variants
 from hardcontact.contact.bearing_area import NamedLoad
-from hardcontact.numbers.units import token
+from hardcontact.numbers.units import magnitude, token
 from hardcontact.surfaces.synthesis import SIDES
 
+Key = TypeVar("Key")
+#: Scans of a pool in one job: more of them leave the jobs there are as they are.
+CHUNK = 15
 
-class SingleFiles:
-    """The files of one study, one by one, with its load and its ways to make substitutes, by name.
 
-    Quantities of the configuration are the texts that the user wrote: they stand in paths.
+# Rows of lists: their fields are wildcards of patterns.
+Scan = namedtuple("Scan", "surface scan")
+Pair = namedtuple("Pair", "surface scan sphere_scan")
+Chunk = namedtuple("Chunk", "surface first last")
+Master = namedtuple("Master", "surface realization side")
+ScaledMaster = namedtuple("ScaledMaster", "surface scan side")
+VariedMaster = namedtuple("VariedMaster", "surface variant realization side probe")
+
+
+def _grouped(pairs: Iterable[tuple[Key, str]]) -> dict[Key, list[str]]:
+    """Return the second of pairs that have the same first, by the first."""
+    groups: dict[Key, list[str]] = {}
+    for key, name in pairs:
+        groups.setdefault(key, []).append(name)
+    return groups
+
+
+class Files:
+    """The files of one study, with its load and its ways to make substitutes, by name.
+
+    Quantities of the configuration are the texts that the user wrote: they stand in paths. Lists
+    are of rows whose fields are wildcards of patterns: `paths` gives the files.
     """
 
     def __init__(
         self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
     ) -> None:
-        self._selection = selection
+        self._configuration, self._selection = configuration, selection
         self._patterns = patterns
         contact, scales = configuration["contact"], configuration["scales"]
         self.load = named_load(contact["preload"], contact["hardness"])
@@ -37,28 +54,61 @@ class SingleFiles:
             "load": self.load["name"],
             "range": f"rho{token(scales['range'], 'nm')}",
         }
-        self.surface_variants: dict[str, SurfaceVariant] = surface_variants(configuration)
+        self.surface_variants = surface_variants(configuration)
+
+    @cached_property
+    def variants(self) -> list[Variant]:
+        """The variants of robustness, the study itself first."""
+        return variants(self._configuration, self._selection)
+
+    def path(self, pattern: str, surface: str, **wildcards: object) -> str:
+        """Return the path of a pattern for a surface; the study has the values not given."""
+        sphere = surface == self._selection.sphere
+        shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
+        of_study = {"variant": STUDY_VARIANT, "shape": shape, **self._swept}
+        return pattern.format(surface=surface, **of_study | wildcards)
+
+    def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
+        """Return the files of a pattern, one a row."""
+        return [self.path(pattern, **row._asdict()) for row in rows]
+
+    # Surfaces
 
     def spectrum(self, surface: str, variant: str = STUDY_VARIANT) -> str:
         """Return the spectrum of a surface at all scales."""
-        if self._selection.basis[surface] == "measured":
-            pattern = self._patterns.measured_spectrum
-        else:
-            pattern = self._patterns.calibrated_spectrum
-        return self._of_surface(pattern, surface, self.surface_variants[variant].spectrum)
+        measured = self._selection.basis[surface] == "measured"
+        patterns, made = self._patterns, self.surface_variants[variant].spectrum
+        pattern = patterns.measured_spectrum if measured else patterns.calibrated_spectrum
+        return self.path(pattern, surface, variant=made)
 
     def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return what a substitute scan shares with the others of its group."""
         group, made = self._selection.group(surface, scan), self.surface_variants[variant].spectrum
-        return self._of_surface(self._patterns.conditioning, surface, made, group=group)
+        return self.path(self._patterns.conditioning, surface, variant=made, group=group)
 
-    def levelled(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return a levelled scan."""
-        return self._of_surface(self._patterns.levelled, surface, variant, scan=scan)
+    @property
+    def conditionings(self) -> dict[str, str]:
+        """What the study's own scans of each substitute share, by surface."""
+        return {
+            surface: self.conditioning(surface, self._selection.scans(surface)[0])
+            for surface, basis in self._selection.basis.items()
+            if basis == "substitute"
+        }
+
+    @property
+    def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
+        """The numbers of scans that are made together, and the substitutes that have such scans."""
+        most = max(self._configuration[key]["realizations"] for key in ("sets", "robustness"))
+        selection = self._selection
+        return _grouped(
+            (tuple(selection.scans_of_group(surface, group)), surface)
+            for surface in self.conditionings
+            for group in range(selection.group(surface, selection.own_scan(surface, most)) + 1)
+        )
 
     def stitched(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return a levelled scan with its mirror images."""
-        return self._of_surface(self._patterns.stitched, surface, variant, scan=scan)
+        return self.path(self._patterns.stitched, surface, variant=variant, scan=scan)
 
     def stitched_of_realization(self, surface: str, realization: int, variant: str) -> str:
         """Return the scan that a realization builds on, in turn where there are fewer scans."""
@@ -75,182 +125,84 @@ class SingleFiles:
             return self.stitched_of_realization(surface, realization, variant)
         return self.stitched(surface, self._selection.own_scan(surface, realization), variant)
 
-    def sphere(self, sphere_scan: int) -> str | list[str]:
-        """Return the stitched scan of the sphere as the input of a rule: none of a smooth one."""
-        if sphere_scan == NO_SCAN:
-            return []
-        return self.stitched(self._selection.sphere, sphere_scan)
-
     @property
     def first_sphere(self) -> str:
         """The scan of the sphere that roughens the sphere of all masters."""
         sphere = self._selection.sphere
         return self.stitched(sphere, self._selection.scans(sphere)[0])
 
-    def _of_surface(self, pattern: str, surface: str, variant: str, **wildcards: object) -> str:
-        """Return the path of a pattern for a surface and the swept values of the study."""
-        sphere = surface == self._selection.sphere
-        shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        return pattern.format(
-            surface=surface, variant=variant, shape=shape, **self._swept, **wildcards
-        )
-
-
-#: Scans of a pool in one job: more of them leave the jobs there are as they are.
-CHUNK = 15
-
-
-class Pair(NamedTuple):
-    """One scan of a substrate and one of the sphere."""
-
-    surface: str
-    variant: str
-    scan: int
-    sphere_scan: int
-
-
-class Chunk(NamedTuple):
-    """Scans of the pool of a substrate that are computed together, from the first to the last."""
-
-    surface: str
-    first: int
-    last: int
-
-
-class Master(NamedTuple):
-    """One realization of a surface at all scales, filtered from one side, on one sphere."""
-
-    surface: str
-    variant: str
-    realization: int
-    side: str
-    probe: str
-
-
-class Files(SingleFiles):
-    """The files of one study, one by one and in lists; parameters as those of `SingleFiles`."""
-
-    def __init__(
-        self, configuration: Mapping[str, Any], selection: Selection, patterns: Patterns
-    ) -> None:
-        super().__init__(configuration, selection, patterns)
-        self._configuration = configuration
-        self.realizations = range(1, configuration["scales"]["realizations"] + 1)
-
-    @cached_property
-    def variants(self) -> list[Variant]:
-        """The variants of robustness, the study itself first."""
-        return variants(self._configuration, self._selection)
-
-    # Topography
+    # Scans
 
     @property
-    def scans(self) -> list[tuple[str, int]]:
-        """Surface and number of every scan."""
-        return [(name, scan) for name in self._selection.surfaces for scan in self._scans(name)]
+    def scans(self) -> list[Scan]:
+        """Every scan."""
+        return self._first_scans(self._selection.surfaces)
 
     @property
-    def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
-        """The numbers of scans that are made together, and the substitutes that have such scans."""
-        most = max(self._configuration[key]["realizations"] for key in ("sets", "robustness"))
-        groups: dict[tuple[int, ...], list[str]] = {}
-        for surface in self.conditionings:
-            last = self._selection.group(surface, self._selection.own_scan(surface, most))
-            for group in range(last + 1):
-                scans = tuple(self._selection.scans_of_group(surface, group))
-                groups.setdefault(scans, []).append(surface)
-        return groups
+    def substrate_scans(self) -> list[Scan]:
+        """Every scan of a substrate."""
+        return self._first_scans(self._selection.substrates)
 
     @property
-    def levelled_scans(self) -> list[str]:
-        """Every levelled scan."""
-        return [self.levelled(surface, scan) for surface, scan in self.scans]
+    def realized_scans(self) -> list[Scan]:
+        """The first scans of every substrate, one a realization of the chapter of insight."""
+        count = self._configuration["insight"]["realizations"]
+        return self._first_scans(self._selection.substrates, count)
 
-    @property
-    def spectra(self) -> list[str]:
-        """The spectrum of every surface."""
-        return [self.spectrum(surface) for surface in self._selection.surfaces]
-
-    @property
-    def conditionings(self) -> dict[str, str]:
-        """What the study's own scans of each substitute share, by surface."""
-        return {
-            surface: self.conditioning(surface, self._scans(surface)[0])
-            for surface in self._selection.surfaces
-            if self._selection.basis[surface] == "substitute"
-        }
-
-    # Adhesion and contact
+    def _first_scans(self, surfaces: Iterable[str], count: int | None = None) -> list[Scan]:
+        """Return the first so many scans of surfaces, or all."""
+        return [
+            Scan(surface, scan)
+            for surface in surfaces
+            for scan in self._selection.scans(surface)[:count]
+        ]
 
     @property
     def pairs_in_turn(self) -> list[Pair]:
         """One scan of the sphere for each scan of a substrate, in turn."""
         return [
-            Pair(surface, STUDY_VARIANT, scan, sphere_scan)
+            Pair(surface, scan, sphere_scan)
             for surface in self._selection.substrates
             for scan, sphere_scan in zip(
-                self._scans(surface), cycle(self._selection.sphere_scans), strict=False
+                self._selection.scans(surface), cycle(self._selection.sphere_scans), strict=False
             )
-        ]
-
-    def of_pairs(self, pattern: str, pairs: Iterable[Pair]) -> list[str]:
-        """Return the files of a pattern, one a pair."""
-        return [pattern.format(**pair._asdict(), **self._swept) for pair in pairs]
-
-    @property
-    def stitched_spheres(self) -> list[str]:
-        """Every scan of the sphere with its mirror images; none of a smooth one."""
-        sphere = self._selection.sphere
-        return [self.stitched(sphere, scan) for scan in self._scans(sphere)]
-
-    @property
-    def substrate_scans(self) -> list[tuple[str, int]]:
-        """Surface and number of every scan of a substrate."""
-        return [
-            (surface, scan) for surface, scan in self.scans if surface != self._selection.sphere
-        ]
-
-    @property
-    def pull_offs(self) -> list[str]:
-        """The pull-off forces of every scan of a substrate."""
-        pattern = self._patterns.pull_off
-        return [
-            self._of_surface(pattern, surface, STUDY_VARIANT, scan=scan)
-            for surface, scan in self.substrate_scans
         ]
 
     @property
     def indent_pairs(self) -> list[tuple[int, int]]:
         """Scan of the indented surface and of the sphere, every pair."""
-        scans = self._scans(self._configuration["indent"]["surface"])
+        scans = self._selection.scans(self._configuration["indent"]["surface"])
         return list(product(scans, self._selection.sphere_scans))
 
-    # Scales
+    @property
+    def repeated_loads(self) -> dict[str, NamedLoad]:
+        """The load of the study and that of the published image of indents, by their names."""
+        hardest = max(
+            self._configuration["indent"]["preloads"], key=lambda preload: magnitude(preload, "N")
+        )
+        of_image = named_load(hardest, self._configuration["contact"]["hardness"])
+        return {load["name"]: load for load in (self.load, of_image)}
 
     @property
-    def masters(self) -> list[tuple[str, int, str]]:
-        """Surface, realization and side of every master of the study."""
-        return [
-            (surface, realization, side)
-            for surface in self._selection.substrates
-            for realization in self.realizations
-            for side in SIDES
-        ]
+    def repeated(self) -> dict[str, tuple[str, float, int]]:
+        """Each file of repeated contact, and its surface, preload (N) and scan.
 
-    @property
-    def filtered_pull_offs(self) -> list[str]:
-        """The pull-off forces of every master at all cutoffs."""
-        pattern = self._patterns.filtered_pull_off
-        return [
-            self._of_surface(pattern, surface, STUDY_VARIANT, realization=realization, side=side)
-            for surface, realization, side in self.masters
-        ]
-
-    # Sets
+        All surfaces at the load of the study, that of the image at its own.
+        """
+        indented, realized = self._configuration["indent"]["surface"], self.realized_scans
+        return {
+            self.path(self._patterns.repeated_contact, **pair._asdict(), load=name): (
+                pair.surface, load["preload"], pair.scan,
+            )
+            for name, load in self.repeated_loads.items()
+            for pair in self.pairs_in_turn
+            if (pair.surface, pair.scan) in realized
+            and (name == self.load["name"] or pair.surface == indented)
+        }  # fmt: skip
 
     @property
     def chunks(self) -> list[Chunk]:
-        """The scans of all pools."""
+        """The scans of all pools, from the first to the last of those computed together."""
         pool = self._configuration["sets"]["pool"]
         return [
             Chunk(surface, first, min(first + CHUNK - 1, pool))
@@ -258,93 +210,55 @@ class Files(SingleFiles):
             for first in range(1, pool + 1, CHUNK)
         ]
 
-    @property
-    def pools(self) -> list[str]:
-        """The forces of all pools, one file a chunk."""
-        return [
-            self._of_surface(
-                self._patterns.pool, one.surface, STUDY_VARIANT, first=one.first, last=one.last
-            )
-            for one in self.chunks
-        ]
+    # Masters
 
     @property
-    def smooth_spheres(self) -> list[str]:
-        """The forces on a smooth sphere of the study's scans of each substrate with a pool."""
-        pattern = self._patterns.smooth_sphere
-        return [
-            self._of_surface(pattern, surface, STUDY_VARIANT) for surface in self._selection.pooled
-        ]
+    def masters(self) -> list[Master]:
+        """Every master of the study."""
+        realizations = range(1, self._configuration["scales"]["realizations"] + 1)
+        return [Master(*one) for one in product(self._selection.substrates, realizations, SIDES)]
 
     @property
-    def set_masters(self) -> list[Master]:
-        """Every master that the bands of sets are drawn from."""
-        probe = self.variants[0].probe
-        return [
-            Master(surface, STUDY_VARIANT, realization, side, probe)
-            for surface in self._selection.substrates
-            for realization in range(1, self._configuration["sets"]["realizations"] + 1)
-            for side in SIDES
-        ]
+    def scaled_masters(self) -> list[ScaledMaster]:
+        """Every master at several spheres, ranges and areas."""
+        count = self._configuration["insight"]["scaling"]["realizations"]
+        scans = self._first_scans(self._selection.substrates, count)
+        return [ScaledMaster(one.surface, one.scan, side) for one, side in product(scans, SIDES)]
 
     @property
-    def set_scales(self) -> list[str]:
-        """The pull-off forces of every master of the sets."""
-        return self.of_masters(self.set_masters)
-
-    # Robustness
-
-    @cached_property
     def varied_surfaces(self) -> list[tuple[str, str]]:
-        """Every surface and variant of it that some variant asks for."""
+        """Every surface and variant of it that some variant of the study asks for."""
         made = (item for variant in self.variants for item in variant.variant.items())
         return list(dict.fromkeys(made))
 
     @property
-    def varied_adhesion(self) -> list[str]:
-        """The mean forces of the scans of these, one file a surface and variant."""
-        pattern = self._patterns.varied_adhesion
-        return [self._of_surface(pattern, *of_surface) for of_surface in self.varied_surfaces]
-
-    @property
     def varied_together(self) -> dict[tuple[str, ...], list[str]]:
         """The surfaces whose masters are filtered together, and the variants they have these of."""
-        of_variants: dict[str, list[str]] = {}
-        for surface, variant in self.varied_surfaces:
-            of_variants.setdefault(variant, []).append(surface)
-        together: dict[tuple[str, ...], list[str]] = {}
-        for variant, surfaces in of_variants.items():
-            together.setdefault(tuple(surfaces), []).append(variant)
-        return together
-
-    @cached_property
-    def varied_masters(self) -> list[Master]:
-        """Every master that some variant asks for."""
-        masters = (
-            Master(surface, name, realization, side, variant.probe)
-            for variant in self.variants
-            for surface, name in variant.variant.items()
-            for realization in range(1, self._configuration["robustness"]["realizations"] + 1)
-            for side in SIDES
-        )
-        return list(dict.fromkeys(masters))
+        of_variants = _grouped((variant, surface) for surface, variant in self.varied_surfaces)
+        return _grouped((tuple(surfaces), variant) for variant, surfaces in of_variants.items())
 
     @property
-    def varied_scales(self) -> list[str]:
-        """The pull-off forces of every master of robustness."""
-        return self.of_masters(self.varied_masters)
+    def set_masters(self) -> list[VariedMaster]:
+        """Every master that the bands of sets are drawn from."""
+        return self._varied_masters(self.variants[:1], "sets")
 
-    def of_masters(self, masters: Iterable[Master]) -> list[str]:
-        """Return the pull-off forces of masters at all cutoffs and loads, one file a master."""
-        pattern = self._patterns.varied_scales
-        return [pattern.format(**one._asdict(), **self._swept) for one in masters]
+    @property
+    def varied_masters(self) -> list[VariedMaster]:
+        """Every master that some variant asks for."""
+        return self._varied_masters(self.variants, "robustness")
+
+    def _varied_masters(self, wanted: Iterable[Variant], section: str) -> list[VariedMaster]:
+        """Return each master of these variants once, in as many realizations as a section has."""
+        realizations = range(1, self._configuration[section]["realizations"] + 1)
+        masters = (
+            VariedMaster(surface, name, realization, side, variant.probe)
+            for variant in wanted
+            for surface, name in variant.variant.items()
+            for realization, side in product(realizations, SIDES)
+        )
+        return list(dict.fromkeys(masters))
 
     def loads(self, probe: str) -> list[NamedLoad]:
         """Return the loads that this sphere comes with, each once."""
         variants = [variant for variant in self.variants if variant.probe == probe]
         return list({variant.load["name"]: variant.load for variant in variants}.values())
-
-    # How they are made
-
-    def _scans(self, surface: str) -> list[int]:
-        return self._selection.scans(surface)

@@ -38,29 +38,21 @@ class Grid(NamedTuple):
     relief: float
 
 
+def alike(first: Grid, second: Grid) -> bool:
+    """Return whether scans have the same pixels."""
+    same_size = math.isclose(second.pixel_size, first.pixel_size, rel_tol=1e-3)
+    return first.pixels == second.pixels and same_size
+
+
 def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     """Return the shortest range of adhesion that the pixels and the relief of a surface permit.
 
-    The interaction radius sqrt(2 R rho) must span two pixels, and exponentials of height over range
-    must not overflow. Where the window holds a period of the surface, every contact has the highest
-    pixel of the map within half a period of it, and cannot be farther from it than the sphere's
-    curvature says.
-
-    Parameters
-    ----------
-    radius : float
-        Of the sphere, in nm.
-    window : float
-        Edge of the analysis window in nm.
-    grid : Grid
-        Of the surface before stitching, which doubles its size to the period.
-
-    Returns
-    -------
-    least : float
-        In nm, rounded up to three digits.
-    reason : str
-        In words.
+    In nm, rounded up to three digits, and the reason in words; the radius of the sphere and the
+    edge of the window are in nm, the grid is that of the surface before stitching, which doubles
+    its size to the period. The interaction radius sqrt(2 R rho) must span two pixels, and
+    exponentials of height over range must not overflow. Where the window holds a period of the
+    surface, every contact has the highest pixel of the map within half a period of it, and cannot
+    be farther from it than the sphere's curvature says.
     """
     relief = grid.relief
     if window >= 2 * grid.size:
@@ -76,10 +68,7 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
 
 
 def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:
-    """Refuse a master larger than any map that this machine's memory (megabytes) cannot hold.
-
-    A ValueError of one line names the key that the pixels along an edge come from.
-    """
+    """Refuse a master larger than any map if the memory available (megabytes) cannot hold it."""
     needed = master_megabytes(pixels, 0)
     if pixels > MAP_PIXELS and needed > available:
         raise ValueError(

@@ -6,14 +6,13 @@ have a table of limits, of which the first that does not hold is told.
 
 import math
 from collections.abc import Iterator, Mapping
-from functools import partial, reduce
-from itertools import product
-from operator import getitem
+from functools import partial
+from itertools import islice, product
 from typing import Any
 
 import numpy as np
 
-from hardcontact.config.configuration import PAPER, Limit, refuse_all, refuse_first
+from hardcontact.config.configuration import PAPER, Limit, at, refuse_all, unmet
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
@@ -23,6 +22,7 @@ from hardcontact.config.grids import (
     machine_megabytes,
     refuse_beyond_memory,
 )
+from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.smooth_sphere import effective_modulus
@@ -43,12 +43,16 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
 
     A ValueError has one line a fault, naming the key of the configuration, which is of numbers.
     """
-    name, of_paper = config["sphere"]["surface"], config["published"] == PAPER
-    if name in grids:
-        refuse_first(_of_sphere(config, grids[name]))
-    on_scan = [limits_of_scan, _of_elastic_scan] if of_paper else [limits_of_scan]
-    on_pair = [_of_pair, _of_elastic_pair] if of_paper else [_of_pair]
-    sections = ("scales", "sets", "insight", "insight.scaling") if of_paper else ("scales",)
+    name, radius = config["sphere"]["surface"], config["sphere"]["radius"]
+    if name in grids and radius < grids[name].size:
+        raise ValueError(
+            "config key sphere.radius: expected at least the size of its scans "
+            f"({grids[name].size:.6g} nm), found {radius:.6g} nm"
+        )
+    on_scan, on_pair, sections = [limits_of_scan], [_of_pair], ["scales"]
+    if config["published"] == PAPER:
+        on_scan, on_pair = [limits_of_scan, _of_elastic_scan], [_of_pair, _of_elastic_pair]
+        sections = ["scales", "sets", "insight", "insight.scaling"]
     scopes = [table(config, *one) for one, table in product(grids.items(), on_scan)]
     for surface, grid in grids.items():
         if surface != name:
@@ -58,31 +62,41 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
                 _of_master(config, section, side, surface, grid, sphere)
                 for section, side in product(sections, SIDES)
             ]
-    refuse_all(partial(refuse_first, limits) for limits in scopes)
+    refuse_all(partial(refuse_lines, islice(unmet(limits), 1)) for limits in scopes)
 
 
-def _of_sphere(config: dict[str, Any], sphere: Grid) -> Iterator[Limit]:
-    """Give the limit of a sphere: it is no smaller than its scans."""
-    radius = config["sphere"]["radius"]
-    expected = f"at least the size of its scans ({sphere.size:.6g} nm)"
-    yield Limit(radius >= sphere.size, "sphere.radius", expected, f"{radius:.6g} nm")
+def window_images(window: float, size: float) -> float:
+    """Return how many images of a scan of a size, stitched, a window holds (edges in nm)."""
+    return max(1.0, window / (2 * size)) ** 2
+
+
+def carrying_pixels(window: float, grid: Grid) -> int:
+    """Return how many pixels of a stitched scan in a window (nm) may carry a load: a quarter."""
+    return min(window_pixels(window, grid.pixel_size), 2 * grid.pixels) ** 2 // 4
+
+
+def pressed_depth(load: Load, relief: float) -> float:
+    """Return how deep (nm) a load presses bodies into each other, at most their relief (nm).
+
+    On slopes near one a contact is about as deep as it is wide.
+    """
+    return min(math.sqrt(load["preload"] / load["hardness"]) * 1e9, relief)
 
 
 def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Give the limits of the scans of a surface: loads, numbers of contacts, ranges."""
-    sections, stitched = _sections_of_contacts(config), 2 * grid.pixels
-    window = window_pixels(config["contact"]["window"], grid.pixel_size)
-    available = min(window, stitched) ** 2 // 4
+    of_paper, stitched = config["published"] == PAPER, 2 * grid.pixels
+    sections = ["contact", "sets"] if of_paper else ["contact"]
+    available = carrying_pixels(config["contact"]["window"], grid)
     why = f"which a quarter of the {4 * available} pixels of {surface} can carry"
-    of_loads = [*sections, "insight.scaling"] if config["published"] == PAPER else sections
-    for section in of_loads:
+    for section in [*sections, "insight.scaling"] if of_paper else sections:
         yield from _of_loads(config, section, available, grid.pixel_size, why)
     expected = f"at most the {stitched} pixels along the stitched scan of {surface}"
     for section in sections:
         count = config[section]["count"]
         yield Limit(count <= stitched, f"{section}.count", expected, count)
     ranges = {"adhesion.ranges": config["adhesion"]["ranges"][0]}
-    if config["published"] == PAPER:
+    if of_paper:
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
     ranges["scales.range"] = config["scales"]["range"]
     for key, rho in ranges.items():
@@ -104,8 +118,8 @@ def _of_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> 
     expected = f"at most {MAP_PIXELS} pixels of {pixel_size:.4g} nm, on {both}"
     yield Limit(window <= MAP_PIXELS, "contact.window", expected, window)
     yield _of_map(both, pixel_size, grid, sphere)
-    images = max(1, edge / (2 * grid.size)) ** 2
-    for section in _sections_of_contacts(config):
+    for section in ("contact", "sets") if config["published"] == PAPER else ("contact",):
+        images = window_images(edge, grid.size)
         yield from _of_contact_pixels(config, section, surface, pixel_size, images)
 
 
@@ -134,12 +148,8 @@ def _of_elastic_pair(
 def _of_master(
     config: dict[str, Any], section: str, side: str, surface: str, grid: Grid, sphere: Grid
 ) -> Iterator[Limit]:
-    """Give the limits of the masters of one side in a section that are built on a surface.
-
-    Sections are those of the study, of the sets and of robustness, of other laws of attraction,
-    and of edges that are scaled.
-    """
-    settings = _settings(config, section)
+    """Give the limits of the masters of one side in a section that are built on a surface."""
+    settings = at(config, section)
     own = settings[side]
     of_side = config["scales"][side] | own
     pixels, tiles = of_side["pixels"], of_side.get("tiles", 1)
@@ -198,11 +208,10 @@ def _of_contact_pixels(
 ) -> Iterator[Limit]:
     """Give the limits of loads for the contact pixels that are kept in memory at once.
 
-    Each pixel (edge in nm) has so many periodic images in the window; contacts are as many as the
-    section has.
+    Each pixel (edge in nm) has so many periodic images in the window.
     """
     counted = "contact" if section == "scales" else section
-    count = _settings(config, counted)["count"]
+    count = at(config, counted)["count"]
     most, window = int(CONTACT_PIXELS / count**2 / images), config["contact"]["window"]
     why = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
@@ -231,42 +240,29 @@ def _of_loads(
 def _of_depth(config: dict[str, Any], section: str, rho: float, grid: Grid) -> Iterator[Limit]:
     """Give the limits of a range of adhesion (nm) beside the depth of contacts at each load."""
     for key, load in _loads(config, section):
-        # On slopes near one a contact is about as deep as it is wide.
-        depth = min(math.sqrt(load["preload"] / load["hardness"]) * 1e9, grid.relief)
+        depth = pressed_depth(load, grid.relief)
         least = depth / PENETRATION_OVER_RANGE
         pressed = f"as {key} presses the bodies some {depth:.3g} nm into each other"
         expected = f"at least {least:.3g} nm, {pressed}"
         yield Limit(rho >= least, "scales.range", expected, f"{rho:.4g} nm")
 
 
-def _settings(config: dict[str, Any], section: str) -> dict[str, Any]:
-    """Return the keys of a section, with dots between the parts of its name."""
-    found: dict[str, Any] = reduce(getitem, section.split("."), config)
-    return found
-
-
-def _sections_of_contacts(config: dict[str, Any]) -> list[str]:
-    """Return the sections that contacts on scans come from; own surfaces have no sets."""
-    return ["contact", "sets"] if config["published"] == PAPER else ["contact"]
-
-
 def _loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
     """Give the loads on the contacts of a section, each with the key that it comes from.
 
-    First those of the study itself, unless all loads are the section's own; the largest of several.
+    Those of the study come first, unless all are the section's own; of several it is the largest.
     Robustness is computed at the size of the sets, at loads of its own.
     """
     preload, hardness = (config["contact"][key] for key in ("preload", "hardness"))
+    preloads: dict[str, list[float]] = {"contact.preload": [preload]}
     if section == "insight.scaling":
-        largest = max(_settings(config, section)["preloads"])
-        yield "insight.scaling.preloads", Load(preload=largest, hardness=hardness)
-        return
-    yield "contact.preload", Load(preload=preload, hardness=hardness)
-    if section == "contact" and config["published"] == PAPER:
-        largest = max(config["indent"]["preloads"])
-        yield "indent.preloads", Load(preload=largest, hardness=hardness)
-    if section == "sets":
-        for other in config["robustness"]["preloads"]:
-            yield "robustness.preloads", Load(preload=other, hardness=hardness)
-        for other in config["robustness"]["hardnesses"]:
-            yield "robustness.hardnesses", Load(preload=preload, hardness=other)
+        preloads = {"insight.scaling.preloads": [max(at(config, section)["preloads"])]}
+    elif section == "contact" and config["published"] == PAPER:
+        preloads["indent.preloads"] = [max(config["indent"]["preloads"])]
+    elif section == "sets":
+        preloads["robustness.preloads"] = config["robustness"]["preloads"]
+    for key, values in preloads.items():
+        for value in values:
+            yield key, Load(preload=value, hardness=hardness)
+    for value in config["robustness"]["hardnesses"] if section == "sets" else ():
+        yield "robustness.hardnesses", Load(preload=preload, hardness=value)

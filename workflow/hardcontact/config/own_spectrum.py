@@ -6,16 +6,15 @@ line, what was expected, what was found. Of scans the wavelengths count at which
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from hardcontact.config.schema import plain, refuse_lines
-from hardcontact.config.tables import Row, UserTable, found, number, user_table
+from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
 from hardcontact.numbers.printing import print_length
-from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
@@ -25,8 +24,16 @@ from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 #: Columns of which a table has one of each pair, each with a column of its unit.
 WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
 COLUMNS = "wavevector or wavelength, c_iso or c_1d, and the unit of each (wavevector_unit, ...)"
-#: Powers of a length that a density has.
-POWER = {"c_iso": 4, "c_1d": 3}
+#: The unit of a column: how it is written about that of a length, and in words.
+UNITS = {
+    "wavevector": (
+        r"rad\s*/\s*(\S+)",
+        "radians over a length, such as rad/nm (q = 2 pi/wavelength)",
+    ),
+    "wavelength": ("(.*)", "a length, such as nm"),
+    "c_iso": (r"(\D+?)(?:\^|\*\*)?[4⁴]", "a length to the power of 4, such as nm4"),
+    "c_1d": (r"(\D+?)(?:\^|\*\*)?[3³]", "a length to the power of 3, such as nm3"),
+}
 FEWEST = 5
 #: Independent waves that each bin of a profile's density is taken to have when it is converted.
 WAVES_OF_A_BIN = 20.0
@@ -49,18 +56,17 @@ def own_spectrum(
     *,
     dataset: str = "",
     tip_radius: float | None = None,
-    undefined_pixels: str = "harmonic",
-    levelling: str = "plane",
-    sphere_radius: float | None = None,
     continued: bool = False,
+    **reading: Any,
 ) -> OwnSpectrum:
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
 
     The files are one table, as `table_spectrum` reads it, or height maps, line scans and
-    containers, which are joined as `joined_spectrum` does; of these the dataset is the only member
-    of a container that counts, or empty. The radius of the tip, in nm, is of files that state none;
-    undefined pixels, levelling and sphere are as of `flat_measurement`. The spectrum of scans ends
-    where they are reliable, or is continued as in the study. Faults are a ValueError, a line each.
+    containers, joined as `joined_spectrum` does; of these the dataset is the only member of a
+    container that counts, or empty. The radius of the tip, in nm, is of files that state none; they
+    are read as `flat_measurement` is told, with undefined pixels filled if it is told nothing. The
+    spectrum of scans ends where they are reliable, or is continued as in the study. Faults are a
+    ValueError, a line each.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -72,14 +78,9 @@ def own_spectrum(
         zeros = np.count_nonzero(spectrum.density == 0)
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else ())
+    reading.setdefault("undefined_pixels", "harmonic")
     measurements = [
-        flat_measurement(
-            path,
-            member,
-            undefined_pixels=undefined_pixels,
-            levelling=levelling,
-            sphere_radius=sphere_radius,
-        )
+        flat_measurement(path, member, **reading)
         for path in files
         for member in ([dataset] if dataset else list_measurements(path))
     ]
@@ -128,21 +129,28 @@ def table_spectrum(path: str | Path) -> Spectrum:
     table = user_table(path, "a table of a power spectral density")
     wave, density = _quantities(table)
     problems = table.problems(lambda row: _faults(row, wave, density))
-    points = {
-        line: (_wavevector(row, wave), _density(row, density))
-        for line, row in table.rows().items()
-        if not _faults(row, wave, density)
-    }
-    problems += _repeated(path, points)
-    rough = sum(value > 0 for _, value in points.values())
+    points, lines = [], dict[str, int]()
+    for line, row in table.rows().items():
+        if _faults(row, wave, density):
+            continue
+        stated, length = _number(row[wave]), _nanometres(row, wave)
+        wavevector = 2 * math.pi / (stated * length) if wave == "wavelength" else stated / length
+        power = 4 if density == "c_iso" else 3
+        points.append((wavevector, _number(row[density]) * _nanometres(row, density) ** power))
+        before = lines.setdefault(f"{wavevector:.9g}", line)
+        if before != line:
+            problems.append(
+                f"{path}: line {line}: expected each wavelength once, found that of line {before}"
+            )
+    rough = sum(value > 0 for _, value in points)
     if not problems and rough < FEWEST:
         problems.append(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
     refuse_lines(problems)
-    wavevector, values = np.array(sorted(points.values())).T
+    wavevectors, values = np.array(sorted(points)).T
     if density == "c_1d":
         waves = np.full(values.shape, WAVES_OF_A_BIN)
-        values = isotropic_from_profile(wavevector, values, waves)
-    return Spectrum(wavevector, values)
+        values = isotropic_from_profile(wavevectors, values, waves)
+    return Spectrum(wavevectors, values)
 
 
 def _quantities(table: UserTable) -> tuple[str, str]:
@@ -170,43 +178,21 @@ def _quantities(table: UserTable) -> tuple[str, str]:
         if header.count(name) > 1
     ]
     refuse_lines(faults)
-    wave, density = present
-    return wave, density
+    return present[0], present[1]
 
 
 def _faults(row: Row, wave: str, density: str) -> list[str]:
     """Return what is wrong with the cells of a row."""
     faults = []
-    if not _number(row[wave]) > 0:
-        faults.append(f"{wave}: expected a positive number, found {found(row[wave])}")
-    if not (_number(row[density]) > 0 or (density == "c_iso" and _number(row[density]) == 0)):
-        least = "a number of at least 0" if density == "c_iso" else "a positive number"
-        faults.append(f"{density}: expected {least}, found {found(row[density])}")
-    expected = "a length, such as nm"
-    if wave == "wavevector":
-        expected = "radians over a length, such as rad/nm (q = 2 pi/wavelength)"
-    if math.isnan(_wavevector({**row, wave: "1"}, wave)):
-        unit = row[f"{wave}_unit"]
-        faults.append(f"{wave}_unit: expected {expected}, found {found(unit)}")
-    if math.isnan(_density({**row, density: "1"}, density)):
-        unit, power = row[f"{density}_unit"], POWER[density]
-        faults.append(
-            f"{density}_unit: expected a length to the power of {power}, such as nm{power}, "
-            f"found {found(unit)}"
-        )
-    return faults
-
-
-def _repeated(path: str | Path, points: Mapping[int, tuple[float, float]]) -> list[str]:
-    """Return the lines of wavelengths that were there before."""
-    first: dict[str, int] = {}
-    faults = []
-    for line, (wavevector, _) in points.items():
-        before = first.setdefault(f"{wavevector:.9g}", line)
-        if before != line:
-            faults.append(
-                f"{path}: line {line}: expected each wavelength once, found that of line {before}"
-            )
+    for name in (wave, density):
+        value = _number(row[name])
+        if not (value > 0 or (name == "c_iso" and value == 0)):
+            least = "a number of at least 0" if name == "c_iso" else "a positive number"
+            faults.append(f"{name}: expected {least}, found {found(row[name])}")
+    for name in (wave, density):
+        if math.isnan(_nanometres(row, name)):
+            unit = found(row[f"{name}_unit"])
+            faults.append(f"{name}_unit: expected {UNITS[name][1]}, found {unit}")
     return faults
 
 
@@ -216,26 +202,7 @@ def _number(text: str) -> float:
     return value if math.isfinite(value) else math.nan
 
 
-def _wavevector(row: Row, name: str) -> float:
-    """Return q in rad/nm; NaN if the unit is none of the quantity."""
-    value, unit = _number(row[name]), row[f"{name}_unit"]
-    if name == "wavelength":
-        return 2 * math.pi / (value * _nanometres(unit))
-    match = re.fullmatch(r"rad\s*/\s*(\S+)", unit)
-    return value / _nanometres(match[1]) if match else math.nan
-
-
-def _density(row: Row, name: str) -> float:
-    """Return a density in powers of nm; NaN if the unit has another power."""
-    digit = {3: "3³", 4: "4⁴"}[POWER[name]]
-    match = re.fullmatch(rf"(\D+?)(?:\^|\*\*)?[{digit}]", row[f"{name}_unit"])
-    length = _nanometres(match[1]) if match else math.nan
-    return _number(row[name]) * length ** POWER[name]
-
-
-def _nanometres(unit: str) -> float:
-    """Return a unit of length in nm; NaN if it is none."""
-    try:
-        return magnitude(f"1 {unit}", "nm")
-    except ValueError:
-        return math.nan
+def _nanometres(row: Row, name: str) -> float:
+    """Return the length in the unit of a column, in nm; NaN if it is no unit of the quantity."""
+    match = re.fullmatch(UNITS[name][0], row[f"{name}_unit"])
+    return in_unit(1, match[1], "nm") if match else math.nan

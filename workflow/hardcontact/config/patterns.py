@@ -71,10 +71,8 @@ class Patterns:
 
         self.varied_adhesion = f"{store}/robustness/{of_surface}/forces.nc"
         self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"
-        self.varied_realization = (
-            f"{store}/scales_of_variants/{{radius}}/{{load}}/{{range}}/{{variant}}/"
-            "realization-{realization}-{probe}.nc"
-        )
+        together = loaded.replace("{surface}/", "")  # all surfaces and sides of one realization
+        self.varied_realization = f"{store}/scales_of_variants/{together}-{{probe}}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
@@ -122,13 +120,8 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
     return {
         "surface": any_of(surfaces),
         "variant": any_of(variants),
-        "group": r"\d+",
-        "scan": r"\d+",
-        "sphere_scan": r"\d+",
-        "first": r"\d+",
-        "last": r"\d+",
+        **dict.fromkeys(("group", "scan", "sphere_scan", "first", "last", "realization"), r"\d+"),
         "shape": f"flat|sphere-R{_NUMBER}um",
-        "realization": r"\d+",
         "side": "small|large",
         "probe": "smooth|rough",
         "radius": f"R{_NUMBER}um",

@@ -1,7 +1,4 @@
-"""The surfaces and scans that a study is about: its table of surfaces, one row a scan.
-
-Every fault is a ValueError of one line: the line or surface, what was expected, what was found.
-"""
+"""The surfaces and scans that a study is about: its table of surfaces, one row a scan."""
 
 import os
 import reprlib
@@ -46,13 +43,13 @@ class Selection:
     def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
         self._all_rows = rows
         self._rows = rows[rows.use == CONTACT]
+        self._cells = self._rows.set_index(["surface", "scan"])
         self.sphere = sphere
         self.surfaces: list[str] = list(rows.surface.unique())
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
         self.labels: dict[str, str] = dict(zip(rows.surface, rows.label, strict=True))
         self.basis: dict[str, str] = dict(zip(rows.surface, rows.source, strict=True))
-        table = pd.read_csv(HEIGHT_DISTRIBUTION)
-        self._skewness = dict(zip(table.description, table.skewness, strict=True))
+        self._skewness = pd.read_csv(HEIGHT_DISTRIBUTION, index_col="description").skewness
 
     def scans(self, surface: str) -> list[int]:
         """Return the numbers of the scans of a surface that contacts are made on."""
@@ -62,11 +59,6 @@ class Selection:
     def sphere_scans(self) -> list[int]:
         """Numbers of the scans of the sphere; of a smooth one NO_SCAN alone."""
         return self.scans(self.sphere) or [NO_SCAN]
-
-    @property
-    def measured_surfaces(self) -> list[str]:
-        """Surfaces whose scans are measured."""
-        return [surface for surface in self.surfaces if self.basis[surface] == "measured"]
 
     def measured(self, surface: str) -> list[Measured]:
         """Return every scan of a measured surface, also those that only enter its spectrum."""
@@ -92,29 +84,24 @@ class Selection:
     def scans_of_group(self, surface: str, group: int) -> list[int]:
         """Return the scans of a group: as many as the study has, and conditioned together."""
         scans = self.scans(surface)
-        if group == 0:
-            return scans
         first = max(scans) + 1 + (group - 1) * len(scans)
-        return list(range(first, first + len(scans)))
+        return list(range(first, first + len(scans))) if group else scans
 
     @property
     def pooled(self) -> list[str]:
         """Substrates of which sets of scans are drawn: substitutes with a published rms height."""
         table1 = pd.read_csv(PUBLISHED["published_table1"])
         known = set(table1.surface[table1.quantity == "afm_rms_height"])
-        return [
-            surface
-            for surface in self.substrates
-            if surface in known and self.basis[surface] == "substitute"
-        ]
+        return [one for one in self.substrates if one in known and self.basis[one] == "substitute"]
 
     def path(self, surface: str, scan: int) -> str:
         """Return the file of a measured scan, or the description of a substitute."""
-        return self._cell(surface, scan, "path")
+        return str(self._cells.path[surface, scan])
 
     def dataset(self, surface: str, scan: int) -> str:
         """Return which dataset of its container a scan is; empty of a plain file."""
-        return self._cell(surface, scan, "dataset") if self.basis[surface] == "measured" else ""
+        measured = self.basis[surface] == "measured"
+        return str(self._cells.dataset[surface, scan]) if measured else ""
 
     def description(self, surface: str) -> str:
         """Return the file that describes the spectrum of a substitute."""
@@ -132,12 +119,7 @@ class Selection:
 
     def reads_curvature(self, surface: str) -> bool:
         """Return whether a substitute depends on what the curvature of Table 1 is read as."""
-        bands = pd.read_csv(self.description(surface))
-        return is_calibrated(bands)
-
-    def _cell(self, surface: str, scan: int, column: str) -> str:
-        rows = self._rows
-        return str(rows[(rows.surface == surface) & (rows.scan == scan)].iloc[0][column])
+        return is_calibrated(pd.read_csv(self.description(surface)))
 
 
 def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
@@ -150,11 +132,10 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
     content = "a table of surfaces"
-    given = user_table(path, content, form=content, separator="\t")
-    header, rows = given.header, given.cells
+    _, header, rows = user_table(path, content, form=content, separator="\t")
     columns, known = schema["required"], schema["properties"]
-    complete = set(columns) <= set(header) <= set(known) and len(header) == len(set(header))
-    if not complete or not rows:
+    once = len(header) == len(set(header))
+    if not (rows and once and set(columns) <= set(header) <= set(known)):
         raise ValueError(
             f"{path}: expected a table of surfaces, the columns {', '.join(columns)}, "
             "separated by tabs, and a row a scan; "
@@ -181,10 +162,7 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
 
 
 def selected_scans(table: pd.DataFrame, scans: Literal["all"] | list[int]) -> pd.DataFrame:
-    """Return the rows of the table of surfaces that a study uses: all, or those of some numbers.
-
-    A ValueError of one line names numbers that no surface has a scan of.
-    """
+    """Return the rows that a study uses: all, or those of numbers that some surface has."""
     if scans == "all":
         return table
     known = sorted({int(scan) for scan in table.scan})
@@ -209,21 +187,15 @@ def _refuse_repeated(path: str | Path, table: pd.DataFrame, columns: list[str]) 
 def _refuse_disagreement(path: str | Path, table: pd.DataFrame) -> None:
     """Refuse rows of one surface that differ in what belongs to the surface as a whole."""
     for surface, rows in table.groupby("surface"):
-        columns = ["label", "source"]
-        if rows.source.iloc[0] == "substitute":
-            columns.append("path")
-        if rows.source.iloc[0] == "substitute" and (rows.use != CONTACT).any():
+        where, substitute = f"{path}: surface {surface}", rows.source.iloc[0] == "substitute"
+        if substitute and (rows.use != CONTACT).any():
             raise ValueError(
-                f"{path}: surface {surface}: expected the use {CONTACT} of substitutes, "
+                f"{where}: expected the use {CONTACT} of substitutes, "
                 f"found {', '.join(rows.use.unique())}"
             )
         if not (rows.use == CONTACT).any():
-            raise ValueError(
-                f"{path}: surface {surface}: expected a scan with the use {CONTACT}, found none"
-            )
-        for column in columns:
+            raise ValueError(f"{where}: expected a scan with the use {CONTACT}, found none")
+        for column in ("label", "source", *(["path"] if substitute else [])):
             if rows[column].nunique() > 1:
-                raise ValueError(
-                    f"{path}: surface {surface}: expected one {column}, "
-                    f"found {', '.join(rows[column].unique()[:5])}"
-                )
+                found = ", ".join(rows[column].unique()[:5])
+                raise ValueError(f"{where}: expected one {column}, found {found}")

@@ -1,9 +1,7 @@
-"""Tables that the user wrote, and what is wrong with them: one reader for all.
+"""Tables that the user wrote, and what is wrong with them, a line a fault: one reader for all.
 
 Own pull-off forces, of single tests or of a mean and a median a surface; descriptions of substitute
 surfaces (`resources/README.md`), checked before a spectrum is made from them.
-
-Every fault is one line: the file and its line, what was expected, what was found.
 """
 
 import csv
@@ -72,21 +70,9 @@ class UserTable(NamedTuple):
 def user_table(
     path: str | Path, content: str, *, form: str = "a CSV", separator: str = ","
 ) -> UserTable:
-    """Read a table that the user wrote.
+    """Read a table that the user wrote, in UTF-8, with a header; between tabs nothing is quoted.
 
-    Parameters
-    ----------
-    path : str or Path
-        In UTF-8, with a header; between tabs nothing is quoted.
-    content, form : str
-        What the table should hold and be, for the messages.
-    separator : str
-        Of its cells.
-
-    Raises
-    ------
-    ValueError
-        In one line.
+    A ValueError of one line says what the table should hold (content) and be (form).
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
@@ -120,30 +106,31 @@ def number(cell: str) -> float:
         return math.nan
 
 
-def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame:
-    """Read the user's own pull-off forces.
+def in_unit(value: float, given: str, unit: str) -> float:
+    """Return a value with a given unit in another; NaN if these have other dimensions."""
+    try:
+        return magnitude(f"{value!r} {given}", unit)
+    except ValueError:
+        return math.nan
 
-    Parameters
-    ----------
-    path : str or Path
-        CSV with a header: surface, value, unit, one row a test; or surface, mean, median, count,
-        unit, one row a surface.
-    surfaces : collection of str
-        Names of the surfaces of the study.
 
-    Returns
-    -------
-    pandas.DataFrame
-        Indexed by line of the file. Columns: surface; mean and median in N, positive; count, the
-        tests they are of. A single test is the mean and the median of one.
+def measured_forces(
+    path: str | Path, surfaces: Collection[str], given_as: str = "config key forces"
+) -> pd.DataFrame:
+    """Read the user's own pull-off forces on the surfaces of a study.
 
-    Raises
-    ------
-    ValueError
-        One line a problem, all of them.
+    The file is a CSV with a header: surface, value, unit, one row a test; or surface, mean, median,
+    count, unit, one row a surface. Returned are, by line of the file, the columns surface; mean and
+    median in N, positive; count, the tests they are of: a single test is the mean and the median of
+    one. A ValueError has one line a problem, all of them, and says how the table was given.
     """
-    table = user_table(path, "a table of forces (config key forces)")
-    _refuse_other_columns(table)
+    table = user_table(path, f"a table of forces ({given_as})")
+    if sorted(table.header) not in (sorted(TESTS), sorted(SUMMARIES)) or not table.cells:
+        raise ValueError(
+            f"{path}: expected the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
+            f"separated by commas, and a row for each force; found "
+            f"{plain(', '.join(table.header)) or 'no column'} and {len(table.cells)} rows"
+        )
     problems = table.problems(lambda row: _faults(row, surfaces))
     forces = pd.DataFrame.from_dict(
         {line: _force(row) for line, row in table.rows().items()},
@@ -157,17 +144,6 @@ def measured_forces(path: str | Path, surfaces: Collection[str]) -> pd.DataFrame
         ]
     refuse_lines(problems)
     return forces
-
-
-def _refuse_other_columns(table: UserTable) -> None:
-    """Refuse a table that is none of single tests and none of one row a surface."""
-    if sorted(table.header) in (sorted(TESTS), sorted(SUMMARIES)) and table.cells:
-        return
-    raise ValueError(
-        f"{table.path}: expected the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
-        f"separated by commas, and a row for each force; found "
-        f"{plain(', '.join(table.header)) or 'no column'} and {len(table.cells)} rows"
-    )
 
 
 def _faults(row: Row, surfaces: Collection[str]) -> list[str]:
@@ -200,12 +176,9 @@ def _force(row: Row) -> tuple[str, float, float, int]:
     return row["surface"], mean, median, _count(row.get("count", "1"))
 
 
-def _newtons(number: str, unit: str) -> float:
+def _newtons(text: str, unit: str) -> float:
     """Return a force in N; NaN if it is no number with a unit of force."""
-    try:
-        return magnitude(f"{float(number)!r} {unit}", "N")
-    except ValueError:
-        return math.nan
+    return in_unit(number(text), unit, "N")
 
 
 def _count(text: str) -> int:
@@ -214,33 +187,23 @@ def _count(text: str) -> int:
 
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
-    """Refuse a description of a substitute that no spectrum can be made from.
-
-    As a ValueError of one line that names the file and the line, given the rows of Table 1 that the
-    surface has.
-    """
+    """Refuse a description of no spectrum, given the rows of Table 1 that the surface has."""
     for line, row in _description(path, PARAMETERS, ("model", "table")).items():
-        model, hurst, where = row["model"], row["hurst"], f"{path}: line {line}"
+        model, hurst = row["model"], row["hurst"]
         known = [name for name in MODELS if line > 2 or name != "power law"]
-        if model not in known:
-            raise ValueError(
-                f"{where}: expected a model, one of {', '.join(known)}; found {found(model)}"
-            )
         missing = set() if hurst else set(CALIBRATED.get(model, ())).difference(published)
-        if missing:
-            raise ValueError(
-                f"{where}: expected a Hurst exponent, or of this surface the rows "
-                f"{', '.join(sorted(missing))} in resources/paper/table1.csv; found neither"
-            )
-        if model == "varying Hurst" and not row["rolloff_nm"]:
-            raise ValueError(
-                f"{where}: expected a roll-off wavelength of a varying Hurst exponent, found none"
-            )
-        if hurst and float(hurst) < FLATTEST:
-            raise ValueError(
-                f"{where}: expected a Hurst exponent of {FLATTEST:g} or more, below which a "
-                f"spectrum grows towards short wavelengths, found {float(hurst):g}"
-            )
+        expected = {
+            f"a model, one of {', '.join(known)}; found {found(model)}": model not in known,
+            f"a Hurst exponent, or of this surface the rows {', '.join(sorted(missing))} in "
+            "resources/paper/table1.csv; found neither": missing,
+            "a roll-off wavelength of a varying Hurst exponent, found none": (
+                model == "varying Hurst" and not row["rolloff_nm"]
+            ),
+            f"a Hurst exponent of {FLATTEST:g} or more, below which a spectrum grows towards "
+            f"short wavelengths, found {number(hurst):g}": number(hurst) < FLATTEST,
+        }
+        faults = [f"{path}: line {line}: expected {text}" for text, bad in expected.items() if bad]
+        refuse_lines(faults[:1])
         if model == "profile":
             _description(Path(path).parent / row["table"], POINTS)
 

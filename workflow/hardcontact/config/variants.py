@@ -17,11 +17,14 @@ OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
 class SurfaceVariant:
     """One way to make substitutes; None stands for what the study itself takes.
 
-    The name stands in paths. One surface alone may be made so; the curvature of Table 1 may be read
-    as another, heights have another skewness, or a tip of some radius in nm images the surface.
+    The name stands in paths, the label in print, and the group says which choice it is of. One
+    surface alone may be made so; the curvature of Table 1 may be read as another, heights have
+    another skewness, or a tip of some radius in nm images the surface.
     """
 
     name: str
+    label: str
+    group: str
     surface: str | None = None
     curvature: str | None = None
     skewness: float | None = None
@@ -87,85 +90,49 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
     """Return the ways to make substitutes by their names, that of the study first."""
     curvature = OTHER_CURVATURE[configuration["topography"]["curvature"]]
     heights, tip = (configuration["robustness"][key] for key in ("heights", "tip"))
+    label = f"curvature of Table 1: {curvature.replace('_', ' ')}"
     made = [
-        SurfaceVariant(STUDY_VARIANT),
-        SurfaceVariant(curvature, curvature=curvature),
-        *(
-            SurfaceVariant(f"skewness{value:+g}", heights["surface"], skewness=float(value))
-            for value in heights["skewness"]
-        ),
-        *(
-            SurfaceVariant(
-                f"tip-{token(text, 'nm')}", tip["surface"], tip_radius=magnitude(text, "nm")
-            )
-            for text in tip["radii"]
-        ),
+        SurfaceVariant(STUDY_VARIANT, "as the study", "baseline"),
+        SurfaceVariant(curvature, label, "curvature", curvature=curvature),
     ]
+    for value in map(float, heights["skewness"]):
+        name, label = f"skewness{value:+g}", f"skewness {value:+g}"
+        made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
+    for text in tip["radii"]:
+        name, radius = f"tip-{token(text, 'nm')}", magnitude(text, "nm")
+        label = f"tip of {radius:g} nm"
+        made.append(SurfaceVariant(name, label, "tip", tip["surface"], tip_radius=radius))
     return {variant.name: variant for variant in made}
 
 
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
-    """Return the variants of robustness, the study itself first.
-
-    Quantities of the configuration are the texts that the user wrote: they name loads.
-    """
-    contact, other = configuration["contact"], configuration["robustness"]
+    """Return the variants of robustness, the study itself first; texts of quantities name loads."""
+    usual = {key: configuration["contact"][key] for key in ("preload", "hardness")}
     baseline = Variant(
         "baseline",
         "as the study",
         "baseline",
         dict.fromkeys(selection.substrates, STUDY_VARIANT),
-        named_load(contact["preload"], contact["hardness"]),
+        named_load(**usual),
         "rough" if configuration["scales"]["sphere_roughness"] else "smooth",
     )
-    probe = OTHER_PROBE[baseline.probe]
-    return [
-        baseline,
-        *_of_surfaces(configuration, selection, baseline),
-        _with(baseline, f"{probe}_sphere", f"{probe} sphere in Fig. 6", "sphere", probe=probe),
-        *(
-            _loaded(baseline, "preload", text, "uN", named_load(text, contact["hardness"]))
-            for text in other["preloads"]
-        ),
-        *(
-            _loaded(baseline, "hardness", text, "GPa", named_load(contact["preload"], text))
-            for text in other["hardnesses"]
-        ),
-    ]
-
-
-def _with(baseline: Variant, name: str, label: str, group: str, **choice: Any) -> Variant:
-    """Return the study with another name and one other choice."""
-    return replace(baseline, name=name, label=label, group=group, **choice)
-
-
-def _loaded(baseline: Variant, group: str, text: str, unit: str, other: NamedLoad) -> Variant:
-    label = f"{group} {printed(text)}"
-    return _with(baseline, f"{group}-{token(text, unit)}", label, group, load=other)
-
-
-def _of_surfaces(
-    configuration: Mapping[str, Any], selection: Selection, baseline: Variant
-) -> list[Variant]:
-    """Return a variant for each other way to make substitutes."""
-    made = []
-    for name, one in surface_variants(configuration).items():
-        if name == STUDY_VARIANT:
-            continue
-        label, group = _described(one, selection.labels)
+    made = [baseline]
+    _, *others = surface_variants(configuration).values()
+    for one in others:
+        label = f"{selection.labels[one.surface]}: {one.label}" if one.surface else one.label
         of_surface = {
-            surface: name if one.changes(selection, surface) else STUDY_VARIANT
+            surface: one.name if one.changes(selection, surface) else STUDY_VARIANT
             for surface in selection.substrates
         }
-        made.append(_with(baseline, name, label, group, variant=of_surface))
+        made.append(
+            replace(baseline, name=one.name, label=label, group=one.group, variant=of_surface)
+        )
+    probe = OTHER_PROBE[baseline.probe]
+    name, label = f"{probe}_sphere", f"{probe} sphere in Fig. 6"
+    made.append(replace(baseline, name=name, label=label, group="sphere", probe=probe))
+    for group, key, unit in (("preload", "preloads", "uN"), ("hardness", "hardnesses", "GPa")):
+        for text in configuration["robustness"][key]:
+            name, label = f"{group}-{token(text, unit)}", f"{group} {printed(text)}"
+            load = named_load(**usual | {group: text})
+            made.append(replace(baseline, name=name, label=label, group=group, load=load))
     return made
-
-
-def _described(one: SurfaceVariant, labels: Mapping[str, str]) -> tuple[str, str]:
-    """Return how another way to make substitutes is called, and the choice that it concerns."""
-    if one.surface is None:
-        return f"curvature of Table 1: {one.name.replace('_', ' ')}", "curvature"
-    label = labels[one.surface]
-    if one.skewness is not None:
-        return f"{label}: skewness {one.skewness:+g}", "heights"
-    return f"{label}: tip of {one.tip_radius:g} nm", "tip"

@@ -4,6 +4,7 @@ from itertools import product
 
 import pytest
 from paper_numbers import SUBSTRATES, SURFACES
+from repository import PAPER
 from small_study import PATTERNS, files, selection
 
 pytestmark = pytest.mark.usefixtures("at_root")
@@ -12,7 +13,7 @@ pytestmark = pytest.mark.usefixtures("at_root")
 def test_scans_of_the_sphere_are_taken_in_turn():
     pairs = files(scans=[1, 2]).pairs_in_turn
     assert [(pair.scan, pair.sphere_scan) for pair in pairs] == [(1, 1), (2, 2)] * len(SUBSTRATES)
-    assert files(scans=[1, 2]).of_pairs(PATTERNS.elastic, pairs)[1] == (
+    assert files(scans=[1, 2]).paths(PATTERNS.elastic, pairs)[1] == (
         "results/store/elastic/R250um/H25GPa-F10uN/polished_uncd/study/scan-2/sphere-scan-2.nc"
     )
 
@@ -24,8 +25,9 @@ def test_swept_values_stand_in_paths():
         contact__hardness="0.03 TPa",
         scales__range="0.5 nm",
     )
-    assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.pull_offs[0]
-    assert "/R300um/H30GPa-F12uN/rho0.5nm/" in study.filtered_pull_offs[0]
+    forces = study.paths(PATTERNS.pull_off, study.substrate_scans)
+    forces += study.paths(PATTERNS.filtered_pull_off, study.masters)
+    assert all("/R300um/H30GPa-F12uN/rho0.5nm/" in path for path in forces)
     assert study.stitched("ruby", 1).endswith("ruby/study/scan-1-sphere-R300um.nc")
     assert study.stitched("uncd", 1).endswith("uncd/study/scan-1-flat.nc")
 
@@ -34,15 +36,16 @@ def test_topography_is_of_all_scans_and_forces_are_of_those_of_substrates():
     study = files(scans=[1, 3])
     assert study.scans == list(product(SURFACES, [1, 3]))
     assert study.substrate_scans == list(product(SUBSTRATES, [1, 3]))
-    assert len(study.levelled_scans) == len(study.scans)
-    assert len(study.pull_offs) == len(study.substrate_scans)
-    assert len(study.spectra) == len(SURFACES)
-    assert [path.split("/")[-3:-1] for path in study.levelled_scans[2:4]] == [["uncd", "study"]] * 2
-    assert [path.split("/")[-1] for path in study.stitched_spheres] == [
+    levelled = study.paths(PATTERNS.levelled, study.scans)
+    assert len(set(levelled)) == len(study.scans)
+    assert len(set(study.paths(PATTERNS.pull_off, study.substrate_scans))) == 2 * len(SUBSTRATES)
+    assert [path.split("/")[-3:-1] for path in levelled[2:4]] == [["uncd", "study"]] * 2
+    stitched = [path for path in study.paths(PATTERNS.stitched, study.scans) if "ruby" in path]
+    assert [path.split("/")[-1] for path in stitched] == [
         "scan-1-sphere-R250um.nc",
         "scan-3-sphere-R250um.nc",
     ]
-    assert study.first_sphere == study.stitched_spheres[0]
+    assert study.first_sphere == stitched[0]
 
 
 def test_measured_scans_are_read_where_they_lie():
@@ -89,10 +92,9 @@ def test_only_substitutes_are_conditioned():
 def test_every_master_of_every_realization_is_filtered():
     study = files(scales__realizations=2)
     assert study.masters == list(product(SUBSTRATES, [1, 2], ["small", "large"]))
-    assert len(set(study.filtered_pull_offs)) == len(study.masters)
-    assert study.filtered_pull_offs[1].endswith(
-        "rho5.6nm/polished_uncd/study/realization-1/large.nc"
-    )
+    forces = study.paths(PATTERNS.filtered_pull_off, study.masters)
+    assert len(set(forces)) == len(study.masters)
+    assert forces[1].endswith("rho5.6nm/polished_uncd/study/realization-1/large.nc")
 
 
 def test_scans_are_made_in_the_groups_that_are_conditioned_together():
@@ -114,7 +116,6 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     made = list(product(SUBSTRATES, ["study"])) + list(product(SUBSTRATES, ["laplacian"]))
     made += [("mcd", "skewness-0.5"), ("uncd", "tip-17nm")]
     assert study.varied_surfaces == made
-    assert len(set(study.varied_adhesion)) == len(made)
     assert study.varied_together == {
         tuple(SUBSTRATES): ["study", "laplacian"],
         ("mcd",): ["skewness-0.5"],
@@ -124,8 +125,9 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     assert masters == {(*one, "smooth") for one in made} | {
         (name, "study", "rough") for name in SUBSTRATES
     }
-    assert len(study.varied_masters) == len(study.varied_scales) == 2 * 3 * len(masters)
-    assert study.varied_scales[0].endswith("polished_uncd/study/realization-1/small-smooth.nc")
+    forces = study.paths(PATTERNS.varied_scales, study.varied_masters)
+    assert len(set(forces)) == len(forces) == 2 * 3 * len(masters)
+    assert forces[0].endswith("polished_uncd/study/realization-1/small-smooth.nc")
 
 
 def test_the_masters_of_the_study_are_those_of_the_sets():
@@ -160,17 +162,27 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
     study = files(measured=["mcd"], sets__pool=32)
     assert [one.surface for one in study.chunks[::3]] == SUBSTRATES[:3]
     assert [(one.first, one.last) for one in study.chunks[:3]] == [(1, 15), (16, 30), (31, 32)]
-    assert len(study.pools) == len(study.chunks)
-    assert study.pools[1] == (
+    assert study.paths(PATTERNS.pool, study.chunks)[1] == (
         "results/store/pool/R250um/H25GPa-F10uN/polished_uncd/study/scans-16-30.nc"
     )
-    assert [path.split("/")[-3] for path in study.smooth_spheres] == SUBSTRATES[:3]
 
 
 def test_sets_and_robustness_share_their_masters():
     study = files(measured=["mcd"], sets__realizations=4, robustness__realizations=2)
-    masters = [one[:1] + one[2:4] for one in study.set_masters]
+    masters = [(one.surface, one.realization, one.side) for one in study.set_masters]
     assert masters == list(product(SUBSTRATES, [1, 2, 3, 4], ["small", "large"]))
     of_robustness = {one for one in study.varied_masters if one in study.set_masters}
     assert {one.realization for one in of_robustness} == {1, 2}
-    assert set(study.of_masters(of_robustness)) <= set(study.set_scales)
+
+
+def test_realizations_of_insight_are_the_first_scans_of_each_substrate():
+    study = files([1, 2, 4], insight__realizations=2, insight__scaling__realizations=1)
+    assert study.realized_scans == list(product(SUBSTRATES, [1, 2]))
+    assert len(set(study.paths(PATTERNS.law_scan, study.realized_scans))) == 2 * len(SUBSTRATES)
+    assert study.scaled_masters == list(product(SUBSTRATES, [1], ["small", "large"]))
+    repeated = list(study.repeated.values())
+    assert repeated[:-2] == list(product(SUBSTRATES, [1e-5], [1, 2]))
+    hardest = max(load["preload"] for load in study.repeated_loads.values())
+    indented = PAPER["indent"]["surface"]
+    assert repeated[-2:] == [(indented, hardest, 1), (indented, hardest, 2)]
+    assert f"/{list(study.repeated_loads)[1]}/{indented}/" in list(study.repeated)[-1]
