@@ -103,8 +103,10 @@ def freeze_layout(figure: Figure) -> None:
 
     Beyond that the solver's digits differ from run to run, and with them the bytes of the file.
     """
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
+    if engine := figure.get_layout_engine():
+        engine.execute(figure)
+    # Not even the placeholder that "none" leaves: for it, saving draws the figure once more.
+    figure.set_layout_engine(None)
     for axes in figure.axes:
         bounds = axes.get_position(original=True).bounds
         axes.set_position(Bbox.from_bounds(*(round(bound, 6) for bound in bounds)))
