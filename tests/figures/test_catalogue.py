@@ -15,7 +15,7 @@ from hardcontact.figures.drawing import READERS
 
 ROOT = Path(__file__).parents[2]
 PARTS = {"fig4_error"}
-SHARED = {"__init__", "catalogue", "drawing", "marks", "style", "tables"}
+SHARED = {"__init__", "catalogue", "drawing", "style", "tables"}
 
 
 def test_each_module_is_a_figure_or_shared():

@@ -1,11 +1,13 @@
-"""Drawing a figure from its datasets: the same bytes each time, all files or none."""
+"""Drawing a figure: its style and note, the same bytes each time, all files or none."""
 
 from pathlib import Path
 
 import pandas as pd
 import pytest
+import xarray as xr
 from figure_inputs.registry import inputs_of, module_of
 from figure_inputs.surfaces import topography
+from matplotlib import rc_context, rcParams
 
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.figures import drawing, fig1
@@ -28,6 +30,15 @@ def contents(folder: Path) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
+def input_files(name: str, folder: Path) -> dict[str, str]:
+    """Write the datasets that a figure is drawn from, and return the paths of all its inputs."""
+    inputs = {key: str(ROOT / PUBLISHED[key]) for key in FIGURES[name].published}
+    for key in FIGURES[name].datasets:
+        inputs[key] = str(folder / f"{key}.nc")
+        inputs_of(name)[key].to_netcdf(inputs[key])
+    return inputs
+
+
 #: What draws fast; the others are drawn from their files in the tier of studies.
 FAST = "table1"
 slow = [pytest.param(name, marks=pytest.mark.study) for name in FIGURES if name != FAST]
@@ -35,11 +46,7 @@ slow = [pytest.param(name, marks=pytest.mark.study) for name in FIGURES if name 
 
 @pytest.mark.parametrize("name", [FAST, *slow])
 def test_a_figure_is_drawn_from_its_files(name, tmp_path):
-    inputs = {key: str(ROOT / PUBLISHED[key]) for key in FIGURES[name].published}
-    for key in FIGURES[name].datasets:
-        inputs[key] = str(tmp_path / f"{key}.nc")
-        inputs_of(name)[key].to_netcdf(inputs[key])
-    drawing.draw_figure(name, inputs, outputs(tmp_path / "made"))
+    drawing.draw_figure(name, input_files(name, tmp_path), outputs(tmp_path / "made"))
     made = contents(tmp_path / "made")
     assert set(made) == {"figure.pdf", "figure.png", "figure.csv"}
     assert made["figure.pdf"].startswith(b"%PDF") and made["figure.png"].startswith(b"\x89PNG")
@@ -54,6 +61,28 @@ def test_drawing_twice_gives_the_same_bytes(name, tmp_path):
         module, inputs = module_of(name), inputs_of(name)
         drawing.save(module.draw(**inputs), module.table(**inputs), "a figure", outputs(folder))
     assert contents(tmp_path / "first") == contents(tmp_path / "second")
+
+
+def test_a_figure_is_drawn_and_saved_in_the_style_of_print_alone(monkeypatch, tmp_path):
+    sizes = []
+    for module, function in ((module_of(FAST), "draw"), (drawing, "save")):
+        monkeypatch.setattr(module, function, lambda *_, **__: sizes.append(rcParams["font.size"]))
+    with rc_context({"font.size": 11}):
+        before = dict(rcParams)
+        drawing.draw_figure(FAST, input_files(FAST, tmp_path), {})
+        assert dict(rcParams) == before
+    assert sizes == [8, 8]
+
+
+def test_only_the_substitutes_are_named():
+    surfaces = xr.Dataset(
+        {
+            "label": ("surface", ["UNCD", "NCD"]),
+            "basis": ("surface", ["measured", "substitute"]),
+        }
+    )
+    (note,) = drawing.create(3, surfaces).texts
+    assert note.get_text().startswith("substitute surfaces: NCD (")
 
 
 def test_nothing_is_written_when_saving_fails(tmp_path):

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 from paper_numbers import LABELS, SUBSTRATES
 
-from hardcontact.figures import style
+from hardcontact.figures import drawing, style
 from hardcontact.figures.catalogue import FIGURES
 
 
@@ -70,7 +70,7 @@ def test_no_text_is_smaller_than_seven_points(name):
 
 def test_figure_has_print_width_and_fits_a_page(name):
     width, height = drawn(name).get_size_inches()
-    assert width == style.WIDTH and 2 < height < 9
+    assert width == drawing.WIDTH and 2 < height < 9
 
 
 def test_every_panel_has_its_letter(name):

@@ -1,12 +1,12 @@
-"""Colours and markers, the note on substitutes, labels."""
+"""Colours and markers, labels, legends."""
 
 import numpy as np
-import xarray as xr
-from matplotlib import rcParams
+from figure_inputs.adhesion import inference
+from matplotlib import rc_context, rcParams
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import style
+from hardcontact.figures import drawing, style
 
 
 def test_colours_and_markers_follow_the_order_of_any_surfaces():
@@ -20,23 +20,12 @@ def test_colours_and_markers_follow_the_order_of_any_surfaces():
     assert {name: look["color"] for name, look in looks.items()} == style.colours(looks)
 
 
-def test_only_the_substitutes_are_named():
-    surfaces = xr.Dataset(
-        {
-            "label": ("surface", ["UNCD", "NCD"]),
-            "basis": ("surface", ["measured", "substitute"]),
-        }
-    )
-    figure = Figure()
-    style.mark_basis(figure, surfaces)
-    assert figure.texts[0].get_text().startswith("substitute surfaces: NCD (")
-
-
 def test_style_holds_inside_alone():
-    before = dict(rcParams)
-    with style.print_style():
-        assert rcParams["font.size"] == 8
-    assert dict(rcParams) == before
+    with rc_context({"font.size": 11}):
+        before = dict(rcParams)
+        with style.print_style():
+            assert rcParams["font.size"] == 8
+        assert dict(rcParams) == before
 
 
 def test_logarithmic_axes_have_plain_numbers():
@@ -100,7 +89,7 @@ def test_bars_of_reasonable_length_leave_the_axes_as_they_are():
 
 def test_a_legend_has_no_more_columns_than_fit():
     def columns(letters):
-        figure = style.create(4)
+        figure = drawing.create(4, inference())
         style.legend_above(figure, [Line2D([], [], label="x" * letters) for _ in range(5)])
         (legend,) = figure.legends
         assert letters > 100 or legend.get_window_extent().width <= figure.bbox.width

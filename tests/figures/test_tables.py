@@ -9,7 +9,7 @@ from figure_inputs.published_tables import published_constants
 from hardcontact.figures.tables import (
     bounded,
     computed_rows,
-    label_surfaces,
+    labelled,
     over_sets,
     published_edge,
     published_value,
@@ -58,8 +58,9 @@ def test_published_values_have_the_ends_of_their_uncertainty():
 
 def test_rows_get_the_label_of_their_surface():
     rows = pd.DataFrame({"group": ["mcd", "pooled"]})
-    labelled = label_surfaces(rows, inference(), "group")
-    assert list(labelled["label"][:1]) == ["MCD"] and labelled["label"].isna()[1]
+    table = labelled([rows], inference(), ["group", "label", "basis"], "group")
+    assert table.iloc[0].tolist() == ["mcd", "MCD", "substitute"]
+    assert table.loc[1, "group"] == "pooled" and table.loc[1, ["label", "basis"]].isna().all()
 
 
 def test_sets_are_summed_up_by_values_of_their_own():

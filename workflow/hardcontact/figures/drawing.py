@@ -1,17 +1,22 @@
-"""Draw a figure of the catalogue from its datasets, and write it as PDF and PNG with its table."""
+"""Drawing of a figure: its sheet, and the files that it is written to, PDF, PNG and its table."""
 
 import importlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 
+import numpy as np
 import pandas as pd
+import xarray as xr
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from hardcontact.figures import style
 from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
 from hardcontact.records import dataset, published
 from hardcontact.records.whole_file import whole_file
 
+WIDTH = 7.0  # inch: two columns of a journal page
+FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
 RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
 READERS = {
     "published_constants": published.constants,
@@ -29,10 +34,10 @@ def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
     module = importlib.import_module(f"hardcontact.figures.{name}")
     figure = (FIGURES | OF_ATOMIC)[name]
     drawn_from = {key: READERS.get(key, dataset.read)(inputs[key]) for key in figure.inputs}
-    save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
+    with style.print_style():
+        save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
 
 
-@style.print_style()
 def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:
     """Write a figure and the table of its numbers as "pdf", "png" and "csv", with its title.
 
@@ -44,9 +49,48 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
             stack.enter_context(whole_file(outputs[kind])) for kind in ("pdf", "png", "csv")
         )
         table.to_csv(csv, index=False, float_format="%.8g", lineterminator="\n")
-        figure.savefig(
-            png, format="png", dpi=RESOLUTION, metadata={"Title": title, "Software": None}
-        )
-        figure.savefig(
-            pdf, format="pdf", dpi=RESOLUTION, metadata={"Title": title, "CreationDate": None}
-        )
+        for path, kind, left_out in ((png, "png", "Software"), (pdf, "pdf", "CreationDate")):
+            metadata = {"Title": title, left_out: None}
+            figure.savefig(path, format=kind, dpi=RESOLUTION, metadata=metadata)
+
+
+def create(height: float, surfaces: xr.Dataset) -> Figure:
+    """Return an empty figure of print width and the given height (inch).
+
+    At its foot a line says which of the surfaces are substitutes, as `mark_basis` does.
+    """
+    footer = FOOTER / height
+    layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
+    figure = Figure(figsize=(WIDTH, height), layout=layout)
+    mark_basis(figure, surfaces)
+    return figure
+
+
+def create_rows(
+    height: float, surfaces: xr.Dataset, *rows: tuple[float, Sequence[float]]
+) -> tuple[Figure, list[np.ndarray]]:
+    """Return such a figure and the panels of each row, given by relative height and widths."""
+    figure = create(height, surfaces)
+    grid = figure.add_gridspec(len(rows), 1, height_ratios=[of_row for of_row, _ in rows])
+    return figure, [
+        grid[place].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
+        for place, (_, widths) in enumerate(rows)
+    ]
+
+
+def mark_basis(figure: Figure, data: xr.Dataset) -> None:
+    """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
+
+    The dataset has `label(surface)` and `basis(surface)`, "substitute" or "measured", or both of
+    one surface as attributes.
+    """
+    labels, basis = (
+        np.atleast_1d(data[name] if name in data else data.attrs[name])
+        for name in ("label", "basis")
+    )
+    substitutes = labels[basis == "substitute"]
+    note = "all surfaces measured"
+    if substitutes.size:
+        names = ", ".join(map(str, substitutes))
+        note = f"substitute surfaces: {names} (synthesised from published statistics)"
+    figure.text(0.006, 0.05 / figure.get_figheight(), note, fontsize=7, style="italic", va="bottom")

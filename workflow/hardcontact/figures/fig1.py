@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.records.published import rows_met
 
 MAPS_IN_A_ROW = 3
@@ -28,60 +28,53 @@ def table(topography: xr.Dataset) -> pd.DataFrame:
     scans. The maps themselves stay in topography.nc.
     """
     rows = []
-    for letter, (surface, state, heights) in zip(
+    for letter, (of_surface, state, heights) in zip(
         ascii_lowercase, _panels(topography), strict=False
     ):
-        named = {
-            "panel": letter,
-            "surface": surface,
-            "label": str(topography["label"].sel(surface=surface).item()),
-            "basis": str(topography["basis"].sel(surface=surface).item()),
-            "state": state,
-            "origin": "computed",
-        }
-        rows.append({**named, "quantity": "map_rms_height", "value": _rms(heights)})
-        rows.append({**named, "quantity": "map_peak_to_valley", "value": np.ptp(heights)})
+        named = {name: str(of_surface[name].item()) for name in ("surface", "label", "basis")}
+        row = {"panel": letter, **named, "state": state, "origin": "computed"}
+        rows.append({**row, "quantity": "map_rms_height", "value": _rms(heights)})
+        rows.append({**row, "quantity": "map_peak_to_valley", "value": np.ptp(heights)})
         if state != AS_SCANNED:
-            mean, deviation = _over_scans(topography.sel(surface=surface))
+            mean, deviation = _over_scans(of_surface)
             over_scans = {"value": mean, "uncertainty": deviation}
-            rows.append({**named, "quantity": "rms_height_mean", **over_scans})
+            rows.append({**row, "quantity": "rms_height_mean", **over_scans})
     return pd.DataFrame(rows).assign(unit="nm")
 
 
-@style.print_style()
 def draw(topography: xr.Dataset) -> Figure:
     """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature."""
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
-    figure = style.create(2.15 * rows + 2 * style.FOOTER)
+    figure = drawing.create(2.15 * rows + 2 * drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
-    for axes, letter, (surface, state, heights) in zip(grid, ascii_lowercase, panels, strict=False):
-        style.draw_map(axes, heights, float(topography["scan_size"].sel(surface=surface)))
-        axes.spines[:].set(edgecolor=colours[surface], linewidth=1.5)
-        label = str(topography["label"].sel(surface=surface).item())
+    for axes, letter, (of_surface, state, heights) in zip(
+        grid, ascii_lowercase, panels, strict=False
+    ):
+        style.draw_map(axes, heights, float(of_surface["scan_size"]))
+        axes.spines[:].set(edgecolor=colours[of_surface["surface"].item()], linewidth=1.5)
+        label, rms = str(of_surface["label"].item()), f"rms {_rms(heights):.3g} nm"
         name = f"{label}, {state}" if state else label
-        rms = f"rms {_rms(heights):.3g} nm"
         if state != AS_SCANNED:
-            rms += f" ({_print_over_scans(topography.sel(surface=surface))})"
+            rms += f" ({_print_over_scans(of_surface)})"
         style.label_panel(axes, letter, f"{name}\n{rms}")
     for axes in grid[len(panels) :]:
         axes.set_axis_off()
     note = Line2D([], [], ls="none", label=NOTE)
     figure.legend(handles=[note], loc="outside upper left", handlelength=0, handletextpad=0)
-    style.mark_basis(figure, topography)
     return figure
 
 
-def _panels(topography: xr.Dataset) -> list[tuple[str, str, np.ndarray]]:
+def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:
     """Return surface, state and heights (row, column) in nm of each panel, in drawing order."""
-    sphere = topography.attrs["sphere_surface"]
-    substrates = [str(name) for name in topography["surface"].values if name != sphere]
-    levelled = topography["example_heights"]
+    name = topography.attrs["sphere_surface"]
+    sphere = topography.sel(surface=name)
+    substrates = (topography.sel(surface=one) for one in topography["surface"] if one != name)
     return [
-        *((name, "", _heights(levelled.sel(surface=name))) for name in substrates),
+        *((one, "", _heights(one["example_heights"])) for one in substrates),
         (sphere, AS_SCANNED, _heights(topography["sphere_as_scanned"])),
-        (sphere, SUBTRACTED, _heights(levelled.sel(surface=sphere))),
+        (sphere, SUBTRACTED, _heights(sphere["example_heights"])),
     ]
 
 

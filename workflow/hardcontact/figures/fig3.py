@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -13,23 +14,30 @@ from matplotlib.patches import Patch
 from scipy.stats import lognorm
 
 from hardcontact.adhesion.force_curves import at_range
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.numbers.printing import print_formatted
 from hardcontact.numbers.statistics import lognormal_shape
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8
-AT_PUBLISHED: dict[str, Any] = {"color": "0.4", "alpha": 0.55}
-AT_FIT: dict[str, Any] = {"edgecolor": "0.2", "linewidth": 1.2}
-PUBLISHED_LINE: dict[str, Any] = {"color": style.PUBLISHED, "lw": 1.0}
-COMPUTED_LINE: dict[str, Any] = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
+AT_PUBLISHED: style.Look = {"color": "0.4", "alpha": 0.55}
+AT_FIT: style.Look = {"edgecolor": "0.2", "linewidth": 1.2}
+PUBLISHED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0}
+COMPUTED_LINE: style.Look = {"color": style.PUBLISHED, "lw": 1.0, "ls": "--"}
+QUANTITIES = {  # computed variable, unit
+    "lognormal_shape": ("lognormal_shape", "1"),
+    "lognormal_median": ("lognormal_median", "N"),
+    "mean_force": ("force_mean", "N"),
+    "median_force": ("force_median", "N"),
+    "censored_fraction": ("censored_fraction", "1"),
+}
+PUBLISHED = list(QUANTITIES)[:-1]  # the paper counts no forces below the floor
 COLUMNS = [
     "surface", "label", "basis", "origin", "pair", "quantity", "panel", "force_low", "force_high",
     *tables.VALUE_COLUMNS,
 ]  # fmt: skip
 
-Fit = tuple[float, float]  # shape and median (N) of a log-normal
 Pairs = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
 
 
@@ -48,20 +56,15 @@ def table(
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     forces = _forces_at_pairs(adhesion, fit, published_constants)
-    published = _published(inference, published_pull_off)
     frames = []
-    for surface in map(str, inference["surface"].values):
+    for surface, published in _published(inference, published_pull_off).items():
         of_pairs = {pair: forces[pair][surface] for pair in forces}
-        of_surface = (
-            _histogram_rows(of_pairs, _fit(published[surface])),
-            _published_rows(published[surface]),
-            *(_computed_rows(fit.sel(surface=surface, pair=pair)) for pair in forces),
-        )
+        histograms = _histogram_rows(of_pairs, _lognormal(published))
+        of_surface = histograms, _number_rows(published, fit.sel(surface=surface))
         frames.append(pd.concat(of_surface).assign(surface=surface))
-    return tables.label_surfaces(pd.concat(frames, ignore_index=True), inference)[COLUMNS]
+    return tables.labelled(frames, inference, COLUMNS)
 
 
-@style.print_style()
 def draw(
     adhesion: xr.Dataset,
     inference: xr.Dataset,
@@ -73,42 +76,28 @@ def draw(
     Forces are taken at the published pair of range and work of adhesion, and at the fitted one.
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
-    surfaces = [str(name) for name in inference["surface"].values]
-    colours, floor = style.colours(surfaces), inference.attrs["force_floor"]
+    colours, floor = style.colours(inference["surface"].values), inference.attrs["force_floor"]
     forces = _forces_at_pairs(adhesion, fit, published_constants)
     published = _published(inference, published_pull_off)
-    figure = style.create(4.8)
-    grid = figure.subplots(2, len(surfaces), squeeze=False)
-    for letter, surface, (linear, logarithmic) in zip(
-        ascii_lowercase, surfaces, grid.T, strict=False
+    figure = drawing.create(4.8, inference)
+    grid = figure.subplots(2, len(colours), squeeze=False)
+    for letter, (surface, colour), (linear, logarithmic) in zip(
+        ascii_lowercase, colours.items(), grid.T, strict=False
     ):
         of_pairs = {pair: forces[pair][surface] for pair in forces}
         at_published = fit.sel(surface=surface, pair="published")
-        fits = {"published": _fit(published[surface]), "computed": _fit(at_published)}
-        _draw_linear(linear, of_pairs, fits["published"], floor, colours[surface])
-        _draw_logarithmic(logarithmic, of_pairs, fits, floor, colours[surface])
+        fits = _lognormal(published[surface]), _lognormal(at_published)
+        _draw_linear(linear, of_pairs, fits[0], floor, colour)
+        _draw_logarithmic(logarithmic, of_pairs, fits, floor, colour)
         style.label_panel(linear, f"{letter}_1", str(at_published["label"].item()))
-        style.label_panel(
-            logarithmic, f"{letter}_2", _print_shapes(at_published, fits["published"])
-        )
+        here = print_formatted(tables.value_and_bounds(at_published, "lognormal_shape"), ".2f")
+        shape = f"published $s$ = {published[surface]['lognormal_shape']:.2f}\nhere {here}"
+        style.label_panel(logarithmic, f"{letter}_2", shape)
         logarithmic.set_xlabel("pull-off force (µN)")
-    grid[0, 0].set_ylabel("probability density (1/µN)")
-    grid[1, 0].set_ylabel("probability density (1/µN)")
-    figure.legend(
-        handles=_legend_handles(_pairs(fit, published_constants), floor),
-        loc="outside upper center",
-        ncols=3,
-    )
-    style.mark_basis(figure, inference)
+    for axes in grid[:, 0]:
+        axes.set_ylabel("probability density (1/µN)")
+    style.legend_above(figure, _legend_handles(published_constants, fit, floor), 3)
     return figure
-
-
-def _pairs(fit: xr.Dataset, published_constants: pd.DataFrame) -> dict[str, tuple[float, float]]:
-    """Return range (nm) and work of adhesion (J/m2), as published and as fitted."""
-    names = "range_of_adhesion", "work_of_adhesion"
-    published_range, published_work = (float(published_constants["value"][name]) for name in names)
-    fitted_range, fitted_work = (fit[name].item() for name in names)
-    return {"published": (published_range, published_work), "fitted": (fitted_range, fitted_work)}
 
 
 def _forces_at_pairs(
@@ -117,12 +106,13 @@ def _forces_at_pairs(
     """Return all computed forces (N) by pair and surface."""
     per_work = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
     forces = {}
-    for pair, (rho, work) in _pairs(fit, published_constants).items():
+    for pair, data in (("published", published_constants["value"]), ("fitted", fit)):
+        rho, work = float(data["range_of_adhesion"]), float(data["work_of_adhesion"])
         scaled = at_range(per_work, rho) * work / adhesion.attrs["work_of_adhesion"]
-        of_surfaces = {str(name): scaled.sel(surface=name) for name in adhesion["surface"].values}
         # A surface with fewer scans than others has NaN in place of theirs.
         forces[pair] = {
-            name: values.values[np.isfinite(values.values)] for name, values in of_surfaces.items()
+            str(of_surface["surface"].item()): of_surface.values[np.isfinite(of_surface.values)]
+            for of_surface in scaled.transpose("surface", ...)
         }
     return forces
 
@@ -135,12 +125,12 @@ def _published(inference: xr.Dataset, published_pull_off: pd.DataFrame) -> dict[
     return {str(surface): numbers for surface, numbers in forces.iterrows()}
 
 
-def _fit(numbers: pd.Series | xr.Dataset) -> Fit:
-    """Return the log-normal among the published or the computed numbers of one surface."""
-    return float(numbers["lognormal_shape"]), float(numbers["lognormal_median"])
+def _lognormal(numbers: pd.Series | xr.Dataset) -> Any:
+    """Return the log-normal among published or computed numbers of one surface, of forces in N."""
+    return lognorm(float(numbers["lognormal_shape"]), scale=float(numbers["lognormal_median"]))
 
 
-def _histogram_rows(of_pairs: Pairs, published: Fit) -> pd.DataFrame:
+def _histogram_rows(of_pairs: Pairs, published: Any) -> pd.DataFrame:
     """Return the histograms of one surface, a row a bin, and the published log-normal."""
     linear, logarithmic = _linear_edges(of_pairs, published), _logarithmic_edges(of_pairs)
     shown = [("published", "1", "", linear, _lognormal_density(published, linear))]
@@ -156,65 +146,40 @@ def _histogram_rows(of_pairs: Pairs, published: Fit) -> pd.DataFrame:
     return rows.assign(quantity="probability_density", unit="1/N")
 
 
-def _published_rows(published: pd.Series) -> pd.DataFrame:
-    """Return the published numbers of one surface, one row each."""
-    units = {
-        "lognormal_shape": "1",
-        "lognormal_median": "N",
-        "mean_force": "N",
-        "median_force": "N",
-    }
-    rows = pd.DataFrame(
-        {"quantity": name, "unit": unit, "value": published[name]} for name, unit in units.items()
+def _number_rows(published: pd.Series, of_surface: xr.Dataset) -> pd.DataFrame:
+    """Return the numbers that describe the forces of one surface, published and at each pair."""
+    numbers = [
+        *(("published", "", name, {"value": published[name]}) for name in PUBLISHED),
+        *(
+            ("computed", pair, name, tables.value_and_bounds(of_surface.sel(pair=pair), variable))
+            for pair in ("published", "fitted")
+            for name, (variable, _) in QUANTITIES.items()
+        ),
+    ]
+    return pd.DataFrame(
+        {"origin": origin, "pair": pair, "quantity": name, "unit": QUANTITIES[name][1], **values}
+        for origin, pair, name, values in numbers
     )
-    return rows.assign(origin="published", pair="")
 
 
-def _computed_rows(of_surface: xr.Dataset) -> pd.DataFrame:
-    """Return the numbers that describe the forces of one surface at one pair, one row each."""
-    quantities = {
-        "lognormal_shape": ("lognormal_shape", "1"),
-        "lognormal_median": ("lognormal_median", "N"),
-        "mean_force": ("force_mean", "N"),
-        "median_force": ("force_median", "N"),
-        "censored_fraction": ("censored_fraction", "1"),
-    }
-    rows = pd.DataFrame(
-        {"quantity": name, "unit": unit, **tables.value_and_bounds(of_surface, variable)}
-        for name, (variable, unit) in quantities.items()
-    )
-    return rows.assign(origin="computed", pair=str(of_surface["pair"].item()))
-
-
-def _print_shapes(at_published: xr.Dataset, published: Fit) -> str:
-    """Return the shape of both log-normals, the computed one with its interval."""
-    computed = tables.value_and_bounds(at_published, "lognormal_shape")
-    here = print_formatted(computed, ".2f")
-    return f"published $s$ = {published[0]:.2f}\nhere {here}"
-
-
-def _legend_handles(pairs: dict[str, tuple[float, float]], floor: float) -> list[Line2D | Patch]:
+def _legend_handles(
+    published_constants: pd.DataFrame, fit: xr.Dataset, floor: float
+) -> list[Artist]:
     """Return one entry for each kind of area and line, with the pairs of range and work."""
-    printed = {
-        pair: f"{pair} ρ = {rho:.3g} nm, $W$ = {work / marks.MILLIJOULE:.3g} mJ/m²"
-        for pair, (rho, work) in pairs.items()
-    }
+    published, fitted = (style.print_pair(pair) for pair in (published_constants["value"], fit))
     return [
-        Patch(label=f"computed, {printed['published']}", lw=0, **AT_PUBLISHED),
-        Patch(label=f"computed, {printed['fitted']}", fill=False, **AT_FIT),
+        Patch(label=f"computed, published {published}", lw=0, **AT_PUBLISHED),
+        Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),
         Line2D([], [], label="published log-normal", **PUBLISHED_LINE),
         Line2D([], [], label="log-normal of the forces at the published pair", **COMPUTED_LINE),
         Patch(color="0.85", label=f"below {floor * 1e9:.0f} nN"),
     ]
 
 
-def _linear_edges(of_pairs: Pairs, published: Fit) -> np.ndarray:
+def _linear_edges(of_pairs: Pairs, published: Any) -> np.ndarray:
     """Return bin edges (N) from zero to a high quantile of each distribution."""
-    shape, median = published
     ends = [np.quantile(forces, 0.97) for forces in of_pairs.values()]
-    return np.linspace(
-        0, np.nanmax([*ends, lognorm.ppf(0.9, shape, scale=median)]), LINEAR_BINS + 1
-    )
+    return np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
 
 
 def _logarithmic_edges(of_pairs: Pairs) -> np.ndarray:
@@ -231,47 +196,42 @@ def _density(forces: np.ndarray, edges: np.ndarray) -> np.ndarray:
     return densities
 
 
-def _lognormal_density(fit: Fit, edges: np.ndarray) -> np.ndarray:
+def _lognormal_density(lognormal: Any, edges: np.ndarray) -> np.ndarray:
     """Return the log-normal's mean probability density (1/N) in each bin."""
-    shape, median = fit
-    densities: np.ndarray = np.diff(lognorm.cdf(edges, shape, scale=median)) / np.diff(edges)
+    densities: np.ndarray = np.diff(lognormal.cdf(edges)) / np.diff(edges)
     return densities
 
 
-def _draw_linear(axes: Axes, of_pairs: Pairs, published: Fit, floor: float, colour: str) -> None:
+def _draw_linear(axes: Axes, of_pairs: Pairs, published: Any, floor: float, colour: str) -> None:
     """Draw the computed histograms and the published log-normal over the same bins, in µN.
 
     Forces are in N; those below the floor (N) the experiment could not resolve.
     """
     edges = _linear_edges(of_pairs, published)
     _draw_histograms(axes, of_pairs, edges, colour)
-    axes.stairs(
-        _lognormal_density(published, edges) * marks.MICRONEWTON,
-        edges / marks.MICRONEWTON,
-        **PUBLISHED_LINE,
-    )
+    density = _lognormal_density(published, edges) * style.MICRONEWTON
+    axes.stairs(density, edges / style.MICRONEWTON, **PUBLISHED_LINE)
     _shade_floor(axes, 0, floor)
-    axes.set_xlim(0, edges[-1] / marks.MICRONEWTON)
+    axes.set_xlim(0, edges[-1] / style.MICRONEWTON)
     axes.set_ylim(bottom=0)
     axes.locator_params(nbins=4)
 
 
 def _draw_logarithmic(
-    axes: Axes, of_pairs: Pairs, fits: dict[str, Fit], floor: float, colour: str
+    axes: Axes, of_pairs: Pairs, fits: tuple[Any, Any], floor: float, colour: str
 ) -> None:
-    """Draw the computed histograms and both log-normals (NaN: none) on logarithmic axes, in µN."""
+    """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN."""
     edges = _logarithmic_edges(of_pairs)
     _draw_histograms(axes, of_pairs, edges, colour)
-    exceeded = [lognorm.ppf(0.999, shape, scale=median) for shape, median in fits.values()]
+    exceeded = [lognormal.ppf(0.999) for lognormal in fits]
     ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *exceeded])
     line = np.geomspace(*ends, 200)
-    for origin, look in (("published", PUBLISHED_LINE), ("computed", COMPUTED_LINE)):
-        shape, median = fits[origin]
-        curve = lognorm.pdf(line, shape, scale=median) * marks.MICRONEWTON
-        axes.plot(line / marks.MICRONEWTON, curve, **look)
+    for lognormal, look in zip(fits, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
+        curve = lognormal.pdf(line) * style.MICRONEWTON
+        axes.plot(line / style.MICRONEWTON, curve, **look)
     densities = np.concatenate([_density(forces, edges) for forces in of_pairs.values()])
-    bars = densities[densities > 0] * marks.MICRONEWTON
-    axes.set(xscale="log", yscale="log", xlim=np.divide(ends, marks.MICRONEWTON))
+    bars = densities[densities > 0] * style.MICRONEWTON
+    axes.set(xscale="log", yscale="log", xlim=np.divide(ends, style.MICRONEWTON))
     # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
     axes.set_ylim(bars.min() / 3, bars.max() * 10)
     _shade_floor(axes, ends[0], floor)
@@ -279,17 +239,15 @@ def _draw_logarithmic(
 
 def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str) -> None:
     """Fill the histogram at the published pair, and outline that at the fitted one."""
-    printed = {
-        pair: _density(forces, edges) * marks.MICRONEWTON for pair, forces in of_pairs.items()
-    }
-    of_surface: dict[str, dict[str, Any]] = {
+    of_pair: dict[str, style.Look] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},
         "fitted": {**AT_FIT, "edgecolor": colour},
     }
-    for pair, look in of_surface.items():
-        axes.stairs(printed[pair], edges / marks.MICRONEWTON, **look)
+    for pair, look in of_pair.items():
+        density = _density(of_pairs[pair], edges) * style.MICRONEWTON
+        axes.stairs(density, edges / style.MICRONEWTON, **look)
 
 
 def _shade_floor(axes: Axes, low: float, floor: float) -> None:
     """Shade the forces the experiment could not resolve."""
-    axes.axvspan(low / marks.MICRONEWTON, floor / marks.MICRONEWTON, color="0.85", zorder=0)
+    axes.axvspan(low / style.MICRONEWTON, floor / style.MICRONEWTON, color="0.85", zorder=0)

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
@@ -30,24 +30,18 @@ def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame
     `preload` in N. The map stays in indent.nc.
     """
     published = published_constants["value"]
-    shown = _at_preload(indent, published[PRELOAD])
-    frames = [
-        *(_line_rows(shown, panel, along) for panel, along in zip("bc", ALONG, strict=True)),
-        *(
-            _size_rows(indent, published, panel, name)
-            for panel, name in zip("def", SIZES, strict=True)
-        ),
-    ]
-    whole = {name: indent.attrs[name] for name in ("surface", "label", "basis")}
-    return pd.concat(frames, ignore_index=True).assign(unit="nm", **whole)[COLUMNS]
+    shown = indent.sel(preload=published[PRELOAD], method="nearest")
+    lines = (_line_rows(shown, *of_line) for of_line in zip("bc", ALONG, strict=True))
+    sizes = (_size_rows(indent, published, *of_size) for of_size in zip("def", SIZES, strict=True))
+    of_all = {name: indent.attrs[name] for name in ("surface", "label", "basis")} | {"unit": "nm"}
+    return pd.concat([*lines, *sizes], ignore_index=True).assign(**of_all)[COLUMNS]
 
 
-@style.print_style()
 def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
-    shown = _at_preload(indent, published[PRELOAD])
-    figure = style.create(5.3)
+    shown = indent.sel(preload=published[PRELOAD], method="nearest")
+    figure = drawing.create(5.3, indent)
     rows = figure.add_gridspec(2, 1, height_ratios=(1.5, 1))
     above, below = rows[0], rows[1]
     columns = above.subgridspec(1, 2, width_ratios=(1, 1.3))
@@ -58,14 +52,7 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     _draw_sizes(sizes[0], indent, published)
     handles, labels = figure.axes[-1].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
-    substrate = {name: ("surface", [indent.attrs[name]]) for name in ("label", "basis")}
-    style.mark_basis(figure, xr.Dataset(substrate))
     return figure
-
-
-def _at_preload(indent: xr.Dataset, preload: float) -> xr.Dataset:
-    """Return the indents at the computed preload nearest to a given one (N)."""
-    return indent.sel(preload=preload, method="nearest")
 
 
 def _deepest(shown: xr.Dataset) -> dict[str, float]:
@@ -87,12 +74,10 @@ def _line(shown: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
 
 def _line_rows(shown: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
     rows = pd.concat(
-        pd.DataFrame({"position": heights[along].values, "value": heights.values}).assign(
-            quantity=quantity
-        )
+        heights.rename({along: "position"}).to_dataframe("value").assign(quantity=quantity)
         for quantity, heights in _line(shown, along).items()
     )
-    return rows.assign(panel=panel, origin="computed", preload=shown["preload"].item())
+    return rows.reset_index().assign(panel=panel, origin="computed")
 
 
 def _distribution(indent: xr.Dataset, name: str) -> xr.DataArray:
@@ -112,38 +97,32 @@ def _size_rows(indent: xr.Dataset, published: pd.Series, panel: str, name: str) 
     return pd.concat(rows).assign(panel=panel, quantity=name)
 
 
+def draw_indents(axes: Axes, depths: xr.DataArray) -> None:
+    """Map how deep (nm) the sphere is pressed in, with a colour bar."""
+    depths = depths.transpose("y", "x")
+    image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTHS, **style.PIXELS)
+    axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
+    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
+
+
 def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
-    """Map how deep (nm) the sphere is pressed in, with the two lines drawn beside."""
-    image = axes.pcolormesh(
-        shown["x"],
-        shown["y"],
-        shown["indentation"].transpose("y", "x"),
-        cmap=DEPTHS,
-        shading="nearest",
-        rasterized=True,
-    )
+    """Map the indents of one contact, with the two lines drawn beside."""
+    draw_indents(axes, shown["indentation"])
     deepest = _deepest(shown)
     axes.axhline(deepest["y"], color=ALONG["x"], lw=0.8)
     axes.axvline(deepest["x"], color=ALONG["y"], lw=0.8)
-    axes.set(xlim=_view(shown, "x"), ylim=_view(shown, "y"), aspect="equal")
-    axes.set(xlabel="x (nm)", ylabel="y (nm)")
+    axes.set(xlim=_view(shown, "x"), ylim=_view(shown, "y"))
     axes.locator_params(nbins=5)
-    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
-    label, preload = shown.attrs["label"], _print_preload(shown["preload"])
+    label, preload = shown.attrs["label"], print_preload(shown["preload"])
     style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
 def _view(shown: xr.Dataset, along: str) -> tuple[float, float]:
     """Return limits (nm) about the deepest point, twice as far as the farthest indent."""
     depths, deepest = shown["indentation"], _deepest(shown)
-    reach = 2 * max(
-        abs(depths[name] - deepest[name]).where(depths > 0).max().item() for name in ALONG
-    )
-    places = depths[along]
-    return (
-        max(deepest[along] - reach, places.min().item()),
-        min(deepest[along] + reach, places.max().item()),
-    )
+    farthest = (abs(depths[name] - deepest[name]).where(depths > 0).max().item() for name in ALONG)
+    reach, places = 2 * max(farthest), depths[along].values
+    return max(deepest[along] - reach, places.min()), min(deepest[along] + reach, places.max())
 
 
 def _draw_lines(column: np.ndarray, shown: xr.Dataset) -> None:
@@ -166,24 +145,18 @@ def _draw_sizes(row: np.ndarray, indent: xr.Dataset, published: pd.Series) -> No
     for axes, letter, name in zip(row, "def", SIZES, strict=True):
         title, quantity, constant = SIZES[name]
         sizes = _distribution(indent, name)
-        for preload, colour in zip(
-            sizes["preload"], DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"])), strict=True
-        ):
-            values = sizes.sel(preload=preload)
-            label = f"computed, {_print_preload(preload)}"
+        shades = DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
+        for values, colour in zip(sizes, shades, strict=True):
+            label = f"computed, {print_preload(values['preload'])}"
             axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
-        axes.axvline(
-            published[constant],
-            color=style.PUBLISHED,
-            lw=1.0,
-            ls="--",
-            label=f"published, {_print_preload(published[PRELOAD])}",
-        )
+        label = f"published, {print_preload(published[PRELOAD])}"
+        axes.axvline(published[constant], color=style.PUBLISHED, lw=1.0, ls="--", label=label)
         axes.set(xlabel=quantity, ylim=(0, 1))
         axes.set_xlim(left=0)
         style.label_panel(axes, letter, title)
     row[0].set_ylabel("cumulative share of contacts")
 
 
-def _print_preload(preload: float | xr.DataArray) -> str:
-    return f"{float(preload) / marks.MICRONEWTON:g} µN"
+def print_preload(preload: float | xr.DataArray) -> str:
+    """Return a preload (N) as it is printed."""
+    return f"{float(preload) / style.MICRONEWTON:g} µN"

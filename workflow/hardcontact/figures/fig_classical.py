@@ -5,12 +5,13 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.ticker import FixedLocator
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 
 VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all
 LONGEST_BAR = 3  # panel c shows bars up to this many times the highest value
@@ -57,47 +58,38 @@ def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFr
     any; each model with its definition of roughness and what its formula was checked against. `x`
     is the Tabor parameter of `transition_coefficient`; `panel` is empty for what is not drawn.
     """
-    rows = pd.concat([_rows(classical, name) for name in QUANTITIES], ignore_index=True)
+    rows = pd.concat(_rows(classical, name) for name in QUANTITIES)
     described = classical[["model_roughness", "model_verified"]].to_dataframe()
-    return (
-        tables.label_surfaces(rows, classical).join(described, on="model").reindex(columns=COLUMNS)
-    )
+    return tables.labelled([rows.join(described, on="model")], classical, COLUMNS)
 
 
-@style.print_style()
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a) forces at the published work, (b) errors, (c) effective works, (d) transition."""
     work = published_constants["value"]["work_of_adhesion"]
-    figure = style.create(6.0)
+    figure = drawing.create(6.0, classical)
     rows = figure.add_gridspec(2, 1, height_ratios=(1.15, 1))
     above, below = rows[0], rows[1]
     forces = figure.add_subplot(above)
     columns = below.subgridspec(1, 3, width_ratios=(0.8, 1.35, 0.9))
     errors, works, transition = columns.subplots(squeeze=False)[0]
     _draw_forces(forces, classical)
-    style.label_panel(
-        forces, "a", f"models at the published $W$ = {work / marks.MILLIJOULE:g} mJ/m²"
-    )
+    title = f"models at the published $W$ = {work / style.MILLIJOULE:g} mJ/m²"
+    style.label_panel(forces, "a", title)
     _draw_errors(errors, classical)
     _draw_works(works, classical)
     _draw_transition(transition, classical)
-    figure.legend(handles=_legend_handles(classical), loc="outside upper center", ncols=6)
-    style.mark_basis(figure, classical)
+    style.legend_above(figure, _legend_handles(classical), 6)
     return figure
 
 
 def _rows(classical: xr.Dataset, name: str) -> pd.DataFrame:
     """Return one row a number of a variable, with its interval where it has one."""
     panel, origin = QUANTITIES[name]
-    if f"{name}_interval" in classical:
-        data = tables.bounded(classical, name)
-    else:
-        data = classical[[name]].rename({name: "value"})
-    data = data.reset_coords(drop=True)
+    data = tables.bounded(classical, name).reset_coords(drop=True)
     frame = data.expand_dims("row").to_dataframe().reset_index()
     unit = classical[name].attrs["units"].replace(" m-2", "/m2")
-    named = frame.assign(panel=panel, origin=origin, quantity=name, unit=unit)
-    return named.rename(columns={"tabor_axis": "x"})
+    described = {"panel": panel, "origin": origin, "quantity": name, "unit": unit}
+    return frame.rename(columns={"tabor_axis": "x"}).assign(**described)
 
 
 def _places(count: int, width: float) -> np.ndarray:
@@ -115,46 +107,37 @@ def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
 
 def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     """Draw the forces (µN) on each surface: published, computed, and by each model."""
-    looks = style.looks(classical["surface"].values)
-    bottom, top = _limits(classical)
-    for (name, look), offset in zip(looks.items(), _places(len(looks), 0.6), strict=True):
-        of_surface, colour = classical.sel(surface=name), look["color"]
+    names = ("published_mean_force", "computed_mean_force", "pull_off_force")
+    values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
+    shown = values[values > VANISHED]
+    bottom, top = shown.min() / 12, shown.max() * 6  # the strip above the bottom is for the rest
+    beside = _places(classical.sizes["surface"], 0.6)
+    for (look, of_surface), offset in zip(style.by_surface(classical), beside, strict=True):
+        colour = look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
-            force = tables.bounded(of_surface, variable) / marks.MICRONEWTON
+            force = tables.bounded(of_surface, variable) / style.MICRONEWTON
             _draw_point(axes, x + offset, force, **look)
-        published = of_surface["published_mean_force"].item() / marks.MICRONEWTON
+        published = of_surface["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
-        forces = tables.bounded(of_surface, "pull_off_force") / marks.MICRONEWTON
+        forces = tables.bounded(of_surface, "pull_off_force") / style.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, aside in zip(METRICS, (-0.04, 0.04), strict=True):
                 force = forces.sel(model=model, metrics=metrics)
-                shown = force.where(~(force < VANISHED), 1.7 * bottom)
+                drawn = force.where(~(force < VANISHED), 1.7 * bottom)
                 face = colour if metrics == "afm" else "white"
-                _draw_point(axes, x + offset + aside, shown, mfc=face, **look)
+                _draw_point(axes, x + offset + aside, drawn, mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
     axes.text(-0.45, 1.7 * bottom, "no force: less than 1 pN", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
-    labels = ["published", "computed", *(str(text) for text in classical["model_label"].values)]
+    labels = ["published", "computed", *classical["model_label"].values]
     axes.set_xticks(range(len(labels)), labels)
     axes.set(xlim=(-0.5, len(labels) - 0.5), yscale="log", ylim=(bottom, top))
     axes.set_ylabel("pull-off force (µN)")
-    _label_above(axes, 3 * bottom, top)
-
-
-def _label_above(axes: Axes, low: float, high: float) -> None:
-    """Put ticks on the vertical axis from `low` on; the strip below has no scale."""
-    decades = 10.0 ** np.arange(np.floor(np.log10(low)), np.ceil(np.log10(high)) + 1)
-    axes.yaxis.set_major_locator(FixedLocator(decades[decades >= low].tolist()))
+    # The strip below has no scale.
+    decades = 10.0 ** np.arange(np.floor(np.log10(3 * bottom)), np.ceil(np.log10(top)) + 1)
     minor = np.outer(decades, range(2, 10)).ravel()
-    axes.yaxis.set_minor_locator(FixedLocator(minor[minor >= low].tolist()))
-
-
-def _limits(classical: xr.Dataset) -> tuple[float, float]:
-    """Return limits (µN) about all forces that do not vanish, with a strip below for the rest."""
-    names = ("published_mean_force", "computed_mean_force", "pull_off_force")
-    values = np.concatenate([classical[name].values.ravel() for name in names]) / marks.MICRONEWTON
-    shown = values[values > VANISHED]
-    return shown.min() / 12, shown.max() * 6
+    axes.yaxis.set_major_locator(FixedLocator(decades[decades >= 3 * bottom].tolist()))
+    axes.yaxis.set_minor_locator(FixedLocator(minor[minor >= 3 * bottom].tolist()))
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
@@ -165,15 +148,14 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     for against, side in (("published", -1), ("computed", 1)):
         colour = AGAINST[against]
         for metrics, aside in zip(METRICS, (-0.07, 0.07), strict=True):
+            look = {"color": colour, "marker": "o", "mfc": colour if metrics == "afm" else "white"}
             for x, model in enumerate(classical["model"].values):
                 point = errors.sel(model=model, metrics=metrics, against=against)
-                face = colour if metrics == "afm" else "white"
-                look = {"color": colour, "marker": "o", "mfc": face}
                 _draw_point(axes, x + 0.17 * side + aside, point, **look)
         axes.plot([], [], "o", color=colour, label=f"to {against} forces")
     axes.text(-0.4, threshold / 2, f"below {threshold:g}", fontsize=7, va="center")
-    labels = [str(text) for text in classical["model_label"].values]
-    axes.set_xticks(range(len(labels)), labels, rotation=40, ha="right", rotation_mode="anchor")
+    labels = classical["model_label"].values
+    axes.set_xticks(range(len(labels)), labels, **{**style.TILTED, "rotation": 40})
     axes.set(ylim=(0, 1.5), ylabel="least mean relative error")
     axes.legend(loc="upper left", borderaxespad=0.1)
     style.label_panel(axes, "b", "$W$ fitted")
@@ -187,9 +169,8 @@ def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
     for x, (name, colour) in enumerate(colours.items()):
         value = printed["value"].sel(surface=name).item()
         rounding = printed.sel(surface=name) / value
-        axes.fill_between(
-            [x - 0.4, x + 0.4], rounding["low"], rounding["high"], color="0.85", lw=0, zorder=0
-        )
+        ends = rounding["low"], rounding["high"]
+        axes.fill_between([x - 0.4, x + 0.4], *ends, color="0.85", lw=0, zorder=0)
         for offset, (against, tabor, marker) in zip(
             _places(len(EFFECTIVE_WORKS), 0.54), EFFECTIVE_WORKS.values(), strict=True
         ):
@@ -199,7 +180,7 @@ def _draw_works(axes: Axes, classical: xr.Dataset) -> None:
         axes.plot([], [], marker, color="0.3", label=label)
     axes.axhline(1, color="0.4", lw=0.6)
     labels = [
-        f"{label}\n{value / marks.MILLIJOULE:.2f}" if np.isfinite(value) else f"{label}\n–"
+        f"{label}\n{value / style.MILLIJOULE:.2f}" if np.isfinite(value) else f"{label}\n–"
         for label, value in zip(classical["label"].values, printed["value"].values, strict=True)
     ]
     axes.set_xticks(range(len(colours)), labels)
@@ -217,11 +198,11 @@ def _draw_transition(axes: Axes, classical: xr.Dataset) -> None:
     for name, (label, dashes) in TRANSITIONS.items():
         curve = classical["transition_coefficient"].sel(transition=name)
         axes.plot(curve["tabor_axis"], curve, dashes, color="black", lw=1.0, label=label)
-    looks = style.looks(classical["surface"].values)
     implied = tables.bounded(classical, "implied_pull_off_coefficient")
     printed = classical["printed_tabor_parameter"].item()
-    for (name, look), aside in zip(looks.items(), 1.11 ** _places(len(looks), 3), strict=True):
-        _draw_point(axes, printed * aside, implied.sel(surface=name), **look)
+    beside = 1.11 ** _places(classical.sizes["surface"], 3)
+    for (look, of_surface), aside in zip(style.by_surface(implied), beside, strict=True):
+        _draw_point(axes, printed * aside, of_surface, **look)
     inputs = classical["tabor_parameter"].item()
     for value, dashes, label in ((printed, "--", "printed"), (inputs, ":", "from inputs")):
         label = f"µ {label}: {value:.2f}"
@@ -233,7 +214,7 @@ def _draw_transition(axes: Axes, classical: xr.Dataset) -> None:
     style.label_panel(axes, "d", "symbols: as printed")
 
 
-def _legend_handles(classical: xr.Dataset) -> list[Line2D]:
+def _legend_handles(classical: xr.Dataset) -> list[Artist]:
     """Return one entry a surface, and the two sets of roughness metrics."""
     of_metrics = [
         Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")

@@ -1,20 +1,16 @@
 """The closed form of the pull-off force beside computed forces, and where single peaks decide."""
 
-from typing import Any
-
-import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 
 FORCE = "pull-off force (µN)"
 #: Where closest approach comes from, as it is printed.
 SOURCES = {"spectrum": "of the spectrum alone", "contacts": "with computed approaches"}
-COLUMNS = [*tables.ROW_COLUMNS, "map_size", "source", "rho", *tables.VALUE_COLUMNS]
 
 
 def table(closed_form: xr.Dataset) -> pd.DataFrame:
@@ -25,25 +21,24 @@ def table(closed_form: xr.Dataset) -> pd.DataFrame:
     `map_size`, both in nm. Without a panel: both edges of the band in nm.
     """
     rows = tables.drawn_rows(
-        ("a", "computed_force", "N", tables.bounded(closed_form, "computed_force")),
-        ("a", "predicted_force", "N", closed_form["predicted_force"]),
-        ("a", "first_term_force", "N", closed_form["first_term_force"]),
-        ("b", "error", "1", closed_form["error"]),
-        ("c", "whole_freezing", "1", closed_form["whole_freezing"]),
+        closed_form,
+        ("a", "computed_force", "N"),
+        ("a", "predicted_force", "N"),
+        ("a", "first_term_force", "N"),
+        ("b", "error", "1"),
+        ("c", "whole_freezing", "1"),
     )
     edges = tables.computed_rows(closed_form["edge"], panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
-    return tables.label_surfaces(pd.concat([rows, edges], ignore_index=True), closed_form)[COLUMNS]
+    return tables.tidy([rows, edges], closed_form, "map_size", "source", "rho")
 
 
-@style.print_style()
 def draw(closed_form: xr.Dataset) -> Figure:
     """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing."""
-    figure = style.create(3.3)
+    figure = drawing.create(3.3, closed_form)
     forces, errors, freezing = figure.subplots(1, 3)
     largest = closed_form.isel(map_size=-1)
-    for surface, look in style.looks(closed_form["surface"].values).items():
-        of_surface = largest.sel(surface=surface)
+    for look, of_surface in style.by_surface(largest):
         _draw_forces(forces, of_surface, look)
         _draw_errors(errors, of_surface, look)
         freezing.plot(of_surface["rho"], of_surface["whole_freezing"], **look)
@@ -52,8 +47,8 @@ def draw(closed_form: xr.Dataset) -> Figure:
     _finish(errors, "b", "its error", "closed form / computed")
     _finish(freezing, "c", "freezing, all scales", "(σ/ρ) / (m/σ)")
     errors.axhspan(0.5, 2, color="0.93", zorder=0)
-    errors.axhline(1, color="0.4", lw=0.8, ls=":")
-    freezing.axhline(1, color="0.4", lw=0.8, ls=":")
+    for axes in (errors, freezing):
+        axes.axhline(1, color="0.4", lw=0.8, ls=":")
     freezing.annotate("single peaks", (0.97, 0.95), xycoords="axes fraction", ha="right", va="top")
     freezing.annotate("many points", (0.03, 0.05), xycoords="axes fraction")
     handles = [
@@ -63,25 +58,21 @@ def draw(closed_form: xr.Dataset) -> Figure:
         Line2D([], [], color="0.3", ls="--", label=SOURCES["contacts"]),
         Line2D([], [], color="0.3", ls=":", label="its first term alone"),
     ]
-    figure.legend(handles=handles, loc="outside upper center", ncols=4)
-    style.mark_basis(figure, closed_form)
+    style.legend_above(figure, handles)
     return figure
 
 
-def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: dict[str, Any]) -> None:
+def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: style.Look) -> None:
     """Draw computed forces (µN) with their intervals, and the closed form."""
-    curve = tables.bounded(of_surface, "computed_force") / marks.MICRONEWTON
-    reach = np.stack([curve["value"] - curve["low"], curve["high"] - curve["value"]])
-    axes.errorbar(
-        curve["rho"], curve["value"], yerr=np.maximum(reach, 0), ls="none", elinewidth=0.8, **look
-    )
+    curve = tables.bounded(of_surface, "computed_force") / style.MICRONEWTON
+    style.draw_bars(axes, curve["rho"], curve, ls="none", elinewidth=0.8, **look)
     predicted = of_surface.sel(source="spectrum")
     for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
-        forces = predicted[name] / marks.MICRONEWTON
+        forces = predicted[name] / style.MICRONEWTON
         axes.plot(of_surface["rho"], forces, color=look["color"], lw=0.9, ls=dashes)
 
 
-def _draw_errors(axes: Axes, of_surface: xr.Dataset, look: dict[str, Any]) -> None:
+def _draw_errors(axes: Axes, of_surface: xr.Dataset, look: style.Look) -> None:
     """Draw the force of the closed form over that computed, for both sources of the approach."""
     for source, dashes in (("spectrum", "-"), ("contacts", "--")):
         axes.plot(of_surface["rho"], of_surface["error"].sel(source=source), ls=dashes, **look)

@@ -7,10 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style, tables
+from hardcontact.figures import drawing, style, tables
 
 GIGAPASCAL = 1e9
-PERCENT = 1e-2
 PRESSURES = "RdBu_r"  # white at the hardness
 TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
 NO_CONTACT = "0.75"
@@ -25,7 +24,6 @@ QUANTITIES = {  # panel, unit
     "peak_pressure": ("c", "Pa"),
     "elastic_over_rigid": ("d", "1"),
 }
-COLUMNS = [*tables.ROW_COLUMNS, "scan", "contact", *tables.VALUE_COLUMNS]
 
 
 def table(elastic: xr.Dataset) -> pd.DataFrame:
@@ -36,17 +34,28 @@ def table(elastic: xr.Dataset) -> pd.DataFrame:
     are compared with, the published one as `low` to `high`.
     """
     contacts = _contacts(elastic)
-    rows = pd.concat(
-        [*(_rows(values, str(name)) for name, values in contacts.items()), _level_rows(elastic)]
+    medians = contacts.median(["scan", "contact"])
+    of_contacts = tables.drawn_rows(
+        contacts.assign({f"{name}_median": median for name, median in medians.items()}),
+        *(
+            (panel, f"{name}{ending}", unit)
+            for name, (panel, unit) in QUANTITIES.items()
+            for ending in ("", "_median")
+        ),
     )
-    return tables.label_surfaces(rows, elastic)[COLUMNS].reset_index(drop=True)
+    most = {"panel": "b", "origin": "published", "quantity": "hard_share", "unit": "1"}
+    levels = pd.DataFrame(
+        {"origin": origin, "quantity": name, "value": elastic.attrs[name]}
+        for name, (origin, _, _) in LEVELS.items()
+    ).assign(panel="c", unit="Pa")
+    rows = [of_contacts, pd.DataFrame([{**most, "low": MOST, "high": 1.0}]), levels]
+    return tables.tidy(rows, elastic, "scan", "contact")
 
 
-@style.print_style()
 def draw(elastic: xr.Dataset) -> Figure:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
     contacts = _contacts(elastic)
-    figure = style.create(4.6)
+    figure = drawing.create(4.6, elastic)
     rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))
     above, below = rows[0], rows[1]
     maps = above.subgridspec(1, elastic.sizes["surface"]).subplots(sharey=True, squeeze=False)[0]
@@ -56,14 +65,7 @@ def draw(elastic: xr.Dataset) -> Figure:
     _draw_peaks(peaks, contacts["peak_pressure"], elastic)
     _draw_forces(forces, contacts["elastic_over_rigid"])
     for axes in (shares, peaks, forces):
-        axes.set_xticks(
-            range(elastic.sizes["surface"]),
-            elastic["label"].values,
-            rotation=25,
-            ha="right",
-            rotation_mode="anchor",
-        )
-    style.mark_basis(figure, elastic)
+        axes.set_xticks(range(elastic.sizes["surface"]), elastic["label"].values, **style.TILTED)
     return figure
 
 
@@ -74,45 +76,18 @@ def _contacts(elastic: xr.Dataset) -> xr.Dataset:
     return contacts.transpose("surface", "scan", "contact")
 
 
-def _rows(values: xr.DataArray, name: str) -> pd.DataFrame:
-    """Return a row for each contact and one for the median of each surface."""
-    panel, unit = QUANTITIES[name]
-    medians = values.median(["scan", "contact"])
-    return tables.drawn_rows((panel, name, unit, values), (panel, f"{name}_median", unit, medians))
-
-
-def _level_rows(elastic: xr.Dataset) -> pd.DataFrame:
-    most = {"panel": "b", "origin": "published", "quantity": "hard_share", "unit": "1"}
-    rows = [
-        {
-            "panel": "c",
-            "origin": origin,
-            "quantity": name,
-            "unit": "Pa",
-            "value": elastic.attrs[name],
-        }
-        for name, (origin, _, _) in LEVELS.items()
-    ]
-    return pd.DataFrame([{**most, "low": MOST, "high": 1.0}, *rows])
-
-
 def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     """Map the pressure of one contact of each surface, white at the hardness."""
     hardness = elastic.attrs["hardness"] / GIGAPASCAL
     ticks = hardness * TICKS
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
-    reach = _reach(pressure)
+    reach = 1.1 * style.half_width((pressure > 0).any("surface"))
     for place, (axes, of_surface) in enumerate(zip(row, pressure, strict=True), start=1):
         # Positions that belong to the pixels of other surfaces alone hold no value here.
         of_surface = of_surface.dropna("y", how="all").dropna("x", how="all")
+        shown, norm = of_surface.where(of_surface > 0), LogNorm(ticks[0], ticks[-1])
         image = axes.pcolormesh(
-            of_surface["x"],
-            of_surface["y"],
-            of_surface.where(of_surface > 0),
-            norm=LogNorm(ticks[0], ticks[-1]),
-            cmap=PRESSURES,
-            shading="nearest",
-            rasterized=True,
+            shown["x"], shown["y"], shown, norm=norm, cmap=PRESSURES, **style.PIXELS
         )
         axes.set(facecolor=NO_CONTACT, aspect="equal", xlabel="x (nm)")
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
@@ -124,13 +99,6 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
     bar.minorticks_off()
     bar.ax.axhline(hardness, color="black", lw=1.0)
-
-
-def _reach(pressure: xr.DataArray) -> float:
-    """Return the half width (nm) about the peaks that shows the contact of every surface."""
-    in_contact = (pressure > 0).any("surface")
-    farthest = (abs(pressure[along]).where(in_contact).max().item() for along in "xy")
-    return 1.1 * float(max(farthest))
 
 
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
@@ -168,7 +136,7 @@ def _draw_peaks(axes: Axes, peaks: xr.DataArray, elastic: xr.Dataset) -> None:
 
 def _draw_forces(axes: Axes, ratios: xr.DataArray) -> None:
     """Draw by how many percent each elastic pull-off force differs from the rigid one."""
-    excess = (ratios - 1) / PERCENT
+    excess = (ratios - 1) / style.PERCENT
     _draw_contacts(axes, excess)
     axes.axhline(0, color="0.7", lw=0.6, zorder=0)
     axes.set_ylabel("elastic / rigid pull-off − 1 (%)")

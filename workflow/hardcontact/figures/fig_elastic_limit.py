@@ -1,18 +1,16 @@
 """Where the bearing area is wrong: plasticity indices, areas, forces of the variants."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.elastic_limit import VARIANTS
 
 SHARES = {"plastic_share": "estimated", "solved_plastic_share": "solved"}
-OPEN: dict[str, dict[str, Any]] = {"plastic_share": {}, "solved_plastic_share": {"mfc": "white"}}
+OPEN: dict[str, style.Look] = {"plastic_share": {}, "solved_plastic_share": {"mfc": "white"}}
 AREAS = ("solved_area", "estimated_area")
 NAMES = {
     "bearing_area": "bearing area",
@@ -21,7 +19,6 @@ NAMES = {
     "rigid": "rigid",
 }
 STEPS = np.linspace(0, 1, 101)  # of the distributions
-COLUMNS = [*tables.ROW_COLUMNS, "variant", "scan", "contact", "share", *tables.VALUE_COLUMNS]
 
 
 def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
@@ -32,15 +29,15 @@ def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
     variant (d), and the bearing area.
     """
     computed = tables.drawn_rows(
-        ("a", "plasticity_index", "1", _distribution(elastic_limit)),
-        *(("b", name, "1", tables.bounded(elastic_limit, name)) for name in SHARES),
-        *(("c", name, "nm2", elastic_limit[name]) for name in AREAS),
-        ("d", "force_ratio", "1", tables.bounded(elastic_limit, "force_ratio")),
+        elastic_limit.assign(plasticity_index=_distribution(elastic_limit)),
+        ("a", "plasticity_index", "1"),
+        *(("b", name, "1") for name in SHARES),
+        *(("c", name, "nm2") for name in AREAS),
+        ("d", "force_ratio", "1"),
     )
-    bearing = pd.DataFrame([{"panel": "c", "origin": "given", "quantity": "bearing_area"}])
-    bearing = bearing.assign(value=elastic_limit.attrs["bearing_area"], unit="nm2")
-    rows = tables.label_surfaces(computed, elastic_limit)
-    return pd.concat([rows, bearing]).reindex(columns=COLUMNS).reset_index(drop=True)
+    bearing = {"panel": "c", "origin": "given", "quantity": "bearing_area", "unit": "nm2"}
+    given = pd.DataFrame([{**bearing, "value": elastic_limit.attrs["bearing_area"]}])
+    return tables.tidy([computed, given], elastic_limit, "variant", "scan", "contact", "share")
 
 
 def _distribution(limit: xr.Dataset) -> xr.DataArray:
@@ -50,10 +47,9 @@ def _distribution(limit: xr.Dataset) -> xr.DataArray:
     return values.rename(quantile="share").transpose("surface", "share")
 
 
-@style.print_style()
 def draw(elastic_limit: xr.Dataset) -> Figure:
     """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces."""
-    figure = style.create(4.8)
+    figure = drawing.create(4.8, elastic_limit)
     indices, shares, areas, forces = figure.subplots(2, 2).ravel()
     _draw_indices(indices, elastic_limit)
     _draw_shares(shares, elastic_limit)
@@ -62,17 +58,14 @@ def draw(elastic_limit: xr.Dataset) -> Figure:
     for axes in (shares, forces):
         axes.set_xticks(range(elastic_limit.sizes["surface"]), elastic_limit["label"].values)
         axes.set_xlim(-0.5, elastic_limit.sizes["surface"] - 0.5)
-    style.mark_basis(figure, elastic_limit)
     return figure
 
 
 def _draw_indices(axes: Axes, limit: xr.Dataset) -> None:
     """Draw the distribution of the index over contacts; from 1 on they yield."""
-    values = _distribution(limit)
-    for surface, colour in style.colours(limit["surface"].values).items():
-        of_surface = values.sel(surface=surface)
-        label = str(limit["label"].sel(surface=surface).item())
-        axes.plot(of_surface, STEPS, color=colour, drawstyle="steps-post", label=label)
+    for look, of_surface in style.by_surface(limit.assign(index=_distribution(limit))):
+        look = {"color": look["color"], "label": str(of_surface["label"].item())}
+        axes.plot(of_surface["index"], STEPS, drawstyle="steps-post", **look)
     axes.axvline(1, color="black", lw=0.9)
     axes.set(xscale="log", ylim=(-0.03, 1.03), ylabel="cumulative share of contacts")
     axes.set_xlabel("elastic pressure on the bearing area / hardness")
@@ -83,12 +76,9 @@ def _draw_indices(axes: Axes, limit: xr.Dataset) -> None:
 
 def _draw_shares(axes: Axes, limit: xr.Dataset) -> None:
     """Draw the share of contacts that yield, by the index and by solved contacts."""
-    looks = style.looks(limit["surface"].values)
     for (name, label), shift in zip(SHARES.items(), (-0.12, 0.12), strict=True):
-        for place, (surface, look) in enumerate(looks.items()):
-            one = tables.bounded(limit, name).sel(surface=surface)
-            known = np.nan_to_num(marks.reach(one))[:, None]
-            axes.errorbar(place + shift, one["value"], known, ls="none", **look, **OPEN[name])
+        for place, (look, one) in enumerate(style.by_surface(tables.bounded(limit, name))):
+            style.draw_bars(axes, place + shift, one, ls="none", **look, **OPEN[name])
         axes.plot([], [], "o", color="0.3", ls="none", label=label, **OPEN[name])
     axes.set(ylim=(-0.06, 1.06), yticks=np.linspace(0, 1, 6), ylabel="share of contacts")
     _draw_legend_within(axes)
@@ -97,8 +87,8 @@ def _draw_shares(axes: Axes, limit: xr.Dataset) -> None:
 
 def _draw_areas(axes: Axes, limit: xr.Dataset) -> None:
     """Draw the estimated against the solved elastic area of single contacts."""
-    for surface, look in style.looks(limit["surface"].values).items():
-        solved, estimated = (limit[name].sel(surface=surface).values.ravel() for name in AREAS)
+    for look, of_surface in style.by_surface(limit):
+        solved, estimated = (of_surface[name].values.ravel() for name in AREAS)
         axes.plot(solved, estimated, ls="none", alpha=0.7, **look)
     bearing = limit.attrs["bearing_area"]
     axes.axvline(bearing, color="black", lw=0.9, label="bearing area")
@@ -114,13 +104,10 @@ def _draw_areas(axes: Axes, limit: xr.Dataset) -> None:
 def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
     """Draw the force of each variant over that of the bearing area."""
     beside = np.linspace(-0.25, 0.25, len(VARIANTS) - 1)
-    colours = list(style.colours(limit["surface"].values).values())
     for variant, marker, shift in zip(VARIANTS[1:], "^sv", beside, strict=True):
         ratio = tables.bounded(limit, "force_ratio").sel(variant=variant)
-        for place, colour in enumerate(colours):
-            one = ratio.isel(surface=place)
-            known = np.nan_to_num(marks.reach(one))[:, None]
-            axes.errorbar(place + shift, one["value"], known, fmt=marker, color=colour)
+        for place, (look, one) in enumerate(style.by_surface(ratio)):
+            style.draw_bars(axes, place + shift, one, fmt=marker, color=look["color"])
         axes.plot([], [], marker, color="0.3", label=NAMES[variant])
     axes.axhline(1, color="0.7", lw=0.6, zorder=0)
     axes.set_ylabel("force / that of the bearing area")

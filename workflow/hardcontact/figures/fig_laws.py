@@ -9,22 +9,23 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.interaction_laws import LAWS, pressure
 
 # Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.
 COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933")
 DASHES = ("-", "--", "-.", ":")
 MARKERS = ("o", "s", "^", "D")
+LOOKS: dict[str, style.Look] = {
+    law.name: {"color": colour, "marker": marker}
+    for law, colour, marker in zip(LAWS, COLOURS, MARKERS, strict=True)
+}
 GAPS = np.geomspace(0.1, 300.0, 200)  # nm
 PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
 PANELS = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
 TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
+EDGES = {"critical_wavelength": "nm", "edge_factor": "1"}
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
-COLUMNS = [
-    *("group" if name == "surface" else name for name in tables.ROW_COLUMNS),
-    "law", "case", "side", "length", *tables.VALUE_COLUMNS,
-]  # fmt: skip
 
 
 def table(laws: xr.Dataset) -> pd.DataFrame:
@@ -35,43 +36,36 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
     edges of the band, also over those of Eq. 1 (d and e), of each substrate and of all pooled: a
     `group`.
     """
-    rows = tables.drawn_rows(
-        *(("a", name, unit, tables.bounded(laws, name)) for name, unit in FITS.items()),
-        ("a", "implied_over_known", "1", laws["implied_over_known"]),
-        ("b", "error", "1", laws["error"].rename(target="case")),
-        ("c", "ratio", "1", tables.bounded(laws, "ratio")),
-        ("c", "published_ratio", "1", laws["published_ratio"]),
+    fits = (("a", name, unit) for name, unit in FITS.items())
+    error = laws["error"].rename(target="case")
+    published = tables.drawn_rows(laws, ("c", "published_ratio", "1"))
+    frames = [
+        tables.drawn_rows(laws, *fits, ("a", "implied_over_known", "1")),
+        tables.computed_rows(error, panel="b", quantity="error", unit="1"),
+        tables.drawn_rows(laws, ("c", "ratio", "1")),
+        published.assign(origin="published", quantity="ratio"),
         *(
-            (panel, name, unit, tables.bounded(laws, name).rename(group="surface").sel(side=[side]))
-            for name, unit in {"critical_wavelength": "nm", "edge_factor": "1"}.items()
+            tables.drawn_rows(laws.sel(side=[side]), (panel, name, unit))
+            for name, unit in EDGES.items()
             for side, (panel, _) in PANELS.items()
         ),
-    ).rename(columns={"surface": "group"})
-    published = rows["quantity"] == "published_ratio"
-    rows["origin"] = rows["origin"].mask(published, "published")
-    rows["quantity"] = rows["quantity"].mask(published, "ratio")
-    labelled = tables.label_surfaces(rows, laws, "group")
-    return labelled.reindex(columns=COLUMNS).reset_index(drop=True)
+    ]
+    by_group = (frame.rename(columns={"surface": "group"}) for frame in frames)
+    return tables.tidy(by_group, laws, "law", "case", "side", "length", surfaces="group")
 
 
-@style.print_style()
 def draw(laws: xr.Dataset) -> Figure:
     """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band."""
-    figure, (pressures, errors, ratios), (small, large) = style.three_above_two(5.2, 1)
+    figure, ((pressures, errors, ratios), edges) = drawing.create_rows(
+        5.2, laws, (1, (1, 1, 1)), (1, (1, 1))
+    )
     _draw_pressures(pressures, laws)
     _draw_errors(errors, laws)
     _draw_ratios(ratios, laws)
-    for axes, (side, (panel, title)) in zip((small, large), PANELS.items(), strict=True):
+    for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
-    style.mark_basis(figure, laws)
     return figure
-
-
-def _looks(laws: xr.Dataset) -> dict[str, dict[str, Any]]:
-    """Return colour and marker of each law by its name."""
-    looks = zip(laws["law"].values, COLOURS, MARKERS, strict=True)
-    return {str(law): {"color": colour, "marker": marker} for law, colour, marker in looks}
 
 
 def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
@@ -85,7 +79,7 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
     # Lines of (a) and (b) with the marks of the other panels.
     handles = [
         Line2D([], [], ls=dashes, ms=3.5, label=law.label, **look)
-        for law, dashes, look in zip(LAWS, DASHES, _looks(laws).values(), strict=True)
+        for law, dashes, look in zip(LAWS, DASHES, LOOKS.values(), strict=True)
     ]
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
     axes.set_ylim(bottom=1e-7)
@@ -97,11 +91,9 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
 def _draw_errors(axes: Axes, laws: xr.Dataset) -> None:
     """Draw the error at the best work against the length of each law, for both targets."""
     for law, colour, dashes in zip(LAWS, COLOURS, DASHES, strict=True):
-        of_law = laws["error"].sel(law=law.name)
         for target, opacity in TARGETS.items():
-            axes.plot(
-                laws["length"], of_law.sel(target=target), color=colour, ls=dashes, alpha=opacity
-            )
+            error = laws["error"].sel(law=law.name, target=target)
+            axes.plot(laws["length"], error, color=colour, ls=dashes, alpha=opacity)
     axes.axhline(0.1, color="0.7", lw=0.6, zorder=0)
     axes.set(xscale="log", xlabel="range W/|p(0)| (nm)", ylabel="mean error at the best W")
     axes.set_ylim(0, 1.02 * float(laws["error"].max()))
@@ -113,10 +105,9 @@ def _draw_ratios(axes: Axes, laws: xr.Dataset) -> None:
     """Draw ratios of forces to the reference surface at the length fitted to the measured ones."""
     places = np.arange(laws.sizes["surface"])
     axes.hlines(laws["published_ratio"], places - 0.42, places + 0.42, color="0.6", lw=4, alpha=0.6)
-    case = laws.sel(case="fitted")
-    _draw_beside(axes, tables.bounded(case, "ratio"), _looks(laws))
+    _draw_beside(axes, tables.bounded(laws.sel(case="fitted"), "ratio"))
     axes.set(yscale="log", ylabel=f"force / that on {laws.attrs['reference_label']}")
-    axes.set_xticks(places, laws["label"].values, rotation=25, ha="right", rotation_mode="anchor")
+    axes.set_xticks(places, laws["label"].values, **style.TILTED)
     style.label_panel(axes, "c", "grey: published")
 
 
@@ -126,24 +117,19 @@ def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
     Full marks stand at lengths equivalent to Eq. 1, open ones at an atomic spacing.
     """
     edges = tables.bounded(laws, "critical_wavelength").sel(side=side)
-    looks = _looks(laws)
-    _draw_beside(axes, edges.sel(case="equivalent"), looks)
-    hollow = {law: {**look, "mfc": "white"} for law, look in looks.items()}
-    _draw_beside(axes, edges.sel(case="atomic"), hollow, 0.07)
-    labels = dict(zip(laws["surface"].values, laws["label"].values, strict=True))
+    _draw_beside(axes, edges.sel(case="equivalent"))
+    _draw_beside(axes, edges.sel(case="atomic"), 0.07, mfc="white")
+    labels = laws["label"].to_series()
     groups = ["\n".join(str(labels.get(group, group)).split()) for group in laws["group"].values]
     axes.set_xticks(range(len(groups)), groups)
     axes.set(yscale="log", xlabel="full: like Eq. 1; open: atomic spacing")
     style.label_logarithmic(axes.yaxis)
 
 
-def _draw_beside(
-    axes: Axes, values: xr.Dataset, looks: dict[str, dict[str, Any]], shift: float = 0.0
-) -> None:
+def _draw_beside(axes: Axes, values: xr.Dataset, shift: float = 0.0, **fill: Any) -> None:
     """Draw values with their intervals of each law, side by side at each place."""
-    beside = np.linspace(-0.3, 0.3, len(looks))
-    for (law, look), offset in zip(looks.items(), beside, strict=True):
+    beside = np.linspace(-0.3, 0.3, len(LOOKS))
+    for (law, look), offset in zip(LOOKS.items(), beside, strict=True):
         of_law = values.sel(law=law)
         places = np.arange(of_law["value"].size) + offset + shift
-        known = np.nan_to_num(marks.reach(of_law))
-        axes.errorbar(places, of_law["value"], known, ls="none", ms=3.5, lw=0.8, **look)
+        style.draw_bars(axes, places, of_law, ls="none", ms=3.5, lw=0.8, **look, **fill)

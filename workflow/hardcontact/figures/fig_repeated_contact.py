@@ -6,8 +6,8 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import marks, style, tables
-from hardcontact.figures.fig5 import DEPTHS
+from hardcontact.figures import drawing, style, tables
+from hardcontact.figures.fig5 import draw_indents, print_preload
 
 CURVES = {  # panel, unit, label
     "force_ratio": ("a", "1", "force / single contacts"),
@@ -19,15 +19,6 @@ IMAGE = {  # published constants of an image after 400 contacts
     "lateral_size": "measured_indent_size",
 }
 SIZES = {"indent_size": "lateral size (nm)", "indent_depth": "depth (nm)"}
-COLUMNS = [
-    *tables.ROW_COLUMNS,
-    "preload",
-    "scan",
-    "order",
-    "indent",
-    "stage",
-    *tables.VALUE_COLUMNS,
-]
 
 
 def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
@@ -37,29 +28,28 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
     and depth and size of every indent after the last. Published: the ranges of depths and sizes in
     an image. Of the map its deepest pixel; the rest stays in the dataset.
     """
+    curves = ((panel, name, unit) for name, (panel, unit, _) in CURVES.items())
     image = _of_image(repeated_contact)
-    computed = tables.drawn_rows(
-        *(
-            (panel, name, unit, tables.bounded(repeated_contact, name))
-            for name, (panel, unit, _) in CURVES.items()
-        ),
-        ("d", "indentation", "nm", image["indentation"].max(["y", "x"])),
-        *(("e", name, "nm", image[name]) for name in SIZES),
-    )
-    published = [
+    deepest = image.assign(indentation=image["indentation"].max(["y", "x"]))
+    of_image = ("d", "indentation", "nm"), *(("e", name, "nm") for name in SIZES)
+    published = pd.DataFrame(
         {"panel": CURVES[name][0], "quantity": name, "low": low, "high": high}
         for name in IMAGE
         for low, high in [_published(published_constants, name)]
+    )
+    frames = [
+        tables.drawn_rows(repeated_contact, *curves),
+        tables.drawn_rows(deepest, *of_image),
+        published.assign(origin="published", unit="nm"),
     ]
-    given = pd.DataFrame(published).assign(origin="published", unit="nm")
-    rows = tables.label_surfaces(computed, repeated_contact)
-    return pd.concat([rows, given]).reindex(columns=COLUMNS).reset_index(drop=True)
+    return tables.tidy(frames, repeated_contact, "preload", "scan", "order", "indent", "stage")
 
 
-@style.print_style()
 def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a-c) force, depth and size against contacts, (d) a map, (e) all indents of its kind."""
-    figure, curves, (view, sizes) = style.three_above_two(5.2, 1.15)
+    figure, (curves, (view, sizes)) = drawing.create_rows(
+        5.2, repeated_contact, (1, (1, 1, 1)), (1.15, (1, 1))
+    )
     for axes, (name, (panel, _, label)) in zip(curves, CURVES.items(), strict=True):
         _draw_curves(axes, repeated_contact, name)
         if name in IMAGE:
@@ -75,7 +65,6 @@ def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Fig
     _draw_map(view, image)
     colour = style.colours(repeated_contact["surface"].values)[str(image["surface"].values[0])]
     _draw_sizes(sizes, image, published_constants, colour)
-    style.mark_basis(figure, repeated_contact)
     return figure
 
 
@@ -96,28 +85,19 @@ def _draw_curves(axes: Axes, repeated: xr.Dataset, name: str) -> None:
     """Draw a quantity with its interval against contacts; dashed at the largest preload."""
     values = tables.bounded(repeated, name)
     dashes = dict(zip(np.sort(repeated["preload"]), ("-", "--"), strict=False))
-    for surface, look in style.looks(repeated["surface"].values).items():
+    for look, of_surface in style.by_surface(values):
         for preload, line in dashes.items():
-            one = values.sel(surface=surface, preload=preload)
-            axes.fill_between(
-                one["stage"], one["low"], one["high"], color=look["color"], alpha=0.15, lw=0
-            )
-            axes.plot(one["stage"], one["value"], ls=line, ms=3, **look)
+            one = of_surface.sel(preload=preload)
+            style.draw_with_band(axes, one, "stage", ls=line, ms=3, **look)
 
 
 def _draw_map(axes: Axes, image: xr.Dataset) -> None:
     """Map how deep (nm) the sphere is pressed in after the last contact."""
-    depths = image["indentation"].isel(surface=0).transpose("y", "x").dropna("y", how="all")
-    depths = depths.dropna("x", how="all")
-    drawn = axes.pcolormesh(
-        depths["x"], depths["y"], depths, cmap=DEPTHS, shading="nearest", rasterized=True
-    )
-    axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
-    axes.figure.colorbar(drawn, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
-    preload = float(image["preload"]) / marks.MICRONEWTON
-    contacts = int(image["stage"].max())
-    label = str(image["label"].values[0])
-    style.label_panel(axes, "d", f"after {contacts} contacts on {label}, {preload:g} µN")
+    depths = image["indentation"].isel(surface=0)
+    draw_indents(axes, depths.dropna("y", how="all").dropna("x", how="all"))
+    contacts, label = int(image["stage"].max()), str(image["label"].values[0])
+    preload = print_preload(image["preload"])
+    style.label_panel(axes, "d", f"after {contacts} contacts on {label}, {preload}")
 
 
 def _draw_sizes(

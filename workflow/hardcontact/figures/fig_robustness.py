@@ -9,21 +9,24 @@ from typing import Any, NamedTuple
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
-from hardcontact.figures import style, tables
+from hardcontact.figures import drawing, style, tables
 
 BASELINE = "baseline"
 FULL = "the study itself"
 CONTACT_MODEL, GROUP = "plastic", "pooled"  # what the variants are computed with and for
 ABOVE = 0.4  # rows between the baseline and the study itself
 GAP = 0.4  # rows between groups of variants
-VARIANT: dict[str, Any] = {"color": "0.15", "marker": "o"}
-STUDY: dict[str, Any] = {"color": "#6A3D9A", "marker": "D", "markerfacecolor": "white"}
-MINIMUM: dict[str, Any] = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
+VARIANT: style.Look = {"color": "0.15", "marker": "o"}
+STUDY: style.Look = {"color": style.FIT, "marker": "D", "markerfacecolor": "white"}
+MINIMUM: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white", "ms": 3}
+WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
+MISSING: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
 COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
 
 
@@ -85,7 +88,6 @@ def table(
     return pd.DataFrame(rows)[COLUMNS]
 
 
-@style.print_style()
 def draw(
     robustness: xr.Dataset,
     inference: xr.Dataset,
@@ -98,14 +100,13 @@ def draw(
     """
     rows = table(robustness, inference, band, published_constants)
     heights = _heights(robustness)
-    figure = style.create(0.24 * heights[-1] + 1.8)
+    figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
     row = figure.subplots(1, len(QUANTITIES), sharey=True)
     for axes, quantity in zip(row, QUANTITIES.values(), strict=True):
         _draw_quantity(axes, rows[rows["panel"] == quantity.panel], quantity, heights)
     row[0].set_yticks(heights, robustness["variant_label"].values)
     row[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
-    figure.legend(handles=_legend_handles(robustness), loc="outside upper center", ncols=2)
-    style.mark_basis(figure, inference)
+    style.legend_above(figure, _legend_handles(robustness), 2)
     return figure
 
 
@@ -119,14 +120,10 @@ def _result(data: xr.Dataset, name: str) -> dict[str, float]:
 
 def _variant_rows(robustness: xr.Dataset, name: str, minimum: str) -> list[dict[str, Any]]:
     """Return one row a variant, then one for each local minimum of its error but the least."""
+    described = robustness[["variant_label", "group"]].to_dataframe()
     variants = [
-        {
-            "variant": str(variant),
-            "label": str(robustness["variant_label"].sel(variant=variant).item()),
-            "group": str(robustness["group"].sel(variant=variant).item()),
-            "origin": "computed",
-        }
-        for variant in robustness["variant"].values
+        {"variant": variant, "label": label, "group": group, "origin": "computed"}
+        for variant, label, group in described[["variant_label", "group"]].itertuples()
     ]
     rows: list[dict[str, Any]]
     rows = [{**one, **_result(robustness.sel(variant=one["variant"]), name)} for one in variants]
@@ -175,26 +172,18 @@ def _draw_quantity(
 
 
 def _draw_result(
-    axes: Axes, height: float, result: pd.Series, quantity: _Quantity, look: dict[str, Any]
+    axes: Axes, height: float, result: pd.Series, quantity: _Quantity, look: style.Look
 ) -> None:
     """Draw a value and its interval, or say why there is none."""
     value, low, high = result[["value", "low", "high"]].astype(float) / quantity.printed_unit
     axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
     axes.plot([value], [height], ls="none", **look)
     if not np.isfinite(value):
-        axes.text(
-            0.5,
-            height,
-            quantity.missing,
-            transform=axes.get_yaxis_transform(),
-            fontsize=7,
-            ha="center",
-            va="center",
-            bbox={"facecolor": "white", "edgecolor": "none", "pad": 1},
-        )
+        at = axes.get_yaxis_transform()
+        axes.text(0.5, height, quantity.missing, transform=at, **MISSING)
 
 
-def _legend_handles(robustness: xr.Dataset) -> list[Line2D | Patch]:
+def _legend_handles(robustness: xr.Dataset) -> list[Artist]:
     """Return one entry for each kind of mark; the dotted line has the name of the top row."""
     baseline = robustness["variant_label"].values[robustness["group"].values == BASELINE][0]
     size = robustness.attrs

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.edge_scaling import LENGTHS, PARTS
 
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
@@ -22,11 +22,8 @@ EXPONENTS = [
 ]  # fmt: skip
 #: In the table, the exponent of the reach in place of those of the radius and the range apart.
 REACH_LENGTH = "reach"
+BETWEEN = ("side", "radius", "area", "rho", "reach", "part", "length", "dependence")  # columns
 PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
-COLUMNS = [
-    *tables.ROW_COLUMNS, "side", "radius", "area", "rho", "reach", "part", "length", "dependence",
-    *tables.VALUE_COLUMNS,
-]  # fmt: skip
 
 
 def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
@@ -46,15 +43,13 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
 
     of_paper = [tables.published_edge(published_constants, side) for side in TITLES]
     published = pd.DataFrame({"side": list(TITLES), "value": of_paper})
-    rows = pd.concat(
-        [
-            tables.computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
-            tables.computed_rows(exponents, panel="d", quantity="exponent", unit="1"),
-            tables.computed_rows(spectra.to_dataset(), panel="b", unit="nm"),
-            published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
-        ]
-    )
-    return tables.label_surfaces(rows, scaling).reindex(columns=COLUMNS).reset_index(drop=True)
+    frames = [
+        tables.computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
+        tables.computed_rows(exponents, panel="d", quantity="exponent", unit="1"),
+        tables.computed_rows(spectra.to_dataset(), panel="b", unit="nm"),
+        published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
+    ]
+    return tables.tidy(frames, scaling, *BETWEEN)
 
 
 def _exponents(scaling: xr.Dataset) -> xr.Dataset:
@@ -63,13 +58,12 @@ def _exponents(scaling: xr.Dataset) -> xr.Dataset:
     return xr.concat([tables.bounded(scaling, "exponent"), of_reach], "length")
 
 
-@style.print_style()
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw edges against (a) the range and (b) reach of the attraction, (c) contact, (d) exponents.
 
     Sections go through the combination nearest to the paper's radius, range (nm) and area (nm²).
     """
-    figure = style.create(5.6)
+    figure = drawing.create(5.6, scaling)
     (short, long), (contact, exponents) = figure.subplots(2, 2)
     at_area = scaling.sel(area=scaling.attrs["area"], method="nearest")
     _draw_edges(short, at_area, "small", "rho", ["radius", "rho"])
@@ -79,9 +73,8 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     for axes, letter in ((short, "a"), (long, "b")):
         style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²")
     _draw_proportional(long, scaling)
-    at_paper = scaling.sel(
-        radius=scaling.attrs["sphere_radius"], rho=scaling.attrs["rho"], method="nearest"
-    )
+    radius, rho = scaling.attrs["sphere_radius"], scaling.attrs["rho"]
+    at_paper = scaling.sel(radius=radius, rho=rho, method="nearest")
     width = np.sqrt(at_paper["contact_area"].sel(side="small"))
     _draw_edges(contact, at_paper.assign(width=width), "small", "width", ["area"])
     contact.set(xlabel=f"width of the contact {CONTACT} (nm)")
@@ -91,7 +84,6 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         axes.axhline(tables.published_edge(published_constants, side), **PUBLISHED)
     _draw_exponents(exponents, scaling)
     style.legend_above(figure, style.surface_handles(scaling, ls="none"))
-    style.mark_basis(figure, scaling)
     return figure
 
 
@@ -103,16 +95,14 @@ def _draw_edges(
     Edges that differ in the last dimension alone are connected.
     """
     edges = tables.bounded(cases, "edge").assign(along=cases[along]).sel(side=side)
-    for surface, look in style.looks(cases["surface"].values).items():
-        of_surface = edges.sel(surface=surface).transpose(..., *dimensions)
+    for look, of_surface in style.by_surface(edges.transpose(..., *dimensions)):
         stacked = of_surface.stack(case=dimensions).dropna("case", subset=["value"])
-        known = np.nan_to_num(marks.reach(stacked))
-        axes.errorbar(
-            stacked["along"], stacked["value"], known, ls="none", ms=3, elinewidth=0.4, **look
+        style.draw_bars(axes, stacked["along"], stacked, ls="none", ms=3, elinewidth=0.4, **look)
+        lines = (
+            one.broadcast_like(of_surface["value"]).transpose(*dimensions).values
+            for one in (of_surface["along"], of_surface["value"])
         )
-        lengths = of_surface["along"].broadcast_like(of_surface["value"])
-        lines = (one.transpose(*dimensions).values for one in (lengths, of_surface["value"]))
-        last = lengths.sizes[dimensions[-1]]
+        last = edges.sizes[dimensions[-1]]
         for line in zip(*(one.reshape(-1, last) for one in lines), strict=True):
             axes.plot(*line, color=look["color"], lw=0.5, alpha=0.6)
     axes.set(xscale="log", yscale="log", ylabel=TITLES[side])
@@ -123,33 +113,30 @@ def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
     """Draw the edge that is the reach, and at the right the roll-off of every surface."""
     ends = np.array([scaling["reach"].min(), scaling["reach"].max()])
     axes.plot(ends, ends, color="0.7", lw=0.8, zorder=0)
-    for surface, look in style.looks(scaling["surface"].values).items():
-        roll_off = scaling["roll_off"].sel(surface=surface).item()
-        axes.plot(1.0, roll_off, "<", transform=axes.get_yaxis_transform(), color=look["color"],
-                  ms=6, clip_on=False)  # fmt: skip
+    at_right = axes.get_yaxis_transform()
+    for look, of_surface in style.by_surface(scaling):
+        roll_off, colour = of_surface["roll_off"].item(), look["color"]
+        axes.plot(1.0, roll_off, "<", transform=at_right, color=colour, ms=6, clip_on=False)
 
 
 def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
     """Draw EXPONENTS of all surfaces with their intervals, each surface a little lower."""
     exponents, drawn = _exponents(scaling), [-0.8, 1.8]
     intervals: list[tuple[float, float, float, str]] = []
-    looks = style.looks(scaling["surface"].values)
     places = -np.arange(len(EXPONENTS), dtype=float)
-    beside = np.linspace(0.27, -0.27, len(looks))
-    for (surface, look), offset in zip(looks.items(), beside, strict=True):
-        for place, (side, which, _) in zip(places, EXPONENTS, strict=True):
+    beside = np.linspace(0.27, -0.27, scaling.sizes["surface"])
+    for (look, of_surface), offset in zip(style.by_surface(exponents), beside, strict=True):
+        for place, (side, which, _) in zip(places + offset, EXPONENTS, strict=True):
             part, length = (which, REACH_LENGTH) if which in PARTS else (PARTS[0], which)
-            one = exponents.sel(side=side, part=part, length=length, surface=surface)
-            known = np.nan_to_num(marks.reach(one))[:, None]
-            axes.errorbar([one["value"]], [place + offset], xerr=known, ms=3, lw=0.8, **look)
+            one = of_surface.sel(side=side, part=part, length=length)
+            axes.errorbar([one["value"]], [place], xerr=style.reach(one), ms=3, lw=0.8, **look)
             drawn.append(one["value"].item())
-            ends = (one[end].item() for end in ("low", "high"))
-            intervals.append((*ends, place + offset, look["color"]))
+            intervals.append((one["low"].item(), one["high"].item(), place, look["color"]))
     for value in (0.0, 1.0):
         axes.axvline(value, color="0.7", lw=0.6, zorder=0)
+    in_italics: style.Look = {"ha": "right", "va": "top", "fontsize": 7, "style": "italic"}
     for name, place in (("short edge", 0.5), ("long edge", -2.5)):
-        axes.text(0.98, place - 0.06, name, ha="right", va="top", fontsize=7, style="italic",
-                  transform=axes.get_yaxis_transform())  # fmt: skip
+        axes.text(0.98, place - 0.06, name, transform=axes.get_yaxis_transform(), **in_italics)
         axes.axhline(place, color="0.7", lw=0.4)
     axes.set_yticks(places, [name for *_, name in EXPONENTS])
     axes.set(xlabel="exponent", xlim=(np.nanmin(drawn) - 0.2, np.nanmax(drawn) + 0.2))

@@ -1,7 +1,5 @@
 """Many sets of substitutes: where each puts range and work of adhesion, and what moves them."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -10,11 +8,11 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 from scipy import stats
 
-from hardcontact.figures import marks, style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.numbers.printing import print_share
 
 PLASTIC = "plastic"  # the contact model that the paper's conclusions rest on
-MODELS: dict[str, dict[str, Any]] = {
+MODELS: dict[str, style.Look] = {
     "plastic": {"fill": True, "color": "0.55"},
     "rigid": {"color": "black", "ls": "--", "lw": 1.0},
 }
@@ -34,8 +32,7 @@ FACTS = {
 CONFIDENCE = 0.95
 FEWEST_SETS = 5  # fewer have no correlation worth showing
 LEAST_SPREAD = 1e-6  # over the sets, of a fact that can move anything, as a share of its mean
-COLUMNS = [*tables.ROW_COLUMNS, "contact_model", "set", "minimum", "range_low", "range_high"]
-COLUMNS += tables.VALUE_COLUMNS
+BETWEEN = ("contact_model", "set", "minimum", "range_low", "range_high")  # columns of the table
 
 
 def table(
@@ -48,27 +45,28 @@ def table(
     correlation (1) with its interval. d: least error (1) of each set.
     """
     of_sets = sets.sel(contact_model=PLASTIC)
-    facts, errors = _correlations(of_sets), sets["best_error"].to_dataframe("value").reset_index()
-    rows = pd.concat(
+    computed = pd.concat(
         [
-            *(_histogram_rows(sets, inference, model) for model in MODELS),
-            tables.drawn_rows(*(("b", name, unit, of_sets[name]) for name, unit in UNITS.items())),
-            facts.assign(panel="c", unit="1", origin="computed", contact_model=PLASTIC),
-            errors.assign(panel="d", origin="computed", quantity="best_error", unit="1"),
-            tables.published_rows(published_constants, FITTED_UNITS, "b"),
-        ],
-        ignore_index=True,
+            *(
+                _histogram(sets, inference, model).assign(panel="a", contact_model=model)
+                for model in MODELS
+            ),
+            tables.drawn_rows(of_sets, *(("b", name, unit) for name, unit in UNITS.items())),
+            _correlations(of_sets).assign(panel="c", contact_model=PLASTIC),
+            tables.as_rows(sets["best_error"]).assign(panel="d", quantity="best_error"),
+        ]
     )
-    return tables.label_surfaces(rows, inference)[COLUMNS]
+    computed = computed.assign(origin="computed", unit=computed["unit"].fillna("1"))
+    published = tables.published_rows(published_constants, FITTED_UNITS, "b")
+    return tables.tidy([computed, published], inference, *BETWEEN)
 
 
-@style.print_style()
 def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     """Draw (a, b) the best fits of all sets, (c) what moves them, (d) their least errors."""
     fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     labels = {str(name): str(label) for name, label in inference["label"].to_series().items()}
     facts = _correlations(of_sets)
-    figure = style.create(5.8)
+    figure = drawing.create(5.8, inference)
     columns = figure.add_gridspec(1, 2, width_ratios=(1.45, 1))
     left = columns[0].subgridspec(2, 1, height_ratios=(1, 2.6))
     counts, places = left.subplots(sharex=True, squeeze=False)[:, 0]
@@ -76,50 +74,45 @@ def draw(sets: xr.Dataset, inference: xr.Dataset, published_constants: pd.DataFr
     bars, errors = right.subplots(squeeze=False)[:, 0]
     _draw_histogram(counts, sets, inference)
     _draw_places(places, of_sets, _strongest(facts), labels)
-    marks.draw_fit(places, fit, "work", marks.MILLIJOULE)
-    marks.draw_published_fit(places, published_constants)
+    style.draw_fit(places, fit, "work", style.MILLIJOULE)
+    style.draw_published_fit(places, published_constants)
     for axes in (counts, places):
-        marks.draw_published_range(axes, published_constants)
+        style.draw_published_range(axes, published_constants)
     _draw_correlations(bars, facts, list(labels))
     style.label_panel(bars, "c", "what moves ρ: facts of the scans")
     figure.align_ylabels([counts, places])
     _draw_errors(errors, sets, inference)
-    figure.legend(
-        handles=_legend_handles(labels, places, published_constants),
-        loc="outside upper center",
-        ncols=5,
-    )
-    style.mark_basis(figure, inference)
+    published = published_constants["value"]["range_of_adhesion"]
+    handles = [
+        *style.surface_handles(inference, ls="none", marker="s"),
+        Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
+        *style.legend_entries([places]).values(),
+        Line2D([], [], label=f"published ρ = {published:g} nm", **style.PUBLISHED_RANGE),
+    ]
+    style.legend_above(figure, handles, 5)
     return figure
 
 
-def _edges(inference: xr.Dataset) -> np.ndarray:
-    """Return edges (nm) of bins over all ranges computed, even in the logarithm."""
+def _histogram(sets: xr.Dataset, inference: xr.Dataset, model: str) -> pd.DataFrame:
+    """Return the share of the sets whose best range lies in each bin between ranges (nm).
+
+    The bins, even in the logarithm, hold all ranges computed.
+    """
     low, high = (float(end) for end in inference["rho"].values[[0, -1]])
-    return np.geomspace(low, high, 1 + round(BINS_PER_DECADE * np.log10(high / low)))
-
-
-def _shares(sets: xr.Dataset, model: str, edges: np.ndarray) -> np.ndarray:
-    """Return the share of the sets whose best range lies in each bin."""
+    edges = np.geomspace(low, high, 1 + round(BINS_PER_DECADE * np.log10(high / low)))
     ranges = sets["range_of_adhesion"].sel(contact_model=model)
     inside = ranges.clip(edges[0], edges[-1])  # the ends of a sweep belong to it
-    shares: np.ndarray = np.histogram(inside, edges)[0] / ranges.size
-    return shares
-
-
-def _histogram_rows(sets: xr.Dataset, inference: xr.Dataset, model: str) -> pd.DataFrame:
-    edges = _edges(inference)
-    shares = _shares(sets, model, edges)
-    rows = pd.DataFrame({"range_low": edges[:-1], "range_high": edges[1:], "value": shares})
-    named = {"origin": "computed", "quantity": "share_of_sets", "contact_model": model}
-    return rows.assign(panel="a", unit="1", **named)
+    shares = np.histogram(inside, edges)[0] / ranges.size
+    bins = pd.DataFrame({"range_low": edges[:-1], "range_high": edges[1:], "value": shares})
+    return bins.assign(quantity="share_of_sets")
 
 
 def _draw_histogram(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     """Draw the share of the sets (%) by their best range (nm), for both contact models."""
-    edges = _edges(inference)
     for model, look in MODELS.items():
-        axes.stairs(100 * _shares(sets, model, edges), edges, label=f"{model} contact", **look)
+        bins = _histogram(sets, inference, model)
+        edges = [*bins["range_low"], bins["range_high"].iloc[-1]]
+        axes.stairs(100 * bins["value"], edges, label=f"{model} contact", **look)
     spread = tables.over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
     low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
     axes.set(xscale="log", ylabel="share of sets (%)")
@@ -135,34 +128,29 @@ def _draw_places(
     """Mark the best range (nm) and work of adhesion (mJ/m2) of each set, and its other minima."""
     best = of_sets["range_of_adhesion"]
     others = of_sets["minimum_range"].where(of_sets["minimum_range"] != best)
-    axes.plot(
-        others.values.ravel(),
-        of_sets["minimum_work"].values.ravel() / marks.MILLIJOULE,
-        "o",
-        mfc="none",
-        mec="0.6",
-        mew=0.5,
-        ms=3.5,
-        zorder=1,
-        label="other minimum of a set",
-    )
-    shown: dict[str, Any] = {"c": "0.4"}
+    works = of_sets[["minimum_work", "work_of_adhesion"]] / style.MILLIJOULE
+    ring: style.Look = {
+        "marker": "o",
+        "mfc": "none",
+        "mec": "0.6",
+        "mew": 0.5,
+        "ms": 3.5,
+        "ls": "none",
+    }
+    minima = others.values.ravel(), works["minimum_work"].values.ravel()
+    axes.plot(*minima, zorder=1, label="other minimum of a set", **ring)
+    shown: style.Look = {"c": "0.4"}
     if moved_by is not None:
         fact = of_sets[moved_by["quantity"]].sel(surface=moved_by["surface"])
         shown = {"c": fact.values, "cmap": "cividis"}
-    points = axes.scatter(
-        best,
-        of_sets["work_of_adhesion"] / marks.MILLIJOULE,
-        s=20,
-        zorder=3,
-        edgecolors="white",
-        lw=0.3,
-        **shown,
-    )
+    dots: style.Look = {"s": 20, "zorder": 3, "edgecolors": "white", "lw": 0.3}
+    points = axes.scatter(best, works["work_of_adhesion"], **dots, **shown)
     if moved_by is not None:
         bar = axes.figure.colorbar(points, ax=axes, location="bottom", pad=0.02, aspect=40)
         bar.ax.locator_params(nbins=6)
-        bar.set_label(_name_fact(moved_by, labels[moved_by["surface"]]))
+        name, unit = FACTS[moved_by["quantity"]]
+        of_surface = f"rms {name}, of {labels[moved_by['surface']]}"
+        bar.set_label(of_surface + (f" ({unit})" if unit else ""))
     axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
     axes.set(ylabel="work of adhesion $W$ (mJ/m²)")
     style.label_logarithmic(axes.xaxis, at=(1, 3))
@@ -176,42 +164,19 @@ def _draw_errors(axes: Axes, sets: xr.Dataset, inference: xr.Dataset) -> None:
     plastic, rigid = (sets["best_error"].sel(contact_model=name) for name in MODELS)
     axes.plot(plastic, rigid, ".", color="0.55", ms=4, mew=0)
     of_study = [inference["best_error"].sel(contact_model=name).item() for name in MODELS]
-    axes.plot(*([value] for value in of_study), **marks.FIT_STAR)
+    axes.plot(*([value] for value in of_study), **style.FIT_STAR)
     errors = [*plastic.values, *rigid.values, *of_study, threshold]
     ends = 0.8 * np.nanmin(errors), 1.25 * np.nanmax(errors)
     axes.plot(ends, ends, color="0.3", lw=0.8)
     for line in (axes.axhline, axes.axvline):
         line(threshold, color="0.6", lw=0.8, ls=":")
-    axes.text(
-        0.98,
-        0.03,
-        f"dotted: paper, below {threshold:g}",
-        transform=axes.transAxes,
-        fontsize=7,
-        color="0.35",
-        ha="right",
-    )
+    text = f"dotted: paper, below {threshold:g}"
+    axes.text(0.98, 0.03, text, transform=axes.transAxes, ha="right", **style.NOTE)
     axes.set(xscale="log", yscale="log", xlim=ends, ylim=ends)
     axes.set(xlabel="least error, plastic", ylabel="least error, rigid")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 2, 5))
     share = print_share(float((plastic < rigid).mean()))
     style.label_panel(axes, "d", f"plastic better in {share} of sets")
-
-
-def _legend_handles(
-    labels: dict[str, str], places: Axes, published_constants: pd.DataFrame
-) -> list[Any]:
-    """Return one entry a surface and one for each kind of mark."""
-    published = published_constants["value"]["range_of_adhesion"]
-    return [
-        *(
-            Line2D([], [], ls="none", marker="s", color=colour, label=labels[surface])
-            for surface, colour in style.colours(labels).items()
-        ),
-        Line2D([], [], ls="none", marker="o", color="0.4", label="best fit of a set"),
-        *style.legend_entries([places]).values(),
-        Line2D([], [], label=f"published ρ = {published:g} nm", **marks.PUBLISHED_RANGE),
-    ]
 
 
 def _correlations(of_sets: xr.Dataset) -> pd.DataFrame:
@@ -246,12 +211,6 @@ def _strongest(rows: pd.DataFrame) -> pd.Series | None:
     return None if known.empty else known.iloc[int(known["value"].abs().argmax())]
 
 
-def _name_fact(row: pd.Series, label: str) -> str:
-    """Return the printed name and unit of the fact of a row, given the label of its surface."""
-    name, unit = FACTS[row["quantity"]]
-    return f"rms {name}, of {label}" + (f" ({unit})" if unit else "")
-
-
 def _draw_correlations(axes: Axes, rows: pd.DataFrame, surfaces: list[str]) -> None:
     """Draw a bar for each rank correlation, by fact and, within it, by surface, of its colour."""
     colours, most = style.colours(surfaces), _strongest(rows)
@@ -259,14 +218,9 @@ def _draw_correlations(axes: Axes, rows: pd.DataFrame, surfaces: list[str]) -> N
     step = 0.8 / len(surfaces)
     for index, row in rows.iterrows():
         place = facts.index(row["quantity"]) + step * (surfaces.index(row["surface"]) + 0.5) - 0.4
-        edge: dict[str, Any] = {"edgecolor": "black", "linewidth": 1.2}
-        axes.barh(
-            place,
-            row["value"],
-            step,
-            color=colours[row["surface"]],
-            **(edge if most is not None and index == most.name else {}),
-        )
+        edge: style.Look = {"edgecolor": "black", "linewidth": 1.2}
+        look = edge if most is not None and index == most.name else {}
+        axes.barh(place, row["value"], step, color=colours[row["surface"]], **look)
         axes.plot([row["low"], row["high"]], [place] * 2, color="0.2", lw=0.8)
     axes.axvline(0, color="0.3", lw=0.6)
     axes.set_yticks(range(len(facts)), [FACTS[name][0] for name in facts])

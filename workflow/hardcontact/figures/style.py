@@ -1,26 +1,27 @@
-"""Style of all figures: fonts, looks of surfaces, axes, legends, maps, note on substitutes."""
+"""Style of all figures: fonts, looks of surfaces, axes, legends, marks, maps."""
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from functools import partial
 from itertools import cycle
 from typing import Any
 
 import matplotlib as mpl
 import numpy as np
+import pandas as pd
 import xarray as xr
 from matplotlib import rcParams
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.axis import Axis
 from matplotlib.figure import Figure
-from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 from matplotlib.transforms import Bbox
 
-WIDTH = 7.0  # inch: two columns of a journal page
-FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
+from hardcontact.figures.tables import SHARE_OF_SETS
+from hardcontact.numbers.printing import print_share
 
 # The palette of Okabe & Ito (2008), readable with every common colour blindness. Its grey is kept
 # for the sphere, its black for published and pooled values; its yellow is too pale for thin lines.
@@ -30,15 +31,29 @@ PUBLISHED = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
 BEYOND = 10.0  # how many times farther than all values a logarithmic axis may reach
-MOST_COLUMNS = 4  # of a legend above a figure
+BAND_OF_SETS = 0.2  # opacity
+PERCENT = 1e-2
+MICRONEWTON = 1e-6
+MILLIJOULE = 1e-3
+
+Look = dict[str, Any]  # of an artist, as matplotlib takes it
 
 #: How artificial wavelengths are shaded in every figure.
-ARTIFICIAL: dict[str, Any] = {
-    "facecolor": "#F7E9CF",
-    "edgecolor": "#D9B97C",
-    "hatch": "///",
-    "lw": 0.0,
+ARTIFICIAL: Look = {"facecolor": "#F7E9CF", "edgecolor": "#D9B97C", "hatch": "///", "lw": 0.0}
+#: What a cutoff of each side of the band does, above its panel.
+REMOVED = {
+    "small": "roughness below the cutoff removed",
+    "large": "roughness above the cutoff removed",
 }
+FIT = "#6A3D9A"  # of no surface
+FIT_STAR: Look = {"marker": "*", "color": FIT, "mec": "white", "mew": 0.6, "ms": 11}
+FIT_RING: Look = {"marker": "o", "mfc": "white", "mec": FIT, "mew": 1.4, "ms": 5}
+PUBLISHED_RANGE: Look = {"color": "0.25", "lw": 1.0, "ls": (0, (4, 2))}
+PUBLISHED_FIT: Look = {"fmt": "o", "color": "black", "mec": "white", "mew": 0.5, "ms": 5, "lw": 1.4}
+NOTE: Look = {"fontsize": 7, "color": "0.35"}  # text within a panel
+TILTED: Look = {"rotation": 25, "ha": "right", "rotation_mode": "anchor"}  # names on an axis
+#: Of maps of pixels: an image in the PDF too.
+PIXELS: Look = {"shading": "nearest", "rasterized": True}
 
 RC: dict[Any, Any] = {
     "font.family": "DejaVu Sans",  # ships with matplotlib: the same bytes on every machine
@@ -60,11 +75,8 @@ RC: dict[Any, Any] = {
 }
 
 
-@contextmanager
-def print_style() -> Iterator[None]:
-    """Set the style of print for a block or, as a decorator, for a function."""
-    with mpl.rc_context(RC):
-        yield
+#: Sets the style of print for a block.
+print_style = partial(mpl.rc_context, RC)
 
 
 def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
@@ -74,29 +86,16 @@ def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str
     return chosen if sphere is None else {**chosen, sphere: SPHERE}
 
 
-def looks(substrates: Iterable[str]) -> dict[str, dict[str, Any]]:
+def looks(substrates: Iterable[str]) -> dict[str, Look]:
     """Return colour and marker of each substrate, as plots take them: told also without colour."""
     chosen = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
     return {name: {"color": colour, "marker": marker} for (name, colour), marker in chosen}
 
 
-def create(height: float) -> Figure:
-    """Return an empty figure of print width and the given height (inch), with room for a footer."""
-    footer = FOOTER / height
-    layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
-    return Figure(figsize=(WIDTH, height), layout=layout)
-
-
-def three_above_two(height: float, below: float) -> tuple[Figure, np.ndarray, np.ndarray]:
-    """Return a figure of this height (inch) and its panels, three above two.
-
-    `below` is the height of the lower panels over that of the upper ones.
-    """
-    figure = create(height)
-    rows = figure.add_gridspec(2, 1, height_ratios=(1, below))
-    upper = rows[0].subgridspec(1, 3).subplots(squeeze=False)[0]
-    lower = rows[1].subgridspec(1, 2).subplots(squeeze=False)[0]
-    return figure, upper, lower
+def by_surface(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
+    """Yield colour and marker of each substrate of a dataset, and its part of the dataset."""
+    for surface, look in looks(data["surface"].values).items():
+        yield look, data.sel(surface=surface)
 
 
 def freeze_layout(figure: Figure) -> None:
@@ -104,8 +103,10 @@ def freeze_layout(figure: Figure) -> None:
 
     Beyond that the solver's digits differ from run to run, and with them the bytes of the file.
     """
-    figure.draw_without_rendering()
-    figure.set_layout_engine("none")
+    if engine := figure.get_layout_engine():
+        engine.execute(figure)
+    # Not even the placeholder that "none" leaves: for it, saving draws the figure once more.
+    figure.set_layout_engine(None)
     for axes in figure.axes:
         bounds = axes.get_position(original=True).bounds
         axes.set_position(Bbox.from_bounds(*(round(bound, 6) for bound in bounds)))
@@ -149,12 +150,32 @@ def end_near_values(panels: Sequence[Axes]) -> None:
     panels[0].set_ylim(max(low, values.min() / BEYOND), min(high, values.max() * BEYOND))
 
 
-def draw_over_range(axes: Axes, curve: xr.Dataset, band: float, **look: Any) -> None:
-    """Draw `value` against `rho`, and the band from `low` to `high` with the opacity `band`."""
-    axes.fill_between(
-        curve["rho"], curve["low"], curve["high"], color=look["color"], alpha=band, lw=0
-    )
-    axes.plot(curve["rho"], curve["value"], **look)
+def fill_interval(
+    axes: Axes, curve: xr.Dataset, along: str, color: str, opacity: float = BAND_OF_SETS
+) -> None:
+    """Fill a band from `low` to `high` along a coordinate."""
+    axes.fill_between(curve[along], curve["low"], curve["high"], color=color, alpha=opacity, lw=0)
+
+
+def draw_with_band(axes: Axes, curve: xr.Dataset, along: str, **look: Any) -> None:
+    """Draw `value` along a coordinate, and a pale band from `low` to `high`."""
+    fill_interval(axes, curve, along, look["color"], 0.15)
+    axes.plot(curve[along], curve["value"], **look)
+
+
+def reach(curve: xr.Dataset) -> np.ndarray:
+    """Return how far `low` and `high` lie from `value`, (2, values), as error bars take it.
+
+    It is zero where an end is not known.
+    """
+    distance = abs(curve[["low", "high"]].to_array() - curve["value"]).values
+    ends: np.ndarray = np.nan_to_num(distance).reshape(2, -1)
+    return ends
+
+
+def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
+    """Draw `value` against x, with bars from `low` to `high`."""
+    axes.errorbar(x, curve["value"], reach(curve), **look)
 
 
 def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
@@ -166,17 +187,17 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
     axes.set_xlim(left, right)
 
 
-def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D]:
+def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D | Patch]:
     """Return one entry of a legend for each substrate of a dataset with `label(surface)`."""
-    labelled = zip(looks(dataset["surface"].values).values(), dataset["label"].values, strict=True)
     return [
-        Line2D([], [], **of_surface, **look, label=str(label)) for of_surface, label in labelled
+        Line2D([], [], **of_surface | look, label=str(data["label"].item()))
+        for of_surface, data in by_surface(dataset)
     ]
 
 
-def legend_above(figure: Figure, handles: Sequence[Artist]) -> None:
-    """Write a legend above all axes, in as many columns as fit the width of the figure."""
-    for columns in range(MOST_COLUMNS, 0, -1):
+def legend_above(figure: Figure, handles: Sequence[Artist], most: int = 4) -> None:
+    """Write a legend above all axes, in as many columns, `most` at most, as fit the figure."""
+    for columns in range(most, 0, -1):
         legend = figure.legend(handles=handles, loc="outside upper center", ncols=columns)
         if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
             return
@@ -192,17 +213,49 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
     return entries
 
 
-def mark_basis(figure: Figure, dataset: xr.Dataset) -> None:
-    """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
+def half_width(inside: xr.DataArray) -> float:
+    """Return how far from zero, along x or y, a map is true."""
+    return max(float(abs(inside[along]).where(inside).max()) for along in "xy")
 
-    The dataset has `label(surface)` and `basis(surface)`, "substitute" or "measured".
+
+def sets_handle() -> Patch:
+    """Return the entry in a legend of bands over the sets of substitutes."""
+    share = print_share(SHARE_OF_SETS)
+    return Patch(color="0.3", alpha=BAND_OF_SETS, lw=0, label=f"{share} of all sets of substitutes")
+
+
+def print_pair(pair: pd.Series | xr.Dataset) -> str:
+    """Return range and work of adhesion, published or fitted, as they are printed."""
+    work = float(pair["work_of_adhesion"]) / MILLIJOULE
+    return f"ρ = {float(pair['range_of_adhesion']):.3g} nm, $W$ = {work:.3g} mJ/m²"
+
+
+def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
+    """Draw the published range of adhesion (nm), which the study's numbers stand at, as a line."""
+    axes.axvline(published_constants["value"]["range_of_adhesion"], **PUBLISHED_RANGE, zorder=1)
+
+
+def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
+    """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
+    of_range = published_constants.loc["range_of_adhesion"]
+    work = published_constants.loc["work_of_adhesion"]
+    place = of_range["value"], work["value"] / MILLIJOULE
+    half = work["uncertainty"] / MILLIJOULE, of_range["uncertainty"]
+    axes.errorbar(*place, *half, zorder=5, label="published fit", **PUBLISHED_FIT)
+
+
+def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
+    """Mark the best fit of the study with a star, and the other minima of its error with rings.
+
+    Along x the range of adhesion (nm), along y the `height`, "work" or "error", in `unit`.
     """
-    substitutes = dataset["label"].values[dataset["basis"].values == "substitute"]
-    note = "all surfaces measured"
-    if substitutes.size:
-        names = ", ".join(map(str, substitutes))
-        note = f"substitute surfaces: {names} (synthesised from published statistics)"
-    figure.text(0.006, 0.05 / figure.get_figheight(), note, fontsize=7, style="italic", va="bottom")
+    best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
+    others = fit["minimum_range"].values != fit["range_of_adhesion"].item()
+    ranges, heights = (fit[f"minimum_{name}"][others] for name in ("range", height))
+    of_study: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
+    of_others: Look = of_study | {"label": "other minimum of it"}
+    axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **of_study)
+    axes.plot(ranges, heights / unit, **FIT_RING, **of_others)
 
 
 def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
@@ -212,24 +265,14 @@ def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
     bar.ax.set_title("nm", fontsize=small, loc="left", pad=3)
     axes.set(xticks=[], yticks=[])
-    length = _round_length(size / 4)
+    # The largest 1, 2 or 5 times a power of ten that is no longer than a quarter of the map.
+    decade = 10.0 ** math.floor(math.log10(size / 4))
+    length = max(step * decade for step in (1, 2, 5) if step * decade <= size / 4)
     printed = f"{length:g} nm" if length < 1000 else f"{length / 1000:g} µm"
     start = 0.06 * size
     # A white bar with a dark edge is visible on every colour of the map.
     axes.plot([start, start + length], [start, start], color="black", lw=4, solid_capstyle="butt")
     axes.plot([start, start + length], [start, start], color="white", lw=2, solid_capstyle="butt")
-    axes.text(
-        start + length / 2,
-        start + 0.03 * size,
-        printed,
-        fontsize=small,
-        ha="center",
-        va="bottom",
-        bbox={"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 1},
-    )
-
-
-def _round_length(length: float) -> float:
-    """Return the largest 1, 2 or 5 times a power of ten that is not longer than `length`."""
-    decade = 10.0 ** math.floor(math.log10(length))
-    return max(step * decade for step in (1, 2, 5) if step * decade <= length)
+    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 1}
+    look: Look = {"fontsize": small, "ha": "center", "va": "bottom", "bbox": box}
+    axes.text(start + length / 2, start + 0.03 * size, printed, **look)

@@ -10,10 +10,11 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from hardcontact.figures import style, tables
+from hardcontact.figures import drawing, style, tables
 from hardcontact.records.published import rows_met
 
 ROW_HEIGHT = 0.19  # inch
+MIDDLE: style.Look = {"ha": "center", "va": "center"}
 LEFT = -2.2  # where the names of the rows begin, in widths of a column
 SCOPES = {
     "AFM scans": "AFM scans alone",
@@ -27,8 +28,6 @@ COLUMNS = [
     "scope", "quantity", "definition", "surface", "label", "basis", "origin",
     "value", "uncertainty", "unit", "by_construction",
 ]  # fmt: skip
-
-
 DEFINITIONS = {  # variable: definition
     "height": {"rms_height": ""},
     "slope": {"rms_gradient": "gradient", "rms_profile_slope": "slope of profiles"},
@@ -79,18 +78,17 @@ def table(topography: xr.Dataset, published_table1: pd.DataFrame) -> pd.DataFram
             *_computed_rows(quantity, topography.sel(surface=surface)),
         )
     ]
-    return tables.label_surfaces(pd.DataFrame(rows), topography)[COLUMNS]
+    return tables.labelled([pd.DataFrame(rows)], topography, COLUMNS)
 
 
-@style.print_style()
 def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
     """Draw Table 1 as a figure: one column a surface, published rows above the computed ones."""
     rows = table(topography, published_table1)
-    lines = rows[["scope", "quantity", "origin", "definition"]].drop_duplicates()
+    lines = rows[["quantity", "origin", "definition"]].drop_duplicates()
     lines = lines.sort_values("origin", ascending=False, kind="stable")  # published ones first
     columns = [str(name) for name in topography["surface"].values]
     last = 1 + len(SCOPES) + len(lines)
-    figure = style.create((last + 1) * ROW_HEIGHT + style.FOOTER)
+    figure = drawing.create((last + 1) * ROW_HEIGHT + drawing.FOOTER, topography)
     axes = figure.subplots()
     axes.set_axis_off()
     axes.set(xlim=(LEFT, len(columns)), ylim=(last + 1, 0))
@@ -111,7 +109,6 @@ def draw(topography: xr.Dataset, published_table1: pd.DataFrame) -> Figure:
                 top += len(of_quantity)
     _rule(axes, last, 1.0)
     axes.text(LEFT, last + 0.6, NOTE, fontsize=7, va="center")
-    style.mark_basis(figure, topography)
     return figure
 
 
@@ -123,26 +120,21 @@ def _published_rows(quantity: str, surface: str, published: pd.DataFrame) -> lis
 
 
 def _computed_rows(quantity: _Quantity, of_surface: xr.Dataset) -> list[dict[str, Any]]:
-    """Return a row for each definition of the quantity."""
+    """Return a row for each definition: mean over scans, or number of the joined spectrum."""
     by_construction = quantity.name in rows_met(of_surface["calibrated_to_table1"].item())
     taken = json.loads(of_surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
-    return [
-        {
-            "surface": of_surface["surface"].item(),
-            "origin": "computed",
+    computed = {"surface": of_surface["surface"].item(), "origin": "computed"}
+    rows = []
+    for variable, definition in quantity.definitions.items():
+        mean = "_mean" if f"{variable}_mean" in of_surface else ""
+        row = {
             "definition": definition,
-            **dict(zip(("value", "uncertainty"), _moments(of_surface, variable), strict=True)),
+            "value": of_surface[f"{variable}{mean}"].item(),
+            "uncertainty": of_surface[f"{variable}_std"].item() if mean else np.nan,
             "by_construction": by_construction and variable == taken,
         }
-        for variable, definition in quantity.definitions.items()
-    ]
-
-
-def _moments(of_surface: xr.Dataset, variable: str) -> tuple[float, float]:
-    """Return mean and standard deviation over scans, or the one value of the joined spectrum."""
-    if f"{variable}_mean" in of_surface:
-        return of_surface[f"{variable}_mean"].item(), of_surface[f"{variable}_std"].item()
-    return of_surface[variable].item(), np.nan
+        rows.append({**computed, **row})
+    return rows
 
 
 def _draw_header(axes: Axes, topography: xr.Dataset, columns: list[str]) -> None:
@@ -151,16 +143,8 @@ def _draw_header(axes: Axes, topography: xr.Dataset, columns: list[str]) -> None
     _rule(axes, 0, 1.0)
     for place, surface in enumerate(columns):
         label = str(topography["label"].sel(surface=surface).item())
-        axes.text(
-            place + 0.5,
-            0.5,
-            label,
-            color=colours[surface],
-            weight="bold",
-            fontsize=8,
-            ha="center",
-            va="center",
-        )
+        colour = colours[surface]
+        axes.text(place + 0.5, 0.5, label, color=colour, weight="bold", fontsize=8, **MIDDLE)
 
 
 def _draw_quantity(
@@ -181,7 +165,7 @@ def _draw_quantity(
         for place, surface in enumerate(columns):
             key = (quantity.name, origin, definition, surface)
             text = _print_cell(cells[key], quantity) if key in cells else "–"
-            axes.text(place + 0.5, height + 0.5, text, fontsize=7, ha="center", va="center")
+            axes.text(place + 0.5, height + 0.5, text, fontsize=7, **MIDDLE)
 
 
 def _print_cell(cell: pd.Series, quantity: _Quantity) -> str:
@@ -192,10 +176,10 @@ def _print_cell(cell: pd.Series, quantity: _Quantity) -> str:
     mark = f" {tables.BY_CONSTRUCTION}" if cell["by_construction"] else ""
     if not np.isfinite(uncertainty):
         return f"{value:.3g}{mark}"
-    published = cell["origin"] == "published"
-    decimals = (
-        _published_decimals(value, uncertainty) if published else _decimals(value, uncertainty)
-    )
+    if cell["origin"] == "published":  # whichever of the two was published with more
+        decimals = max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
+    else:
+        decimals = _decimals(value, uncertainty)
     return f"{value:.{decimals}f} ± {uncertainty:.{decimals}f}{mark}"
 
 
@@ -204,11 +188,6 @@ def _decimals(value: float, uncertainty: float) -> int:
     digits = [1 - math.floor(math.log10(uncertainty))] if uncertainty > 0 else []
     digits += [2 - math.floor(math.log10(abs(value)))] if value else []
     return max(0, min(digits, default=2))
-
-
-def _published_decimals(value: float, uncertainty: float) -> int:
-    """Return the decimals of whichever of the two was published with more."""
-    return max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
 
 
 def _rule(axes: Axes, height: float, width: float) -> None:

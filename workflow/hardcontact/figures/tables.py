@@ -1,5 +1,6 @@
 """Columns of the tables of figures: what a row is, values with their interval, labels."""
 
+from collections.abc import Iterable
 from typing import Any
 
 import pandas as pd
@@ -19,27 +20,34 @@ SHARE_OF_SETS = 0.9
 
 
 def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
-    """Return a variable and the bounds of its interval as variables `value`, `low` and `high`."""
+    """Return a variable as `value`, and `low` and `high`, those of its interval if it has one."""
+    value = data[[name]].rename({name: "value"})
+    if f"{name}_interval" not in data:
+        return value
     low, high = bounds(data, name)
-    return data[[name]].rename({name: "value"}).assign(low=low, high=high)
+    return value.assign(low=low, high=high)
+
+
+def as_rows(values: xr.Dataset | xr.DataArray) -> pd.DataFrame:
+    """Return a row for each number of `value`: its dimensions and variables."""
+    of_array = isinstance(values, xr.DataArray)
+    frame = values.to_dataframe("value") if of_array else values.to_dataframe()
+    return frame.reset_index()
 
 
 def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataFrame:
-    """Return a row for each known `value` of computed quantities: its dimensions and variables.
+    """Return a row for each known `value` of computed quantities.
 
     The columns, as `pandas.DataFrame.assign` takes them, say what the rows are.
     """
-    of_array = isinstance(values, xr.DataArray)
-    frame = values.to_dataframe("value") if of_array else values.to_dataframe()
-    known = frame.reset_index().dropna(subset=["value"])
-    return known.assign(origin="computed", **columns)
+    return as_rows(values).dropna(subset=["value"]).assign(origin="computed", **columns)
 
 
-def drawn_rows(*drawn: tuple[Any, str, str, xr.Dataset | xr.DataArray]) -> pd.DataFrame:
-    """Return the rows of computed quantities, each given by panel, name, unit and values."""
+def drawn_rows(data: xr.Dataset, *drawn: tuple[str, str, str]) -> pd.DataFrame:
+    """Return the rows of variables of a dataset, each given by panel, name and unit."""
     return pd.concat(
-        computed_rows(values, panel=panel, quantity=name, unit=unit)
-        for panel, name, unit, values in drawn
+        computed_rows(bounded(data, name), panel=panel, quantity=name, unit=unit)
+        for panel, name, unit in drawn
     )
 
 
@@ -79,7 +87,21 @@ def published_edge(constants: pd.DataFrame, side: str) -> float:
     return float(constants["value"][f"critical_wavelength_{side}"])
 
 
-def label_surfaces(rows: pd.DataFrame, data: xr.Dataset, column: str = "surface") -> pd.DataFrame:
-    """Add to each row label and basis of the surface in a column; other names there have none."""
+def tidy(
+    frames: Iterable[pd.DataFrame], data: xr.Dataset, *between: str, surfaces: str = "surface"
+) -> pd.DataFrame:
+    """Return a table of ROW_COLUMNS, those between and VALUE_COLUMNS, as `labelled` does."""
+    first = (surfaces if column == "surface" else column for column in ROW_COLUMNS)
+    return labelled(frames, data, [*first, *between, *VALUE_COLUMNS], surfaces)
+
+
+def labelled(
+    frames: Iterable[pd.DataFrame], data: xr.Dataset, columns: list[str], surfaces: str = "surface"
+) -> pd.DataFrame:
+    """Return these columns of all rows, with label and basis of the surface that each names.
+
+    Names in the column `surfaces` that the dataset does not have get none.
+    """
     named = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    return rows.join(named, on=column)
+    rows = pd.concat(frames, ignore_index=True).join(named, on=surfaces)
+    return rows.reindex(columns=columns)
