@@ -29,8 +29,12 @@ def test_an_error_is_one_line_and_in_full_in_the_log(tmp_path):
     assert "Traceback" in text and "ValueError: a\n b" in text
 
 
+def test_an_interrupt_ends_without_a_word(tmp_path):
+    stopped = run(tmp_path, "raise KeyboardInterrupt")
+    assert (stopped.returncode, stopped.stdout, stopped.stderr) == (130, "", "")
+
+
 def test_an_error_without_words_is_named(tmp_path):
-    assert run(tmp_path, "raise KeyboardInterrupt").returncode != 0
     assert run(tmp_path, "raise RuntimeError").stderr == "error: RuntimeError (see a.log)\n"
 
 

@@ -90,7 +90,7 @@ def job_log(path: str | Path) -> Iterator[None]:
     """Keep the log of a job; an error goes there in full and to stderr in one line.
 
     An error ends the process at once with exit code 1: netCDF that could not write crashes when
-    Python cleans up.
+    Python cleans up. Ctrl-C ends it without a word: the run as a whole says that it was stopped.
     """
     # Where the log cannot be written, the line on stderr is all there is.
     logging.raiseExceptions, logging.lastResort = False, None
@@ -107,6 +107,8 @@ def job_log(path: str | Path) -> Iterator[None]:
         told = f"error: {message} (see {path})" if written else f"error: {message}"
         print(told, file=sys.stderr, flush=True)
         os._exit(1)
+    except KeyboardInterrupt:
+        os._exit(130)
     else:
         _logger.removeHandler(handler)
         with suppress(OSError):  # the disk may be full
