@@ -25,7 +25,7 @@ from snakemake_interface_logger_plugins.common import LogEvent
 #: The logger of what a study itself says.
 STUDY = "snakemake.logging.study"
 #: Exceptions that tell once more of a job that has failed.
-OF_JOBS = ("CalledProcessError", "RuleException", "WorkflowError")
+OF_JOBS = ("CalledProcessError", "RuleException")
 #: Exceptions whose last line tells a user all: a configuration file that does not exist.
 OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError")
 
