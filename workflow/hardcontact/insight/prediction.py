@@ -153,14 +153,13 @@ def _last_octaves(
 
 def _tried(contact: Contact, found: ClosedForm) -> dict[str, Number]:
     """Return what the error depends on, with the interval that it was measured in."""
-    least, most = RANGES
+    freezing, (least, most) = found.freezing, RANGES
     tried = {
         "tried_range": (contact.rho, "nm", least, most, least <= contact.rho <= most),
         "tried_radius": (contact.radius, "nm", RADIUS, RADIUS, np.isclose(contact.radius, RADIUS)),
         "tried_area": (contact.area, "nm2", AREA, AREA, np.isclose(contact.area, AREA)),
         "tried_freezing": (
-            found.freezing, "1", 0.0, FREEZING,
-            found.freezing <= FREEZING or found.regime == SMOOTH,
+            freezing, "1", 0.0, FREEZING, freezing <= FREEZING or found.regime == SMOOTH,
         ),
     }  # fmt: skip
     return {
