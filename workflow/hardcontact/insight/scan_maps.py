@@ -15,8 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 from threadpoolctl import threadpool_limits
 
-from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_force
 from hardcontact.contact.closest_approach import closest_gaps, touching_pixels
 from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, bodies
 from hardcontact.inference.smooth_sphere import dmt_pull_off

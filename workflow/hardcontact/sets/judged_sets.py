@@ -63,7 +63,7 @@ def gathered_sources(
 
     The study gives `topography` and `adhesion`; the chunks are of `pool.compute_pool`, by
     substrate, first and last scan, the smooth ones of `pool.on_smooth_sphere`, by substrate, and
-    the masters of `stacked_masters.stacked_forces` at one load.
+    the masters of `all_surfaces.stacked_forces` at one load.
     """
     pools: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():

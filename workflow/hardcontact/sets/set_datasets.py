@@ -101,7 +101,7 @@ class Sources(NamedTuple):
     #: (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
     #: substrates with a pool.
     sphere_factor: xr.DataArray
-    masters: xr.Dataset  #: Of `stacked_masters.stacked_forces` at one load.
+    masters: xr.Dataset  #: Of `all_surfaces.stacked_forces` at one load.
 
 
 class Draw(NamedTuple):
@@ -169,7 +169,7 @@ def set_band(
 ) -> xr.Dataset:
     """Return the critical band of some masters of each substrate, drawn with replacement.
 
-    `realizations` masters of each are drawn from `stacked_masters.stacked_forces` at one load; as
+    `realizations` masters of each are drawn from `all_surfaces.stacked_forces` at one load; as
     band.nc, without labels.
     """
     parts = []
