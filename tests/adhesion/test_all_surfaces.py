@@ -66,21 +66,9 @@ def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():
     assert "contact_y" in contacts.coords
 
 
-def test_asperities_of_all_scans():
-    scans = {
-        key: xr.Dataset({"patches": (("contact", "rho"), [[value]])}, {"rho": [5.6]})
-        for key, value in ((("a", 1), 1.0), (("b", 1), 2.0))
-    }
-    carriers = all_surfaces.stacked_asperities(scans, DESCRIBED)
-    assert carriers.patches.sel(surface="b", scan=1, rho=5.6).item() == 2.0
-    assert carriers.label.sel(surface="b").item() == "B"
-
-
 def test_a_surface_without_label_is_an_error():
     with pytest.raises(KeyError):
-        all_surfaces.stacked_asperities(
-            {("c", 1): xr.Dataset({"patches": ("rho", [1.0])})}, DESCRIBED
-        )
+        all_surfaces.with_names(xr.Dataset(coords={"surface": ["c"]}), DESCRIBED)
 
 
 def test_forces_at_a_load_that_is_not_there_are_refused():

@@ -8,9 +8,9 @@ from direct_sum import direct_total
 from periodic_maps import RADIUS, over, periodic_noise
 from scipy.special import ive
 
-from hardcontact.adhesion import force_sum
-from hardcontact.adhesion.pull_off import plastic_totals
+from hardcontact.adhesion.pull_off import opened_total, plastic_totals, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
+from hardcontact.adhesion.traced_contact import force_separation
 from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
 from hardcontact.contact.geometry import gap_map
 
@@ -40,7 +40,7 @@ def test_force_at_every_range_is_the_direct_sum(case, contact_pixels, rough):
         gap = gap_map(bodies, place)
         for sums, rho in zip(outside, rhos, strict=True):
             for count in {1, contact_pixels}:
-                assert force_sum.opened_total(sums[place], gaps, count, rho) == pytest.approx(
+                assert opened_total(sums[place], gaps, count, rho) == pytest.approx(
                     direct_total(gap, count, rho), rel=1e-9
                 )
 
@@ -113,9 +113,9 @@ def test_totals_of_many_contacts_are_those_of_each():
     contacts = all_lowest_gaps(bodies, 9)
     (outside,) = outside_sums(bodies, contacts, [2.0])
     gaps = stacked_gaps(contacts, bodies.geometry)
-    together = force_sum.opened_total(outside, gaps, 4, 2.0)
+    together = opened_total(outside, gaps, 4, 2.0)
     for place, (of_contact, _) in contacts.items():
-        alone = force_sum.opened_total(outside[place], of_contact, 4, 2.0)
+        alone = opened_total(outside[place], of_contact, 4, 2.0)
         assert together[place] == pytest.approx(float(alone), rel=1e-14)
 
 
@@ -125,7 +125,7 @@ def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin():
     for rho, window in ((2.0, 300), (5.6, 400)):
         flat = over(np.zeros((250, 250)), None, pixel_size, window, 1)
         (total,) = plastic_totals(flat, [1], rho)
-        force = force_sum.pull_off_force(total, rho, pixel_size, work).item()
+        force = pull_off_force(total, rho, pixel_size, work).item()
         assert force == pytest.approx(2 * np.pi * RADIUS * 1e-9 * work, rel=1e-4)
         assert force == pytest.approx(72.7e-6, rel=1e-3)
 
@@ -179,7 +179,7 @@ def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
 
 
 def test_force_decays_with_the_range_of_adhesion_on_parting():
-    force = force_sum.force_separation(1e-6, 5.6, [0.0, 5.6])
+    force = force_separation(1e-6, 5.6, [0.0, 5.6])
     np.testing.assert_allclose(force, [-1e-6, -1e-6 / np.e])
 
 
@@ -192,4 +192,4 @@ def test_results_do_not_depend_on_threads():
 
 def test_a_sum_out_of_range_is_an_error_not_a_number():
     with pytest.raises(ValueError, match="too small"):
-        force_sum.pull_off_force(np.array([1.0, np.nan]), 0.01, 5.0, 1.0)
+        pull_off_force(np.array([1.0, np.nan]), 0.01, 5.0, 1.0)

@@ -16,9 +16,8 @@ from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.indents import indents
-from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.insight.scan_maps import at_every_pixel, rigid_pull_off
-from hardcontact.scales.filtered_masters import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off, scaled_pull_off
 from hardcontact.surfaces import spectral_models, synthesis
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan

@@ -5,8 +5,7 @@ import xarray as xr
 
 from figure_inputs.building import bounded, named
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
-from hardcontact.insight.edge_regimes import CONTACT, RANGE, REACH, ROLL_OFF
-from hardcontact.insight.edge_scaling import LENGTHS, PARTS
+from hardcontact.insight.edge_scaling import CONTACT, LENGTHS, PARTS, RANGE, REACH, ROLL_OFF
 
 RADII, AREAS, RANGES = [5e3, 250e3, 1e6], [50.0, 400.0, 3200.0], [1.4, 5.6, 11.2]
 CASES = ("side", "surface", "radius", "area", "rho")

@@ -6,9 +6,8 @@ import xarray as xr
 from scipy.special import erf
 
 from hardcontact.insight import edge_scaling as scaling
-from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.scales.filtered_masters import filtered_pull_off
+from hardcontact.scales.filtered_masters import filtered_pull_off, scaled_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 

@@ -12,7 +12,7 @@ from hardcontact.insight.closed_form import (
     Contact,
     closed_form,
 )
-from hardcontact.insight.edge_regimes import (
+from hardcontact.insight.edge_scaling import (
     CONTACT,
     RANGE,
     REACH,

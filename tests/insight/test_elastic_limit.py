@@ -7,8 +7,7 @@ from direct_sum import direct_total
 from periodic_maps import RADIUS, over, periodic_noise
 from published_contact import MODULUS
 
-from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.pull_off import plastic_totals
+from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.smooth_sphere import hertz_contact

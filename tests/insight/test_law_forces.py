@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 
-from hardcontact.adhesion.force_sum import pull_off_force
+from hardcontact.adhesion.pull_off import pull_off_force
 from hardcontact.contact.geometry import flattened_gaps, gap_map
 from hardcontact.insight.interaction_laws import LAWS, law_forces, pressure, range_grid, work_shares
 from hardcontact.insight.law_forces import (
@@ -117,7 +117,7 @@ def test_a_filter_that_removes_nothing_changes_no_force():
     master = height_map(periodic_noise(128, 10.0, 5), 20.0)
     given = parameters(20.0, 5, [1.0, 5.6], 2)
     filters = {"pixels": 128, "cutoffs": [50.0, 400.0]}
-    made = filtered_range_forces(master, None, "small", filters, given)
+    made = filtered_range_forces(master, "small", filters, given)
     whole = made["unfiltered_pull_off_force"].values
     np.testing.assert_allclose(whole, mean_range_forces(master, None, given))
     nothing, much = made["pull_off_force"].values / whole

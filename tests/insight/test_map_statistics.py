@@ -8,9 +8,9 @@ from hardcontact.insight.scan_maps import (
     array_error,
     contacts_for_error,
     correlation,
-    deviation_interval,
     variation,
 )
+from hardcontact.insight.surface_maps import deviation_interval
 
 
 def forces(pixels=60):

@@ -9,8 +9,7 @@ from scipy import stats
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.scan_maps import force_maps, rigid_pull_off
-from hardcontact.insight.surface_maps import maps_of_scans, maps_of_surfaces
-from hardcontact.records import dataset
+from hardcontact.insight.surface_maps import maps_of_scans
 from hardcontact.surfaces.topography import mirror_stitch
 
 SETTINGS = {
@@ -127,12 +126,3 @@ def test_scans_of_different_sizes_are_padded():
     small = maps["heights"].sel(surface="small").dropna("row", how="all")
     assert small.sizes["row"] == 32 and maps.sizes["row"] == 48
     assert list(maps["contacts"].values) == sorted(maps["contacts"].values)
-
-
-def test_maps_of_files_carry_labels(tmp_path):
-    dataset.write(stitched(1).dataset(), tmp_path / "scan.nc")
-    files = [(("flat", 1), str(tmp_path / "scan.nc"))]
-    maps = maps_of_surfaces(files, SETTINGS, {"flat": "Flat"}, {"flat": "measured"})
-    assert maps["label"].item() == "Flat" and maps["basis"].item() == "measured"
-    expected = force_maps(stitched(1), SETTINGS)["map_mean"]
-    np.testing.assert_allclose(maps["map_mean"].sel(surface="flat", scan=1), expected, rtol=1e-5)

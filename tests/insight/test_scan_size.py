@@ -6,7 +6,7 @@ from scan_windows import LOAD, RANGES, contacts_on
 
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight.scan_size_trials import Case, ScanSizeRule, fitted_rule, rule_error
+from hardcontact.insight.scan_size_trials import Case, ScanSizeRule, correction_errors, fitted_rule
 from hardcontact.insight.scan_windows import window_forces
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.topography import level, mirror_stitch
@@ -61,7 +61,7 @@ def test_rule_is_found_again_and_corrects_surfaces_it_was_not_fitted_to():
     rule = fitted_rule(known, TRUE.excess(known))
     assert rule.strength == pytest.approx(TRUE.strength, rel=1e-3)
     np.testing.assert_allclose(rule.exponents, TRUE.exponents, atol=1e-3)
-    corrected, uncorrected = rule_error(rule, others, TRUE.excess(others))
+    corrected, uncorrected = correction_errors(rule.excess(others), TRUE.excess(others))
     assert corrected < 1e-3 * uncorrected
 
 
@@ -69,7 +69,8 @@ def test_rule_of_noise_does_not_correct():
     rng = np.random.default_rng(9)
     known, others = cases(1), cases(2)
     rule = fitted_rule(known, np.exp(0.3 * rng.standard_normal(40)))
-    corrected, uncorrected = rule_error(rule, others, np.exp(0.3 * rng.standard_normal(40)))
+    noise = np.exp(0.3 * rng.standard_normal(40))
+    corrected, uncorrected = correction_errors(rule.excess(others), noise)
     assert corrected > 0.9 * uncorrected
 
 

@@ -102,11 +102,7 @@ def test_intervals_are_over_realizations():
     assert computed.critical_wavelength_interval.attrs["confidence"] == 0.9
 
 
-def test_band_of_a_study_names_its_surfaces():
-    computed = band.find_critical_band(
-        scales([[[SMALL, LARGE]], [[SMALL, LARGE]]]), 0.1, Sampling(0, 5, 0.9)
-    )
+def test_groups_are_the_surfaces_and_all_of_them():
+    twice = scales([[[SMALL, LARGE]], [[SMALL, LARGE]]])
+    computed = band.critical_band(twice, 0.1, Sampling(0, 5, 0.9))
     assert computed.group.values.tolist() == ["a", "b", "pooled"]
-    assert computed.label.sel(surface="b") == "surface b"
-    assert computed.basis.values.tolist() == ["measured"] * 2
-    assert computed.attrs == {"scale_tolerance": 0.1, "confidence": 0.9, "sphere_radius": 0.25e6}

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.scales.edge_of_curve import Curve, described_edge
+from hardcontact.scales.critical_band import Curve, described_edge
 
 CUTOFFS = np.array([10.0, 100.0, 1000.0])
 UNKNOWN = [np.nan] * 3

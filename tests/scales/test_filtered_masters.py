@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from hardcontact.adhesion.all_surfaces import stacked_forces, with_transitions
 from hardcontact.scales.filtered_masters import forces_at_cutoffs
-from hardcontact.scales.stacked_masters import stacked_forces, with_transitions
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.

@@ -9,8 +9,7 @@ from repository import ROOT
 from scipy.ndimage import grey_dilation, grey_erosion, maximum_filter
 from scipy.stats import skew
 
-from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.pull_off import plastic_totals
+from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator

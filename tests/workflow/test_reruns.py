@@ -298,7 +298,7 @@ def with_line(path):
         "resources/paper/pull_off.csv",
         "resources/spectra/mcd.csv",
         "workflow/scripts/solve_elastic_contact.py",
-        "workflow/hardcontact/adhesion/force_sum.py",
+        "workflow/hardcontact/adhesion/sphere_sums.py",
         "workflow/hardcontact/numbers/statistics.py",
     ],
 )

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
+from hardcontact.adhesion.all_surfaces import stacked_forces
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
 from hardcontact.config.configuration import NONE
 from hardcontact.config.grids import Grid
@@ -28,7 +29,6 @@ from hardcontact.numbers.number import Number
 from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.filtered_masters import FilteredContacts, filtered_pull_off
-from hardcontact.scales.stacked_masters import stacked_forces
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scans import flat_measurement, height_map
 from hardcontact.surfaces.spectrum import Spectrum

@@ -1,9 +1,13 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered one."""
 
-from hardcontact.adhesion.all_surfaces import at_load, with_names
+from hardcontact.adhesion.all_surfaces import (
+    at_load,
+    stacked_forces,
+    with_names,
+    with_transitions,
+)
 from hardcontact.records.dataset import read_all
 from hardcontact.records.job import job
-from hardcontact.scales.stacked_masters import stacked_forces, with_transitions
 
 with job(snakemake) as this:
     given = this.parameters

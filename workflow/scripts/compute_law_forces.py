@@ -30,7 +30,7 @@ with job(snakemake) as this:
             read_spectrum(this.input.spectrum),
         )
         this.write(
-            filtered_range_forces(master, None, side, scales, contacts | {"ranges": ranges}),
+            filtered_range_forces(master, side, scales, contacts | {"ranges": ranges}),
             title=f"pull-off forces of a filtered {side}-scale master of {surface} at these ranges",
             output=side,
         )

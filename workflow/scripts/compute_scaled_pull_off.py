@@ -1,8 +1,8 @@
 """Mean pull-off of the filtered masters of a scan over radii, ranges and contact areas."""
 
-from hardcontact.insight.contact_scaling import scaled_pull_off
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import job
+from hardcontact.scales.filtered_masters import scaled_pull_off
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import synthesized_master

@@ -1,12 +1,11 @@
 """The numbers of many equally good sets of substitute scans, all sets in one dataset."""
 
-from hardcontact.adhesion.all_surfaces import at_load
+from hardcontact.adhesion.all_surfaces import at_load, stacked_forces
 from hardcontact.claims.evaluation import read_statements
 from hardcontact.inference.inference import Pair, Published
 from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
 from hardcontact.records.job import job
-from hardcontact.scales.stacked_masters import stacked_forces
 from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
 
 with job(snakemake) as this:

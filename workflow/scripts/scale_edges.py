@@ -2,8 +2,12 @@
 
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.insight.closed_form import Contact
-from hardcontact.insight.edge_regimes import cause_exponents, edge_regimes
-from hardcontact.insight.edge_scaling import edge_scaling, stacked_scaling
+from hardcontact.insight.edge_scaling import (
+    cause_exponents,
+    edge_regimes,
+    edge_scaling,
+    stacked_scaling,
+)
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import read_all
 from hardcontact.records.job import job

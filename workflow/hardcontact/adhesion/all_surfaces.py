@@ -1,4 +1,4 @@
-"""Datasets of all surfaces, with their names, stacked from those of single pairs or scans."""
+"""Datasets of all surfaces, with their names, stacked from those of single scans and masters."""
 
 from collections.abc import Mapping
 from typing import Any, TypedDict, TypeVar
@@ -6,6 +6,11 @@ from typing import Any, TypedDict, TypeVar
 import xarray as xr
 
 from hardcontact.records.dataset import stack
+
+Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
+#: Datasets by their labels: the surface first.
+Parts = Mapping[tuple[Any, ...], xr.Dataset]
+CONTACT_AXES = ("contact_y", "contact_x")
 
 
 class Described(TypedDict):
@@ -24,9 +29,12 @@ def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
     )
 
 
-Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
-Key = tuple[Any, ...]
-CONTACT_AXES = ["contact_y", "contact_x"]
+def of_first_scans(parts: Parts, names: list[str]) -> dict[tuple[Any, ...], xr.Dataset]:
+    """Return some variables of the first scan of each surface; the scan is the last label."""
+    first: dict[tuple[Any, ...], xr.Dataset] = {}
+    for (*others, _), part in parts.items():
+        first.setdefault(tuple(others), part[names])
+    return first
 
 
 def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
@@ -39,7 +47,7 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
     return stack(numbered, ["sphere_scan"])
 
 
-def stacked_pull_off_forces(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
+def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
     The scans are of `over_sphere_scans` with `window_change`, by (surface, scan).
@@ -61,7 +69,7 @@ def at_load(forces: Forces, load: str) -> Forces:
     return forces.sel(load=load, drop=True)
 
 
-def stacked_elastic_contacts(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
+def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     """Return the `elastic_contacts_of_pair` of all surfaces and scans, by (surface, scan).
 
     The variables (surface, scan, contact) stand beside ``pressure`` (surface, y, x) of one contact
@@ -71,13 +79,38 @@ def stacked_elastic_contacts(scans: Mapping[Key, xr.Dataset], described: Describ
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
         ["surface", "scan"],
     ).drop_encoding()  # whole numbers are missing where a scan is
-    first: dict[Key, xr.Dataset] = {}
-    for (surface, _), scan in scans.items():
-        first.setdefault((surface,), scan[["pressure"]])
-    pressure = stack(first, ["surface"]).pressure
+    pressure = stack(of_first_scans(scans, ["pressure"]), ["surface"]).pressure
     return with_names(contacts.assign(pressure=pressure), described)
 
 
-def stacked_asperities(scans: Mapping[Key, xr.Dataset], described: Described) -> xr.Dataset:
-    """Return `asperities_of_pair` of all surfaces and scans: (surface, scan, contact, rho)."""
-    return with_names(stack(scans, ["surface", "scan"]), described)
+def stacked_forces(masters: Parts) -> xr.Dataset:
+    """Return the forces on all filtered masters, and their ratios to those on the whole ones.
+
+    The masters are of `forces_at_cutoffs`, by (surface, realization, side). ``pull_off_force``
+    (surface, realization, side, cutoff_wavelength, ...) is NaN at cutoffs of the other side;
+    ``unfiltered_pull_off_force`` (surface, realization, side, ...), ``unfiltered_wavelength``
+    (surface, side) and ``ratio`` (surface, realization, side, cutoff_wavelength, ...) of the means
+    over contacts stand beside it.
+    """
+    stacked = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
+    contacts = [axis for axis in CONTACT_AXES if axis in stacked.dims]
+    filtered, whole = (
+        stacked[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
+    )
+    ratio = (filtered / whole).assign_attrs(
+        units="1", long_name="mean pull-off force over that unfiltered"
+    )
+    ends = stacked["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
+    scales = stacked.assign(ratio=ratio, unfiltered_wavelength=ends)
+    scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
+    return scales
+
+
+def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
+    """Return forces of masters with the wavelength (nm) beyond which their roughness is artificial.
+
+    It is ``transition`` (side): below it on the small side, above it on the large one.
+    """
+    attributes = {"units": "nm", "long_name": "artificial roughness begins"}
+    lengths = [transitions[str(side)] for side in scales["side"].values]
+    return scales.assign(transition=("side", lengths, attributes))

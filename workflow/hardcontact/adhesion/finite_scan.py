@@ -25,24 +25,20 @@ LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.125
 
 
 class FiniteScan(NamedTuple):
-    """A scan against the contacts that are made on it.
+    """A scan against the contacts that are made on it."""
 
-    The draw size is the edge in nm of the area within which a contact finds its peaks, 2 sqrt(2 R
-    sigma), the share is the size of the scan over it. The ratio is the least and greatest of the
-    force on such a scan to that on a large one, as found on synthetic surfaces; 1 and 1 where the
-    scan is large enough.
-    """
-
+    #: Edge in nm of the area within which a contact finds its peaks, 2 sqrt(2 R sigma).
     draw_size: float
-    share: float
+    share: float  #: The size of the scan over it.
+    #: Least and greatest of the force on such a scan over that on a large one, of RATIOS; 1 and 1
+    #: where the scan is large enough.
     ratio: tuple[float, float]
 
 
 def finite_scan(size: float, rms_height: float, radius: float) -> FiniteScan:
-    """Return how the size of a scan compares with that from which a contact draws.
+    """Return how the size of a scan compares with that from which a contact draws; all in nm.
 
-    The edge of the scan, its rms height and the radius of the sphere are in nm. The ratio is that
-    of RATIOS; the range of adhesion hardly matters for it.
+    The range of adhesion hardly matters for the ratio.
     """
     draw_size = 2 * float(np.sqrt(2 * radius * rms_height))
     share = size / draw_size
@@ -57,13 +53,11 @@ def with_finite_scans(force: xr.Dataset, topography: xr.Dataset, radius: float) 
     the sphere. The forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface,
     bound), the least and greatest ratio of `finite_scan`.
     """
-    of_surfaces = topography[["scan_size", "rms_height_mean"]].sel(surface=force["surface"])
-    found = [
-        finite_scan(float(size), float(rms), radius)
-        for size, rms in zip(
-            of_surfaces["scan_size"].values, of_surfaces["rms_height_mean"].values, strict=True
-        )
-    ]
+    of_surfaces = topography.sel(surface=force["surface"])
+    sizes, heights = (
+        of_surfaces[name].values.tolist() for name in ("scan_size", "rms_height_mean")
+    )
+    found = [finite_scan(*one, radius) for one in zip(sizes, heights, strict=True)]
     return force.assign(
         draw_size=("surface", [one.draw_size for one in found], {"units": "nm"}),
         finite_scan_ratio=(("surface", "bound"), [one.ratio for one in found], {"units": "1"}),
@@ -80,10 +74,9 @@ def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dat
     from scipy.special import erf
 
     share = erf(window / np.sqrt(8 * radius * force["rho"].values)) ** 2
-    name = "share of the force on a smooth sphere that the window holds"
-    return force.assign(
-        window_share=("rho", share, {"units": "1", "long_name": name})
-    ).assign_attrs(window=window)
+    long_name = "share of the force on a smooth sphere that the window holds"
+    attributes = {"units": "1", "long_name": long_name}
+    return force.assign(window_share=("rho", share, attributes)).assign_attrs(window=window)
 
 
 def with_contact_area(force: xr.Dataset, topography: xr.Dataset, load: Load) -> xr.Dataset:
@@ -92,8 +85,7 @@ def with_contact_area(force: xr.Dataset, topography: xr.Dataset, load: Load) -> 
     The topography has ``pixel_size`` (surface) in nm. The forces gain ``pixel_area`` (surface) and
     the attribute ``contact_area``, both in nm².
     """
-    area = load["preload"] / load["hardness"] * 1e18
     pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2
     return force.assign(pixel_area=pixel_area.assign_attrs(units="nm2")).assign_attrs(
-        contact_area=area
+        contact_area=load["preload"] / load["hardness"] * 1e18
     )

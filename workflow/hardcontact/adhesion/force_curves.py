@@ -21,43 +21,22 @@ CONTACTS = ["sphere_scan", "contact_y", "contact_x"]
 
 
 def mean_of_each_scan(forces: xr.DataArray) -> xr.DataArray:
-    """Return the mean force (surface, scan, rho) of each scan, over contacts and sphere scans.
-
-    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is
-    missing.
-    """
-    return forces.mean(CONTACTS).transpose("surface", "scan", "rho")
+    """Return the mean force (surface, scan, rho) of each scan, over CONTACTS that forces have."""
+    contacts = [name for name in CONTACTS if name in forces.dims]
+    return forces.mean(contacts).transpose("surface", "scan", "rho")
 
 
-def mean_forces(forces: xr.DataArray, sampling: Sampling) -> tuple[np.ndarray, np.ndarray]:
+def mean_forces(
+    forces: xr.DataArray, sampling: Sampling, purpose: str = "adhesion"
+) -> tuple[np.ndarray, np.ndarray]:
     """Average forces over all scans of each surface, and sample this mean.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x)
-        In N, NaN where a scan is missing.
-    sampling : Sampling
-        The random numbers of a surface depend on its name alone: contact models share them.
-
-    Returns
-    -------
-    means : ndarray (surface, rho)
-        In N.
-    sampled : ndarray (sample, surface, rho)
-        In N, as from `student_log_samples`; NaN of a surface of one scan.
+    Forces (surface, scan, rho), of scans or of their contacts, are in N, NaN where a scan is
+    missing. Means (surface, rho) and samples (sample, surface, rho), as from `student_log_samples`,
+    are in N; samples are NaN of a surface of one scan. The random numbers of a surface depend on
+    the purpose and its name alone: contact models share them.
     """
-    return means_over_scans(mean_of_each_scan(forces), "adhesion", sampling)
-
-
-def means_over_scans(
-    scans: xr.DataArray, purpose: str, sampling: Sampling
-) -> tuple[np.ndarray, np.ndarray]:
-    """Average the forces of scans of each surface, and sample this mean, as `mean_forces` does.
-
-    The mean force (surface, scan, rho) of each scan is in N, NaN where a scan is missing; the
-    purpose is what the random numbers are for, before the name of the surface. Means (surface, rho)
-    and samples (sample, surface, rho) are in N.
-    """
+    scans = mean_of_each_scan(forces)
     drawn = [
         student_log_samples(
             sampling.generator(purpose, str(surface)),
@@ -74,23 +53,9 @@ def force_curves(
 ) -> dict[str, Any]:
     """Return mean forces, their ratios to a reference surface, and the spread over contacts.
 
-    Parameters
-    ----------
-    forces : xarray.DataArray (surface, scan, sphere_scan, rho, contact_y, contact_x)
-        In N, NaN where a scan is missing.
-    means : ndarray (surface, rho)
-        As from `mean_forces`, in N.
-    sampled : ndarray (sample, surface, rho)
-        Likewise.
-    reference : int
-        Index of the surface.
-    sampling : Sampling
-        Its confidence is that of the intervals.
-
-    Returns
-    -------
-    dict
-        Variables over surface and rho, ready for `xarray.Dataset`.
+    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x), in N, have the means and samples
+    of `mean_forces`; the reference is the index of a surface. The variables are over surface and
+    rho, ready for `xarray.Dataset`.
     """
     dimensions, newton, one = ("surface", "rho"), {"units": "N"}, {"units": "1"}
     ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
@@ -149,21 +114,13 @@ POOLED = ["force_median", "lognormal_shape", "lognormal_median"]
 def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
-    Parameters
-    ----------
-    forces : ndarray (scan, sphere_scan, contact)
-        In N, NaN where a scan, a scan of the sphere or a contact is missing.
-    floor : float
-        In N; weaker forces enter the fit as censored ones.
-    sampling : Sampling
-        Its confidence is that of the intervals; without samples there are none.
+    Forces (scan, sphere_scan, contact) are in N, NaN where a scan, a scan of the sphere or a
+    contact is missing; those below the floor enter the fit as censored ones.
 
-    Returns
-    -------
-    xarray.Dataset
-        The scalars STATISTICS, each with its interval over substrate scans: of the mean by
-        Student's t on the logarithms of the scans' means, of the censored fraction by Student's t
-        on the scans' fractions, of those of POOLED by the jackknife. All NaN where all forces are.
+    The scalars STATISTICS have intervals over substrate scans: the mean by Student's t on the
+    logarithms of the scans' means, the censored fraction by Student's t on the scans' fractions,
+    those of POOLED by the jackknife; without samples there are none. All are NaN where all forces
+    are.
     """
     scans, spheres, contacts = (
         np.isfinite(forces).any(axis=axes) for axes in ((1, 2), (0, 2), (0, 1))
@@ -173,22 +130,18 @@ def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr
     by_scan = xr.DataArray(known, dims=("scan", "contact"))
     mean = by_scan.mean("contact")
     below = (by_scan < floor).mean("contact")
-    pooled = _pooled(known, floor)
-    ends = dict.fromkeys(STATISTICS, np.full(2, np.nan))
-    if sampling.samples:
-        confidence = sampling.confidence
-        left_out = [_pooled(np.delete(known, scan, axis=0), floor) for scan in range(len(known))]
-        of_pooled = jackknife_interval(pooled, left_out, confidence)
-        ends = dict(zip(POOLED, of_pooled, strict=True))
-        ends["force_mean"] = student_log_interval(mean, confidence, "scan").values
-        ends["censored_fraction"] = student_interval(below, confidence, "scan").clip(0, 1).values
+    pooled, confidence = _pooled(known, floor), sampling.confidence
     values = dict(zip(POOLED, pooled, strict=True))
     values |= {"force_mean": float(mean.mean()), "censored_fraction": float(below.mean())}
+    ends = dict.fromkeys(STATISTICS, np.full(2, np.nan))
+    if sampling.samples:
+        left_out = [_pooled(np.delete(known, scan, axis=0), floor) for scan in range(len(known))]
+        ends = dict(zip(POOLED, jackknife_interval(pooled, left_out, confidence), strict=True))
+        ends["force_mean"] = student_log_interval(mean, confidence, "scan").values
+        ends["censored_fraction"] = student_interval(below, confidence, "scan").clip(0, 1).values
     variables: dict[str, Any] = {}
     for name, unit in STATISTICS.items():
-        variables |= with_interval(
-            name, (), values[name], ends[name], {"units": unit}, sampling.confidence
-        )
+        variables |= with_interval(name, (), values[name], ends[name], {"units": unit}, confidence)
     return xr.Dataset(variables)
 
 

@@ -1,4 +1,8 @@
-"""Pull-off of a pair of scans: rigid and plastic, at every range, at several loads."""
+"""Pull-off of a pair of scans: rigid and plastic, at every range, at several loads.
+
+Eq. 2 of the paper gives the attraction of a pixel at the gap g as (W/rho) exp(-g/rho) A_pix. Totals
+are sums of exp(-g/rho) at closest approach; `pull_off_force` turns them into forces.
+"""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -6,9 +10,8 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.force_sum import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import (
     Load,
@@ -24,17 +27,14 @@ Axis = tuple[tuple[str], Any, dict[str, str]]
 
 Floats = NDArray[np.float64]
 
+#: An energy per area of 1 J/m² times a length of 1 nm is a force of 1e-9 N.
+NEWTON_PER_JOULE_M2_NM = 1e-9
 #: J/m², of all stored forces: they are proportional to it.
 WORK_OF_ADHESION = 1.0
-
 #: Attributes of a stored force.
 FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
 
-
-def contact_axes(bodies: Bodies) -> dict[str, Axis]:
-    """Return the coordinates of the array of contacts: positions on the substrate in nm."""
-    positions = bodies.geometry.positions * bodies.geometry.pixel_size
-    return {axis: ((axis,), positions, {"units": "nm"}) for axis in ("contact_y", "contact_x")}
+CONTACT_AXES = ("contact_y", "contact_x")
 
 
 def load_axis(loads: Sequence[NamedLoad]) -> dict[str, Axis]:
@@ -48,55 +48,86 @@ def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
     return {"rho": (("rho",), np.asarray(ranges, float), attributes)}
 
 
+def pull_off_force(
+    total: ArrayLike, rho: ArrayLike, pixel_size: float, work_of_adhesion: float
+) -> Floats:
+    """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
+
+    The sums and the ranges of adhesion rho, in nm as the pixel size, broadcast; W is in J/m². A
+    ValueError tells that a sum exceeds the range of floats, as it does where the highest point
+    outside the window stands many hundred rho above the contact.
+    """
+    if not np.isfinite(total).all():
+        raise ValueError(
+            "expected a range of adhesion that resolves the relief of the surface, "
+            f"found rho = {np.min(rho):g} nm, too small for it"
+        )
+    of_a_pixel = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
+    return np.asarray(of_a_pixel * np.asarray(total))
+
+
+def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
+    """Return the sum (...) of exp(-gap/rho) where 1 (rigid contact) to k pixels touch.
+
+    At this approach every gap is larger by the same length than at that of `outside` (...), of
+    `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch; pixels that
+    are no longer in contact add to the sum with the gap that has opened there.
+    """
+    approach = gaps[..., contact_pixels - 1]
+    opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
+    return np.asarray(contact_pixels + opened + outside * np.exp((approach - gaps[..., -1]) / rho))
+
+
+def _gaps_and_totals(
+    bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats, threads: int = 1
+) -> tuple[Floats, Floats]:
+    """Return gaps (contact, contact, k) and totals (count, rho, contact, contact) of an array.
+
+    The counts are contact pixels, of which k is the largest.
+    """
+    contacts = all_lowest_gaps(bodies, max(counts))
+    gaps = stacked_gaps(contacts, bodies.geometry)
+    outside = list(zip(outside_sums(bodies, contacts, rhos, threads), rhos, strict=True))
+    totals = [[opened_total(sums, gaps, count, rho) for sums, rho in outside] for count in counts]
+    return gaps, np.array(totals)
+
+
 def plastic_totals(
     bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
 ) -> Floats:
     """Return the sums (load, contact, contact) of exp(-gap/rho) of an array of plastic contacts.
 
-    The sphere is smooth or rough; the contact pixels are those at each load, and rho, the range of
-    adhesion, is in nm. Threads are used for a smooth sphere; the result does not depend on them.
+    The contact pixels are those at each load, and rho is in nm.
     """
-    contacts = all_lowest_gaps(bodies, max(contact_pixels))
-    gaps = stacked_gaps(contacts, bodies.geometry)
-    (outside,) = outside_sums(bodies, contacts, [rho], threads)
-    return np.array([opened_total(outside, gaps, count, rho) for count in contact_pixels])
+    return _gaps_and_totals(bodies, contact_pixels, [rho], threads)[1][:, 0]
 
 
 def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.Dataset:
-    """Return the rigid and plastic pull-off of one pair of scans, at every contact and range.
+    """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
 
-    The ranges of adhesion are in nm. The variables are ``pull_off_force`` (contact_model, rho,
-    contact_y, contact_x), ``closest_approach`` (contact_model, contact_y, contact_x),
-    ``penetration`` (contact_y, contact_x) and ``contact_pixels`` (contact_model).
+    The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
+    ``closest_approach`` (contact_model, contact_y, contact_x), ``penetration`` (contact_y,
+    contact_x) and ``contact_pixels`` (contact_model).
     """
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
-    contact_pixels = contact_pixel_count(load, pixel_size)
-    contacts = all_lowest_gaps(bodies, contact_pixels)
-    gaps = stacked_gaps(contacts, bodies.geometry)
-    outside = outside_sums(bodies, contacts, rhos)
-    rigid = [opened_total(sums, gaps, 1, rho) for sums, rho in zip(outside, rhos, strict=True)]
-    totals = np.stack([rigid, outside + contact_pixels])
+    counts = [1, contact_pixel_count(load, pixel_size)]
+    gaps, totals = _gaps_and_totals(bodies, counts, rhos)
     forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
-    contact_yx = ("contact_y", "contact_x")
+    positions = bodies.geometry.positions * pixel_size
+    beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
+    beyond_rigid = {"units": "nm", "long_name": "approach of plastic beyond rigid contact"}
+    by_model = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
-            "pull_off_force": (("contact_model", "rho", *contact_yx), forces, FORCE),
-            "closest_approach": (
-                ("contact_model", *contact_yx),
-                approaches,
-                {"units": "nm", "long_name": "approach beyond touching mean planes"},
-            ),
-            "penetration": (
-                contact_yx,
-                approaches[1] - approaches[0],
-                {"units": "nm", "long_name": "approach of plastic beyond rigid contact"},
-            ),
-            "contact_pixels": (("contact_model",), [1, contact_pixels], {"units": "1"}),
+            "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
+            "closest_approach": (by_model, approaches, beyond_planes),
+            "penetration": (CONTACT_AXES, approaches[1] - approaches[0], beyond_rigid),
+            "contact_pixels": ("contact_model", counts, {"units": "1"}),
         },
-        {"contact_model": (("contact_model",), ["rigid", "plastic"], {})}
+        {"contact_model": ["rigid", "plastic"]}
         | range_axis(ranges)
-        | contact_axes(bodies),
+        | {axis: (axis, positions, {"units": "nm"}) for axis in CONTACT_AXES},
         {
             "work_of_adhesion": WORK_OF_ADHESION,
             "pixel_size": pixel_size,
@@ -108,23 +139,12 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.
 def mean_pull_off_of_pair(
     bodies: Bodies, loads: Sequence[NamedLoad], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return ``pull_off_force`` (load, rho) of one pair of scans: plastic, averaged over contacts.
-
-    The ranges of adhesion are in nm.
-    """
+    """Return the plastic ``pull_off_force`` (load, rho) of a pair, averaged over contacts."""
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
-    contact_pixels = [contact_pixel_count(load, pixel_size) for load in loads]
-    contacts = all_lowest_gaps(bodies, max(contact_pixels))
-    gaps = stacked_gaps(contacts, bodies.geometry)
-    outside = outside_sums(bodies, contacts, rhos)
-    of_ranges = list(zip(outside, rhos, strict=True))
-    totals = np.array(
-        [
-            [opened_total(sums, gaps, count, rho).mean() for sums, rho in of_ranges]
-            for count in contact_pixels
-        ]
-    )
-    forces = pull_off_force(totals, rhos, pixel_size, WORK_OF_ADHESION)
+    counts = [contact_pixel_count(load, pixel_size) for load in loads]
+    _, totals = _gaps_and_totals(bodies, counts, rhos)
+    means = totals.reshape(*totals.shape[:2], -1).mean(axis=-1)
+    forces = pull_off_force(means, rhos, pixel_size, WORK_OF_ADHESION)
     return xr.Dataset(
         {"pull_off_force": (("load", "rho"), forces, FORCE)},
         load_axis(loads) | range_axis(ranges),
@@ -138,22 +158,16 @@ def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> xr.Dataset
     The pairs are one substrate with several rough spheres, rho is in nm; ``window_change`` is that
     over all contacts of all pairs.
     """
-    change = max(_window_change(bodies, load, rho) for bodies in pairs)
-    attributes: dict[str, Any] = {
-        "units": "1",
-        "long_name": "change of the force by a further period a side",
-    }
-    return xr.Dataset({"window_change": ((), change, attributes)}, {}, {"rho": rho})
-
-
-def _window_change(bodies: Bodies, load: Load, rho: float) -> float:
-    """Return the largest change over the contacts of one pair."""
-    geometry = bodies.geometry
-    contact_pixels = contact_pixel_count(load, geometry.pixel_size)
-    contacts = all_lowest_gaps(bodies, contact_pixels)
-    wider = replace(geometry, window=geometry.window + 2 * bodies.substrate.pixels)
-    narrow, wide = (
-        outside_sums(replace(bodies, geometry=windowed), contacts, [rho]) + contact_pixels
-        for windowed in (geometry, wider)
-    )
-    return float(np.abs(wide / narrow - 1).max())
+    changes = []
+    for bodies in pairs:
+        geometry = bodies.geometry
+        contact_pixels = contact_pixel_count(load, geometry.pixel_size)
+        contacts = all_lowest_gaps(bodies, contact_pixels)
+        wider = replace(geometry, window=geometry.window + 2 * bodies.substrate.pixels)
+        narrow, wide = (
+            outside_sums(replace(bodies, geometry=windowed), contacts, [rho]) + contact_pixels
+            for windowed in (geometry, wider)
+        )
+        changes.append(float(np.abs(wide / narrow - 1).max()))
+    attributes = {"units": "1", "long_name": "change of the force by a further period a side"}
+    return xr.Dataset({"window_change": ((), max(changes), attributes)}, {}, {"rho": rho})

@@ -58,9 +58,8 @@ class ContactPixels:
         """Return the sum of exp(-(g + d)/rho) over pixels outside the contact at a place (i, j).
 
         d is the separation of closest approach. `total` is the sum over all pixels but these, and
-        `others` (pixels,) are the terms of these, at the approach where the highest points would
-        meet; contact pixels of this contact are overwritten. `highest` is the sum of the highest
-        points of both bodies; it and rho are in nm.
+        `others` (pixels,) are the terms of these, overwritten, both at the approach where the
+        highest points would meet, whose sum is `highest`, in nm as rho is.
         """
         others[self._own[place]] = 0.0
         approach = self._gaps[place][-1]
@@ -125,27 +124,23 @@ def _products(
 def _attractions(
     heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
 ) -> dict[float, Floats]:
-    """Return `_attraction` at every range: at half of another one it is the square of that."""
+    """Return `exponential` at every range: at half of another one it is the square of that."""
     found: dict[float, Floats] = {}
     for rho in sorted(rhos, reverse=True):
         longer = found.get(2 * rho)
-        found[rho] = _attraction(heights, highest, rho) if longer is None else longer**2
+        found[rho] = exponential(heights, highest, rho) if longer is None else longer**2
     return found
 
 
-def _folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
+def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
     """Return exp(-s/rho) along one axis, summed over images in the window: (contact, n)."""
     offset = geometry.offsets()
     weight = np.exp(-geometry.paraboloid(offset) / rho)
-    return np.array(
-        [
-            np.bincount((position + offset) % pixels, weight, pixels)
-            for position in geometry.positions
-        ]
-    )
+    positions = geometry.positions
+    return np.array([np.bincount((at + offset) % pixels, weight, pixels) for at in positions])
 
 
-def _attraction(heights: NDArray[np.floating], highest: float, rho: float) -> Floats:
+def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> Floats:
     """Return exp((heights - highest)/rho) in float64; heights in nm, of any precision."""
     attraction: Floats = np.subtract(heights, highest, dtype=float)
     attraction /= rho
@@ -158,10 +153,9 @@ def outside_sums(
 ) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + d)/rho) outside plastic contact.
 
-    d is the separation of closest approach. exp(h/rho) and what the sphere, smooth or rough, adds,
-    folded over the periodic images in the window, are computed once for each range of adhesion in
-    nm. The contacts are `LowestGaps` by place (i, j) of the array. Threads are used for a smooth
-    sphere; the result does not depend on them.
+    d is the separation of closest approach. What does not depend on the contact is computed once
+    for each range of adhesion in nm. The contacts are `LowestGaps` by place (i, j) of the array.
+    Threads are used for a smooth sphere; the result does not depend on them.
     """
     substrate, roughness = bodies.substrate, bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
@@ -174,7 +168,7 @@ def outside_sums(
     with threadpool_limits(1, "blas"):
         sums = of_sphere(bodies, contact_pixels, h_max, ranges)
         for k, (rho, (total, factor)) in enumerate(zip(ranges, sums, strict=True)):
-            attraction = _attraction(touching, h_max, rho)
+            attraction = exponential(touching, h_max, rho)
             for place in contacts:
                 outside[k][place] = contact_pixels.outside(
                     place, total[place], attraction * factor(place), h_max + t_max, rho
@@ -189,17 +183,15 @@ def _of_smooth_sphere(
 
     The sum is G exp((h - h_max)/rho) G^T, a product over both axes, because exp(-s/rho) is one.
     """
-    heights = bodies.substrate.heights
-    folds = [_folded(bodies.substrate.pixels, bodies.geometry, rho) for rho in rhos]
-    totals = _products(heights, contact_pixels, h_max, folds, rhos, threads)
+    pixels, row, column = bodies.substrate.pixels, contact_pixels.row, contact_pixels.column
+    folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
+    totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos, threads)
     for total, fold in zip(totals, folds, strict=True):
-        yield total, partial(_smooth_factor, fold, contact_pixels)
 
+        def factor(place: tuple[int, int], fold: Floats = fold) -> Floats:
+            return np.asarray(fold[place[0], row] * fold[place[1], column])
 
-def _smooth_factor(fold: Floats, contact_pixels: ContactPixels, place: tuple[int, int]) -> Floats:
-    """Return the factor of a smooth sphere at the contact pixels; fold: G, (contact, n)."""
-    row, column = place
-    return np.asarray(fold[row, contact_pixels.row] * fold[column, contact_pixels.column])
+        yield total, factor
 
 
 def _of_rough_sphere(
@@ -213,9 +205,9 @@ def _of_rough_sphere(
     rows = (contact_pixels.row - positions[:, None]) % pixels * pixels
     columns = (contact_pixels.column - positions[:, None]) % pixels
     for rho in rhos:
-        attraction = _attraction(roughness, float(roughness.max()), rho)
+        attraction = exponential(roughness, float(roughness.max()), rho)
         kernel = _kernel(pixels, attraction, bodies.geometry, rho)
-        outside = _attraction(bodies.substrate.heights, h_max, rho)
+        outside = exponential(bodies.substrate.heights, h_max, rho)
         contact_pixels.leave_out(outside)
 
         def factor(place: tuple[int, int], kernel: Floats = kernel) -> Floats:
@@ -230,11 +222,11 @@ def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: flo
     attraction: exp((t - t_max)/rho), (m, m).
     """
     period = len(attraction)
-    folded = _folded_by_shift(pixels, period, geometry, rho)
+    weights = _folded_by_shift(pixels, period, geometry, rho)
     kernel, place = np.zeros((pixels, pixels)), np.arange(pixels)
     for start in range(0, pixels, ROWS):
         rows = place[start : start + ROWS]
-        for (shift_y, weight_y), (shift_x, weight_x) in product(folded.items(), repeat=2):
+        for (shift_y, weight_y), (shift_x, weight_x) in product(weights.items(), repeat=2):
             seen = attraction[np.ix_((rows + shift_y) % period, (place + shift_x) % period)]
             kernel[rows] += weight_y[rows, None] * weight_x * seen
     return kernel
@@ -247,22 +239,22 @@ def _folded_by_shift(
 
     Shift in pixels -> (n,); there is a single shift where both periods are the same.
     """
-    folded: dict[int, Floats] = {}
+    weights: dict[int, Floats] = {}
     reach = -(-geometry.window // (2 * pixels))
     for image in range(-reach, reach):
         offset = np.arange(pixels) + image * pixels
         decay = np.exp(-geometry.paraboloid(offset) / rho)
         weight = np.where(geometry.inside(offset), decay, 0.0)
         shift = image * pixels % period
-        folded[shift] = folded.get(shift, np.zeros(pixels)) + weight
-    return folded
+        weights[shift] = weights.get(shift, np.zeros(pixels)) + weight
+    return weights
 
 
 def _correlation(attraction: Floats, kernel: Floats, positions: NDArray[np.int_]) -> Floats:
-    """Return the sum of attraction * kernel, the kernel shifted periodically to every contact.
+    """Return the sum (contact, contact) of attraction * kernel, shifted periodically to contacts.
 
-    attraction, kernel: (n, n); positions: (contact,). Returns (contact, contact). Each row of the
-    kernel is multiplied by one row of the attraction for every contact: a product of matrices.
+    attraction, kernel: (n, n); positions: (contact,). Each row of the kernel is multiplied by one
+    row of the attraction for every contact: a product of matrices.
     """
     pixels, step = len(kernel), 4
     total = np.zeros((len(positions),) * 2)

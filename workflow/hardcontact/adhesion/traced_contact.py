@@ -4,10 +4,19 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.force_sum import force_separation, pull_off_force
+from hardcontact.adhesion.pull_off import pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
+
+
+def force_separation(pull_off: float, rho: float, separation: ArrayLike) -> NDArray[np.float64]:
+    """Return the force (N, negative: attractive) at separations (nm) beyond closest approach.
+
+    The bodies keep their deformed shape, so that all gaps grow alike and Eq. 3 decays with rho.
+    """
+    return -pull_off * np.exp(-np.asarray(separation) / rho)
 
 
 def traced_contact(
@@ -20,9 +29,8 @@ def traced_contact(
     pull-off force as an attribute.
     """
     geometry = bodies.geometry
-    contact_pixels = contact_pixel_count(load, geometry.pixel_size)
     gap = gap_map(bodies, place)
-    gap -= plastic_approach(gap, contact_pixels)
+    gap -= plastic_approach(gap, contact_pixel_count(load, geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)
     pressure = work_of_adhesion / (rho * 1e-9) * attraction
     pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work_of_adhesion))
@@ -30,17 +38,16 @@ def traced_contact(
     position = geometry.offsets() * geometry.pixel_size
     from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
     before = {"units": "nm", "long_name": "gap before flattening"}
-    force = force_separation(pull_off, rho, separation)
     return xr.Dataset(
         {
             "gap": (("y", "x"), gap.astype(np.float32), before),
             "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), {"units": "Pa"}),
-            "force": (("separation",), force, {"units": "N"}),
+            "force": ("separation", force_separation(pull_off, rho, separation), {"units": "N"}),
         },
         {
-            "y": (("y",), position, from_apex),
-            "x": (("x",), position, from_apex),
-            "separation": (("separation",), separation, {"units": "nm"}),
+            "y": ("y", position, from_apex),
+            "x": ("x", position, from_apex),
+            "separation": ("separation", separation, {"units": "nm"}),
         },
         {"rho": rho, "work_of_adhesion": work_of_adhesion, "pull_off_force": pull_off},
     )

@@ -24,8 +24,15 @@ from hardcontact.answer.facts import (
     surfaces,
 )
 from hardcontact.insight.closed_form import SMOOTH, at_transition
-from hardcontact.insight.edge_regimes import CONTACT, RANGE
-from hardcontact.insight.edge_scaling import INDEPENDENT, LENGTHS, PARTS, UNDECIDED, dependence
+from hardcontact.insight.edge_scaling import (
+    CONTACT,
+    INDEPENDENT,
+    LENGTHS,
+    PARTS,
+    RANGE,
+    UNDECIDED,
+    dependence,
+)
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
 from hardcontact.numbers.statistics import bounds

@@ -14,13 +14,12 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import at_load
+from hardcontact.adhesion.all_surfaces import at_load, stacked_forces
 from hardcontact.adhesion.force_curves import at_range
 from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.job import progress
 from hardcontact.scales.critical_band import critical_band
-from hardcontact.scales.stacked_masters import stacked_forces
 
 #: What is inferred of every variant of the forces.
 INFERRED = [

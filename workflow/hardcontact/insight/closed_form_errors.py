@@ -1,7 +1,7 @@
 """The closed form beside forces computed on random surfaces of the same spectrum."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import xarray as xr
@@ -10,7 +10,6 @@ from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.insight.closed_form import (
-    ClosedForm,
     Contact,
     closed_form,
     contact_area,
@@ -72,16 +71,17 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
     ``filtered_ratio`` (surface, side, cutoff_wavelength), the force without the waves of a side
     over that with all; NaN at cutoffs of the other side.
     """
-    compared = [[_compared(name, one, size, trial) for size in trial.sizes]
-                for name, one in spectra.items()]  # fmt: skip
+    compared = [
+        [_compared(name, one, size, trial) for size in trial.sizes] for name, one in spectra.items()
+    ]
     grids = xr.combine_nested(compared, ["surface", "map_size"], combine_attrs="drop")
     interval = student_log_interval(grids.force, trial.confidence, "realization")
-    newton = {"units": "N"}
+    computed = grids.force.mean("realization")
     result = grids.drop_vars("force").assign(
-        computed_force=grids.force.mean("realization").assign_attrs(newton),
-        computed_force_interval=interval.assign_attrs(newton),
+        computed_force=computed.assign_attrs(units="N"),
+        computed_force_interval=interval.assign_attrs(units="N"),
+        error=(grids.predicted_force / computed).assign_attrs(units="1"),
     )
-    result["error"] = (result.predicted_force / result.computed_force).assign_attrs(units="1")
     whole = [_whole(one, trial) for one in spectra.values()]
     return (
         result.merge(xr.concat(whole, "surface", combine_attrs="drop"))
@@ -118,37 +118,35 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
     contacts = [Contact(trial.radius, rho, trial.work, area) for rho in trial.ranges]
     given = {"spectrum": None, "contacts": np.array(approaches)}
     formulas = [[closed_form(waves, one, given[source]) for one in contacts] for source in SOURCES]
+    first, over, newton = formulas[0][0], ("source", "rho"), {"units": "N"}
+    smooth = first.force / first.relative
+    predicted = [[one.force for one in row] for row in formulas]
+    of_first_term = [[one.first_term * smooth for one in row] for row in formulas]
+    freezing = [[one.freezing for one in row] for row in formulas]
     return xr.Dataset(
-        {"force": (("realization", "rho"), np.array(forces), {"units": "N"})}
-        | _predicted(formulas)
-        | {
+        {
+            "force": (("realization", "rho"), np.array(forces), newton),
+            "predicted_force": (over, predicted, newton),
+            "first_term_force": (over, of_first_term, newton),
+            "freezing": (over, freezing, {"units": "1"}),
             "computed_approach": ((), np.mean(approaches), {"units": "nm"}),
-            "predicted_approach": ((), formulas[0][0].closest_approach, {"units": "nm"}),
+            "predicted_approach": ((), first.closest_approach, {"units": "nm"}),
         }
     )
 
 
-def _predicted(formulas: list[list[ClosedForm]]) -> dict[str, xr.Variable]:
-    """Return the variables over source and rho of formulas [source][rho]."""
-    smooth = formulas[0][0].force / formulas[0][0].relative
-    values = {
-        "predicted_force": ([[one.force for one in row] for row in formulas], "N"),
-        "first_term_force": ([[one.first_term * smooth for one in row] for row in formulas], "N"),
-        "freezing": ([[one.freezing for one in row] for row in formulas], "1"),
-    }
-    return {
-        name: xr.Variable(("source", "rho"), numbers, {"units": unit})
-        for name, (numbers, unit) in values.items()
-    }
-
-
 def _whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
     """Return what the closed form says of a spectrum of all scales."""
-    area = contact_area(trial.load)
-    formulas = [
-        closed_form(spectrum, Contact(trial.radius, rho, trial.work, area)) for rho in trial.ranges
-    ]
-    contact = Contact(trial.radius, trial.rho, trial.work, area)
+    contact = Contact(trial.radius, trial.rho, trial.work, contact_area(trial.load))
+    formulas = [closed_form(spectrum, replace(contact, rho=rho)) for rho in trial.ranges]
+    whole, ratios = closed_form(spectrum, contact).force, []
+    for side in SIDES:
+        cutoffs = list(trial.cutoffs[side])
+        parts = (filtered_spectrum(spectrum, side, cutoff) for cutoff in cutoffs)
+        forces = [closed_form(part, contact).force / whole for part in parts]
+        ratios.append(xr.DataArray(forces, {"cutoff_wavelength": cutoffs}))
+    ratio: xr.DataArray = xr.concat(ratios, "side", join="outer")
+    ratio["cutoff_wavelength"].attrs["units"] = "nm"
     found = edges(spectrum, contact, trial.tolerance)
     return xr.Dataset(
         {
@@ -156,21 +154,6 @@ def _whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
             "whole_freezing": ("rho", [one.freezing for one in formulas], {"units": "1"}),
             "regime": ("rho", [one.regime for one in formulas]),
             "edge": ("side", np.array(found), {"units": "nm"}),
-            "filtered_ratio": _filtered_ratios(spectrum, contact, trial.cutoffs),
+            "filtered_ratio": ratio.assign_coords(side=list(SIDES)).assign_attrs(units="1"),
         }
     )
-
-
-def _filtered_ratios(
-    spectrum: Spectrum, contact: Contact, cutoffs: Mapping[str, Sequence[float]]
-) -> xr.DataArray:
-    """Return forces without the waves beyond cutoffs over that with all."""
-    whole = closed_form(spectrum, contact).force
-    sides = []
-    for side in SIDES:
-        parts = [filtered_spectrum(spectrum, side, cutoff) for cutoff in cutoffs[side]]
-        ratios = [closed_form(part, contact).force / whole for part in parts]
-        sides.append(xr.DataArray(ratios, {"cutoff_wavelength": list(cutoffs[side])}))
-    ratio: xr.DataArray = xr.concat(sides, "side", join="outer")
-    ratio["cutoff_wavelength"].attrs["units"] = "nm"
-    return ratio.assign_coords(side=list(SIDES)).assign_attrs(units="1")

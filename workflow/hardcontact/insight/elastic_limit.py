@@ -12,15 +12,14 @@ is bracketed: with the larger area flattened for good it is larger than that of 
 with all deformation recovered before pull-off it is that of rigid bodies.
 """
 
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.adhesion.all_surfaces import Described, with_names
-from hardcontact.adhesion.force_sum import opened_total, pull_off_force
+from hardcontact.adhesion.all_surfaces import CONTACT_AXES, Described, Parts, with_names
+from hardcontact.adhesion.pull_off import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact.bearing_area import (
     Load,
@@ -37,12 +36,10 @@ Floats = NDArray[np.float64]
 
 #: E* h' over the mean pressure of a smooth sphere: 3 pi/(4 sqrt(2)).
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
-
 #: By how much the number of lowest gaps grows until they carry the preload.
 GROWTH = 4
 
 NEIGHBOURS = np.array([(0, 1), (0, -1), (1, 0), (-1, 0)])
-
 #: Contact of the forces: all yield; the larger of both areas is flattened; what does not yield
 #: recovers; all recover.
 VARIANTS = ["bearing_area", "larger_area", "recovered", "rigid"]
@@ -51,9 +48,8 @@ VARIANTS = ["bearing_area", "larger_area", "recovered", "rigid"]
 class ElasticEstimate(NamedTuple):
     """Elastic contact beside the bearing area of one contact."""
 
-    #: Mean pressure of elastic contact on the bearing area F/H, over the hardness H. From 1 on the
-    #: bodies yield and the bearing area holds; below, elastic contact carries the preload on a
-    #: larger area with a smaller pressure.
+    #: Mean pressure of elastic contact on the bearing area F/H, over the hardness H: from 1 on the
+    #: bodies yield and the bearing area holds.
     plasticity_index: float
     contact: LowestGaps  #: The pixels of the larger of both areas.
     elastic_pixels: int  #: Of elastic contact, at most as many as the window has.
@@ -73,10 +69,7 @@ def squared_slopes(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[
 def elastic_estimates(
     bodies: Bodies, load: Load, modulus: float
 ) -> dict[tuple[int, int], ElasticEstimate]:
-    """Return elastic contact beside the bearing area at every place (i, j) of an array of contacts.
-
-    `modulus` is the effective modulus E* in Pa.
-    """
+    """Return elastic contact, with E* in Pa, at every place (i, j) of an array of contacts."""
     geometry = bodies.geometry
     bearing = contact_pixel_count(load, geometry.pixel_size)
     # Force in N that one pixel of unit slope carries.
@@ -109,32 +102,31 @@ def elastic_limit_of_pair(
     """Return the plasticity index, both areas and the pull-off force of every contact of a pair.
 
     The effective modulus E* is in Pa, rho, the range of adhesion, in nm and the work of adhesion in
-    J/m². ``plasticity_index`` (1), ``elastic_area`` (nm2), both by contact_y and contact_x, and
-    ``pull_off_force`` (variant, contact_y, contact_x) in N have the attribute ``bearing_area`` in
-    nm2.
+    J/m². ``plasticity_index`` and ``elastic_area`` (nm2) are by contact_y and contact_x,
+    ``pull_off_force`` (variant, contact_y, contact_x) in N; the attribute ``bearing_area`` in nm2.
     """
     pixel_size = bodies.geometry.pixel_size
+    bearing = contact_pixel_count(load, pixel_size)
     estimates = elastic_estimates(bodies, load, modulus)
     contacts = {place: one.contact for place, one in estimates.items()}
     (outside,) = outside_sums(bodies, contacts, [rho])
-    bearing = contact_pixel_count(load, pixel_size)
     totals = np.empty((len(VARIANTS), *outside.shape))
     index, pixels = np.empty(outside.shape), np.empty(outside.shape)
     for place, one in estimates.items():
+        gaps = one.contact.gaps
         plastic, larger, rigid = (
-            opened_total(outside[place], one.contact.gaps, count, rho)
-            for count in (bearing, len(one.contact.gaps), 1)
+            opened_total(outside[place], gaps, count, rho) for count in (bearing, len(gaps), 1)
         )
         index[place], pixels[place] = one.plasticity_index, one.elastic_pixels
         recovered = plastic if one.plasticity_index >= 1 else rigid
         totals[(slice(None), *place)] = plastic, larger, recovered, rigid
-    contact_yx, numbers = ("contact_y", "contact_x"), np.arange(len(outside))
+    numbers = np.arange(len(outside))
     force = pull_off_force(totals, rho, pixel_size, work_of_adhesion)
     return xr.Dataset(
         {
-            "plasticity_index": (contact_yx, index, {"units": "1"}),
-            "elastic_area": (contact_yx, pixels * pixel_size**2, {"units": "nm2"}),
-            "pull_off_force": (("variant", *contact_yx), force, {"units": "N"}),
+            "plasticity_index": (CONTACT_AXES, index, {"units": "1"}),
+            "elastic_area": (CONTACT_AXES, pixels * pixel_size**2, {"units": "nm2"}),
+            "pull_off_force": (("variant", *CONTACT_AXES), force, {"units": "N"}),
         },
         {"variant": VARIANTS, "contact_y": numbers, "contact_x": numbers},
         {**load, "effective_modulus": modulus, "rho": rho, "work_of_adhesion": work_of_adhesion}
@@ -143,16 +135,12 @@ def elastic_limit_of_pair(
 
 
 def elastic_limit(
-    pairs: Mapping[tuple[Any, ...], xr.Dataset],
-    elastic: xr.Dataset,
-    described: Described,
-    confidence: float,
+    pairs: Parts, elastic: xr.Dataset, described: Described, confidence: float
 ) -> xr.Dataset:
     """Return for which share of contacts the bearing area holds, and what it changes.
 
-    The pairs are of `elastic_limit_of_pair` by (surface, scan), `elastic` is elastic.nc, of the
-    same pairs: some contacts whose elastic area was solved. Intervals are by Student's t over
-    scans, those of shares cut at 0 and 1.
+    The pairs are of `elastic_limit_of_pair` by (surface, scan); elastic.nc has some contacts of the
+    same pairs whose elastic area was solved.
 
     With intervals, by surface: ``plastic_share`` of contacts with an index of one or more,
     ``solved_plastic_share`` of contacts with a solved mean pressure at or above the hardness,
@@ -161,20 +149,17 @@ def elastic_limit(
     (surface, scan, contact) ``solved_area`` and ``estimated_area`` (nm2).
     """
     stacked = stack(pairs, ["surface", "scan"])
-    over = ["contact_y", "contact_x"]
-    index = stacked["plasticity_index"]
-    # The comparison of a scan that is missing would say that it does not hold.
-    holds = (index >= 1).where(index.notnull()).mean(over)
+    index, force = stacked["plasticity_index"], stacked["pull_off_force"].mean(CONTACT_AXES)
     pressure = elastic["mean_pressure"]
+    # The comparison of a scan that is missing would say that it does not hold.
+    holds = (index >= 1).where(index.notnull()).mean(CONTACT_AXES)
     solved = (pressure >= elastic.attrs["hardness"]).where(pressure.notnull()).mean("contact")
-    force = stacked["pull_off_force"].mean(over)
     ratio = force / force.sel(variant="bearing_area", drop=True)
-    shares = {"plastic_share": holds, "solved_plastic_share": solved}
     variables = {
         "force_ratio": ratio.mean("scan").assign_attrs(units="1"),
         "force_ratio_interval": student_log_interval(ratio, confidence, "scan"),
     }
-    for name, share in shares.items():
+    for name, share in {"plastic_share": holds, "solved_plastic_share": solved}.items():
         variables[name] = share.mean("scan").assign_attrs(units="1")
         interval = student_interval(share, confidence, "scan")
         variables[f"{name}_interval"] = interval.clip(0, 1, keep_attrs=True)
@@ -187,9 +172,6 @@ def _at_solved_contacts(area: xr.DataArray, elastic: xr.Dataset) -> xr.Dataset:
     """Return the solved and the estimated elastic area (nm2) of contacts that were solved."""
     solved = elastic["contact_area"].reset_coords(drop=True)
     area = area.sel(surface=solved["surface"], scan=solved["scan"])
-    places = {
-        axis: elastic[axis].fillna(0).astype(int).variable for axis in ("contact_y", "contact_x")
-    }
-    places |= {axis: xr.Variable(axis, np.arange(area.sizes[axis])) for axis in ("surface", "scan")}
+    places = {axis: elastic[axis].fillna(0).astype(int).variable for axis in CONTACT_AXES}
     estimated = area.isel(places).reset_coords(drop=True).where(solved.notnull())
     return xr.Dataset({"solved_area": solved, "estimated_area": estimated})

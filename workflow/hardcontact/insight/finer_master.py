@@ -3,7 +3,7 @@
 The coarser masters hold the waves of the finest up to their own pixels, and no other realization.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,8 +12,7 @@ import xarray as xr
 from hardcontact.contact.bearing_area import ContactSettings
 from hardcontact.numbers.statistics import jackknife_interval, with_interval
 from hardcontact.records.job import progress
-from hardcontact.scales.critical_band import logarithmic_limits
-from hardcontact.scales.edge_of_curve import Curve, described_edge
+from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
 from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.filters import filtered
 from hardcontact.surfaces.height_map import HeightMap
@@ -24,20 +23,16 @@ NANOMETRES = {"units": "nm"}
 
 
 class FinerMaster(NamedTuple):
-    """What a master is compared at.
+    """What a master is compared at."""
 
-    The pixels along an edge ascend; the last are those of the master. The cutoffs are wavelengths
-    in nm below which roughness is removed, ascending, each of more than two of the coarsest pixels.
-    The radius of the sphere and rho, the range of adhesion, are in nm; the tolerance is the change
-    of the force that counts as none.
-    """
-
-    pixels: Sequence[int]
+    pixels: Sequence[int]  #: Along an edge, ascending; the last are those of the master.
+    #: Wavelengths in nm below which roughness is removed, ascending, each of more than two of the
+    #: coarsest pixels.
     cutoffs: Sequence[float]
-    radius: float
-    rho: float
+    radius: float  #: Of the sphere in nm.
+    rho: float  #: Range of adhesion in nm.
     contact: ContactSettings
-    tolerance: float
+    tolerance: float  #: Change of the force that counts as none.
     confidence: float
 
 
@@ -52,35 +47,41 @@ def on_coarser_pixels(master: HeightMap, pixels: int) -> HeightMap:
 def on_several_pixels(master: HeightMap, given: FinerMaster) -> xr.Dataset:
     """Compare the force without the shortest waves on a periodic master and on coarser pixels.
 
-    Intervals are those of a jackknife over blocks of contacts. They tell how the added roughness
-    differs from place to place; all contacts share the waves of one scan.
-
-    By `pixels`: `pull_off_force` (cutoff_wavelength, contact_y, contact_x) and
-    `unfiltered_pull_off_force` in N, `pixel_size` in nm, `ratio` (cutoff_wavelength) of their
-    means, `force_over_finest` and `filtered_over_finest` (cutoff_wavelength), the means over those
-    of the finest pixels, all with intervals, and the short edge of the band, `edge` with
-    `edge_interval`.
+    By ``pixels``: ``pull_off_force`` (cutoff_wavelength, contact_y, contact_x) and
+    ``unfiltered_pull_off_force`` in N, ``pixel_size`` in nm; with intervals ``ratio``
+    (cutoff_wavelength) of their means, ``force_over_finest`` and ``filtered_over_finest``
+    (cutoff_wavelength), the means over those of the finest pixels, and ``edge``, the short edge of
+    the band in nm. Intervals are those of a jackknife over blocks of contacts. They tell how the
+    added roughness differs from place to place; all contacts share the waves of one scan.
     """
-    forces = np.array(
-        [
-            _forces(on_coarser_pixels(master, pixels), given)
-            for pixels in progress(given.pixels, len(given.pixels), "pixels")
-        ]
-    )
+    each = progress(given.pixels, len(given.pixels), "pixels")
+    forces = np.array([_forces(on_coarser_pixels(master, pixels), given) for pixels in each])
     newton, axes = {"units": "N"}, ("contact_y", "contact_x")
-    without = _without_blocks(forces)
+    variables: dict[str, Any] = {
+        "unfiltered_pull_off_force": (("pixels", *axes), forces[:, 0], newton),
+        "pull_off_force": (("pixels", "cutoff_wavelength", *axes), forces[:, 1:], newton),
+        "pixel_size": ("pixels", master.size / np.array(given.pixels), NANOMETRES),
+    }
+    confidence = given.confidence
+    mean, without = forces.mean(axis=(-2, -1)), _without_blocks(forces)
+    of_cutoffs = ("pixels", "cutoff_wavelength")
+    for name, dims, filtered_or_whole, reference in (
+        ("ratio", of_cutoffs, np.s_[..., 1:], np.s_[..., :1]),
+        ("force_over_finest", "pixels", np.s_[..., 0], np.s_[..., -1:, 0]),
+        ("filtered_over_finest", of_cutoffs, np.s_[..., 1:], np.s_[..., -1:, 1:]),
+    ):
+        value, left_out = (one[filtered_or_whole] / one[reference] for one in (mean, without))
+        interval = jackknife_interval(value, left_out, confidence)
+        variables |= with_interval(name, dims, value, interval, {"units": "1"}, confidence)
+        if name == "ratio":
+            variables |= _edges(value, interval, given)
     return xr.Dataset(
-        {
-            "unfiltered_pull_off_force": (("pixels", *axes), forces[:, 0], newton),
-            "pull_off_force": (("pixels", "cutoff_wavelength", *axes), forces[:, 1:], newton),
-            "pixel_size": ("pixels", master.size / np.array(given.pixels), NANOMETRES),
-        }
-        | _ratios(forces.mean(axis=(-2, -1)), without, given),
+        variables,
         {
             "pixels": ("pixels", list(given.pixels), {"units": "1"}),
             "cutoff_wavelength": ("cutoff_wavelength", list(given.cutoffs), NANOMETRES),
         },
-        {"rho": given.rho, "scale_tolerance": given.tolerance, "confidence": given.confidence},
+        {"rho": given.rho, "scale_tolerance": given.tolerance, "confidence": confidence},
     )
 
 
@@ -109,26 +110,6 @@ def _without_blocks(forces: np.ndarray) -> np.ndarray:
     block = np.arange(count) * BLOCKS // count
     of_contact = block[:, None] * BLOCKS + block
     return np.array([forces[..., of_contact != k].mean(axis=-1) for k in np.unique(of_contact)])
-
-
-def _ratios(mean: np.ndarray, without: np.ndarray, given: FinerMaster) -> dict[str, Any]:
-    """Return ratios of mean forces (pixels, 1 + cutoff), and edges, with their intervals."""
-    quotients: dict[str, tuple[Sequence[str], Callable[[np.ndarray], np.ndarray]]] = {
-        "ratio": (("pixels", "cutoff_wavelength"), lambda x: x[..., 1:] / x[..., :1]),
-        "force_over_finest": (("pixels",), lambda x: x[..., 0] / x[..., -1:, 0]),
-        "filtered_over_finest": (
-            ("pixels", "cutoff_wavelength"),
-            lambda x: x[..., 1:] / x[..., -1:, 1:],
-        ),
-    }
-    variables: dict[str, Any] = {}
-    for name, (dims, quotient) in quotients.items():
-        value = quotient(mean)
-        interval = jackknife_interval(value, quotient(without), given.confidence)
-        variables |= with_interval(name, dims, value, interval, {"units": "1"}, given.confidence)
-        if name == "ratio":
-            variables |= _edges(value, interval, given)
-    return variables
 
 
 def _edges(ratio: np.ndarray, interval: np.ndarray, given: FinerMaster) -> dict[str, Any]:

@@ -13,8 +13,7 @@ import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, range_axis
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_force, range_axis
 from hardcontact.adhesion.sphere_sums import Contacts, outside_sums
 from hardcontact.contact.bearing_area import (
     ContactSettings,
@@ -35,24 +34,19 @@ Floats = NDArray[np.float64]
 #: anchor, that of the smallest, to 6e-3 where flats of 0.1 nm touch. `mixture_error` of
 #: `compare_laws` is the error of a study.
 MIXED_RANGES = {"step": 0.6, "low": 0.02, "high": 1e5}
-
 #: Exponents beyond which a sum relative to the highest point of the surface leaves the floats.
 LARGEST_EXPONENT = 600.0
-
 #: A pixel this many ranges beyond contact adds less than the rounding of the sum.
 NEGLIGIBLE = 40.0
 
 
 class RangeContacts(ContactSettings):
-    """An array of contacts with the radius of the sphere, and the ranges of their forces, in nm.
+    """An array of contacts; the ranges of their forces are evenly spaced in their logarithm."""
 
-    The ranges are evenly spaced in their logarithm. The reach is the edge in nm of the window that
-    attracts, at least that of contact: power laws reach far.
-    """
-
-    radius: float
+    radius: float  #: Of the sphere in nm.
+    #: Edge in nm of the window that attracts, at least that of contact: power laws reach far.
     reach: float
-    ranges: list[float]
+    ranges: list[float]  #: Of adhesion in nm.
 
 
 def range_forces(pair: Bodies, parameters: RangeContacts) -> Floats:
@@ -104,34 +98,28 @@ def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
     return np.array(sums)
 
 
-def filtered_range_forces(
-    master: HeightMap,
-    sphere: HeightMap | None,
-    side: str,
-    scales: Cutoffs,
-    parameters: RangeContacts,
-) -> xr.Dataset:
-    """Return the mean plastic pull-off of a periodic master, whole and filtered, at all ranges.
+def mean_range_forces(
+    substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
+) -> Floats:
+    """Return the plastic pull-off force (rho,) in N at 1 J/m², averaged over all contacts.
 
-    The sphere is its roughness, or None of a smooth one. The side ``"small"`` removes wavelengths
-    below the cutoffs, ``"large"`` those above. ``pull_off_force`` (cutoff_wavelength, rho) and
-    ``unfiltered_pull_off_force`` (rho) stand beside ``unfiltered_wavelength``.
+    The sphere is its roughness, or None of a smooth one.
     """
+    pair = bodies(substrate, sphere, parameters["radius"], parameters)
+    return np.asarray(range_forces(pair, parameters).mean(axis=(1, 2)))
+
+
+def filtered_range_forces(
+    master: HeightMap, side: str, scales: Cutoffs, parameters: RangeContacts
+) -> xr.Dataset:
+    """Return `forces_at_cutoffs` of a smooth sphere: `mean_range_forces`, by range."""
     return forces_at_cutoffs(
         master,
         side,
         scales,
-        lambda surface: mean_range_forces(surface, sphere, parameters),
+        lambda surface: mean_range_forces(surface, None, parameters),
         range_axis(parameters["ranges"]),
     )
-
-
-def mean_range_forces(
-    substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
-) -> Floats:
-    """Return the plastic pull-off force (rho,) in N at 1 J/m², averaged over all contacts."""
-    pair = bodies(substrate, sphere, parameters["radius"], parameters)
-    return np.asarray(range_forces(pair, parameters).mean(axis=(1, 2)))
 
 
 def scan_range_forces(
@@ -139,15 +127,15 @@ def scan_range_forces(
 ) -> xr.Dataset:
     """Return `mean_range_forces` of a stitched scan as stored, in the window and in half of it.
 
-    The sphere is its roughness, or None of a smooth one. How much ``pull_off_force`` (rho) exceeds
-    ``half_window_pull_off_force`` (rho) tells what may lie beyond the window.
+    How much ``pull_off_force`` (rho) exceeds ``half_window_pull_off_force`` (rho) tells what may
+    lie beyond the window.
     """
     half: RangeContacts = {**parameters, "reach": parameters["reach"] / 2}
     whole, narrow = (mean_range_forces(substrate, sphere, one) for one in (parameters, half))
     return xr.Dataset(
         {
-            "pull_off_force": (("rho",), whole, FORCE),
-            "half_window_pull_off_force": (("rho",), narrow, FORCE),
+            "pull_off_force": ("rho", whole, FORCE),
+            "half_window_pull_off_force": ("rho", narrow, FORCE),
         },
         range_axis(parameters["ranges"]),
         {"work_of_adhesion": WORK_OF_ADHESION},

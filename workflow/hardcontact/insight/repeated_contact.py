@@ -3,21 +3,19 @@
 It keeps the indents of the contacts before.
 """
 
-from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
-from hardcontact.adhesion.all_surfaces import Described, with_names
-from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.pull_off import plastic_totals
+from hardcontact.adhesion.all_surfaces import Described, Parts, of_first_scans, with_names
+from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
 from hardcontact.contact.geometry import Bodies
 from hardcontact.contact.repeated_contact import (
     Indentation,
-    IndentSizes,
     indent_sizes,
     over_window,
     repeated_contacts,
@@ -30,13 +28,10 @@ Floats = NDArray[np.float64]
 #: Edge of the map (nm) about the deepest indent.
 MAP = 2000.0
 FROM_APEX = {"units": "nm", "long_name": "position from the apex"}
-
 #: Numbers of contacts at which indents are measured, evenly on a logarithmic scale.
 STAGES = 12
-
 #: Attributes that all pairs share; their preloads differ.
 COMMON = ("hardness", "rho", "work_of_adhesion")
-
 #: What is measured of all indents at a stage; lengths and depth are the largest.
 SUMMARY = {
     "depth": "nm",
@@ -125,8 +120,7 @@ def repeated_contact_of_pair(
 ) -> xr.Dataset:
     """Return the forces and the indents of one place of a sphere that meets an array of places.
 
-    Each time, for a number of orders that the generator draws, a sphere without indents begins, and
-    meets all places of the array in a random order.
+    For each of some orders, which the generator draws, a sphere without indents meets all places.
 
     By order and number of the contact: ``pull_off_force`` and, at the same place by a sphere
     without indents, ``single_pull_off_force`` (N), ``penetration`` (nm). By order and stage, a
@@ -139,20 +133,16 @@ def repeated_contact_of_pair(
     places = np.stack(np.meshgrid(positions, positions, indexing="ij"), -1).reshape(-1, 2)
     contact_pixels = contact_pixel_count(load, bodies.geometry.pixel_size)
     (single,) = plastic_totals(bodies, [contact_pixels], adhesion.rho)
-    parts, indentation = {}, xr.Dataset()
+    parts, maps = {}, []
     for order in range(orders):
         drawn = rng.permutation(len(places))
-        parts[(order,)], about_deepest = _one_order(bodies, places[drawn], contact_pixels, adhesion)
-        parts[(order,)]["single_pull_off_force"] = (
-            "contact",
-            _force(single.ravel()[drawn], bodies, adhesion),
-            {"units": "N"},
-        )
-        if order == 0:
-            indentation = about_deepest
+        part, about_deepest = _one_order(bodies, places[drawn], contact_pixels, adhesion)
+        force = _force(single.ravel()[drawn], bodies, adhesion)
+        parts[(order,)] = part.assign(single_pull_off_force=("contact", force, {"units": "N"}))
+        maps.append(about_deepest)
     return (
         stack(parts, ["order"])
-        .merge(indentation)
+        .merge(maps[0])
         .assign_attrs(load, rho=adhesion.rho, work_of_adhesion=adhesion.work)
     )
 
@@ -168,38 +158,29 @@ def _one_order(
     """Return forces and indents of one order of contacts, and their map about the deepest."""
     contacts, pixel_size = len(positions), bodies.geometry.pixel_size
     stages = np.unique(np.geomspace(1, contacts, STAGES).round().astype(int))
-    totals, penetration, sizes = [], [], []
+    totals, penetration, summaries = [], [], []
     for number, (total, one) in enumerate(
         repeated_totals(bodies, positions, contact_pixels, adhesion.rho), 1
     ):
         totals.append(total)
         penetration.append(one.contact.gaps[-1] - one.contact.gaps[0])
         if number in stages:
-            sizes.append(indent_sizes(one.depth, pixel_size))
-    of_stages = np.array([_summary(indents) for indents in sizes])
-    last = sizes[-1]
+            sizes = indent_sizes(one.depth, pixel_size)
+            largest = (float(values.max()) for values in sizes)
+            summaries.append([*largest, len(sizes.depth), float((sizes.edge_length**2).sum())])
+    of_stages = zip(SUMMARY.items(), np.transpose(summaries), strict=True)
     variables = {
         "pull_off_force": ("contact", _force(totals, bodies, adhesion), {"units": "N"}),
         "penetration": ("contact", penetration, {"units": "nm"}),
-        "indent_depth": ("indent", last.depth, {"units": "nm"}),
-        "indent_size": ("indent", last.lateral_size, {"units": "nm"}),
-    } | {
-        name: ("stage", of_stages[:, k], {"units": unit})
-        for k, (name, unit) in enumerate(SUMMARY.items())
-    }
+        "indent_depth": ("indent", sizes.depth, {"units": "nm"}),
+        "indent_size": ("indent", sizes.lateral_size, {"units": "nm"}),
+    } | {name: ("stage", values, {"units": unit}) for (name, unit), values in of_stages}
     coordinates = {
         "contact": np.arange(1, contacts + 1),
         "stage": stages,
-        "indent": np.arange(len(last.depth)),
+        "indent": np.arange(len(sizes.depth)),
     }
     return xr.Dataset(variables, coordinates), _map_about_deepest(one.depth, pixel_size)
-
-
-def _summary(indents: IndentSizes) -> tuple[float, ...]:
-    """Return the numbers of SUMMARY of all indents at one stage."""
-    area = float((indents.edge_length**2).sum())
-    largest = (float(values.max()) for values in indents)
-    return (*largest, len(indents.depth), area)
 
 
 def _map_about_deepest(depth: Floats, pixel_size: float) -> xr.Dataset:
@@ -215,9 +196,7 @@ def _map_about_deepest(depth: Floats, pixel_size: float) -> xr.Dataset:
     return xr.Dataset({"indentation": (("y", "x"), part.copy(), {"units": "nm"})}, axes)
 
 
-def repeated_contact(
-    pairs: Mapping[tuple[Any, ...], xr.Dataset], described: Described, confidence: float
-) -> xr.Dataset:
+def repeated_contact(pairs: Parts, described: Described, confidence: float) -> xr.Dataset:
     """Return the force and the indents of repeated contact against the number of contacts.
 
     The pairs are of `repeated_contact_of_pair`, by (surface, preload in N, scan). Intervals are by
@@ -238,9 +217,8 @@ def repeated_contact(
     of_stages = grouped.sum(["contact", "order"], min_count=1)
     of_stages = of_stages.rename(group="stage").assign_coords(stage=stacked["stage"])
     whole = forces.sum(["contact", "order"], min_count=1)
-    ratios = {"force_ratio": of_stages, "mean_ratio": whole}
     summary: dict[str, xr.DataArray] = {}
-    for name, parts in ratios.items():
+    for name, parts in {"force_ratio": of_stages, "mean_ratio": whole}.items():
         ratio = parts["pull_off_force"] / parts["single_pull_off_force"]
         summary[name] = ratio.mean("scan").assign_attrs(units="1")
         summary[f"{name}_interval"] = student_log_interval(ratio, confidence, "scan")
@@ -249,20 +227,17 @@ def repeated_contact(
         summary[name] = of_scans.mean("scan", keep_attrs=True)
         interval = student_interval(of_scans, confidence, "scan")
         summary[f"{name}_interval"] = interval.clip(0, keep_attrs=True)
-    drawn: dict[tuple[Any, ...], xr.Dataset] = {}
-    for (*of_surface, _), pair in pairs.items():
-        of_first = {"indentation": _centred(pair["indentation"])}
-        drawn.setdefault(tuple(of_surface), xr.Dataset(of_first))
+    first = of_first_scans(pairs, ["indentation"])
+    drawn = stack({key: _centred(one) for key, one in first.items()}, dimensions[:2])
     return with_names(
         xr.Dataset(summary)
         .merge(stacked[["indent_depth", "indent_size"]])
-        .merge(stack(drawn, dimensions[:2]))
+        .merge(drawn)
         .assign_attrs({name: stacked.attrs[name] for name in COMMON}, confidence=confidence),
         described,
     )
 
 
-def _centred(indentation: xr.DataArray) -> xr.DataArray:
+def _centred(mapped: xr.Dataset) -> xr.Dataset:
     """Return a map with positions in nm from its middle, the same for every surface."""
-    middle = {axis: indentation[axis] - indentation[axis].mean().item() for axis in "yx"}
-    return indentation.assign_coords(middle)
+    return mapped.assign_coords({axis: mapped[axis] - mapped[axis].mean().item() for axis in "yx"})

@@ -15,10 +15,10 @@ from numpy.typing import ArrayLike, NDArray
 from scipy import stats
 from threadpoolctl import threadpool_limits
 
-from hardcontact.adhesion.force_sum import pull_off_force
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION
+from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_force
+from hardcontact.adhesion.sphere_sums import exponential, folded
 from hardcontact.contact.closest_approach import closest_gaps, touching_pixels
-from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, bodies
+from hardcontact.contact.geometry import Bodies, ContactArray, bodies
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -27,13 +27,10 @@ Floats = NDArray[np.float64]
 #: Largest height of the substrate above the touching pixel, in ranges of adhesion: beyond it
 #: exp(-gap/rho) would fall among the numbers that floats hold with fewer digits.
 STEEPEST = 600.0
-
 #: Contacts along an edge of the arrays whose error is computed.
 COUNTS = (1, 2, 3, 4, 5, 6, 8, 10, 12, 14, 17, 20, 28, 40, 57, 80)
-
 #: Edges of the classes of forces, over the force of a smooth sphere on a plane.
 CLASSES = np.geomspace(1e-6, 1e2, 161)
-
 #: How the contacts on a scan lie.
 SAMPLINGS = ["random", "array"]
 
@@ -50,14 +47,16 @@ def rigid_pull_off(bodies: Bodies, ranges: Sequence[float]) -> Floats:
     """Return the rigid pull-off force (rho, contact, contact) in N at W = 1 J/m², smooth sphere.
 
     F = W/rho A_pix exp((g0 + h_max)/rho) sum exp((h - h_max - s)/rho), with the smallest gap g0 at
-    zero approach and the sum over the analysis window: Eq. 3. Nothing is left out or interpolated.
-    ValueError if the sphere is rough, or a range of adhesion is too small for the relief of the
-    surface.
+    zero approach and the sum over the analysis window: Eq. 3. The sum is G exp((h - h_max)/rho)
+    G^T, where G (contact, n) is exp(-s/rho) along one axis, `folded`. Nothing is left out or
+    interpolated. ValueError if the sphere is rough, or a range of adhesion is too small for the
+    relief of the surface.
     """
     if bodies.roughness is not None:
         raise ValueError("expected a smooth sphere, found a rough one: its sum is not separable")
     heights, geometry = bodies.substrate.heights, bodies.geometry
-    below_highest = closest_gaps(heights, geometry) + float(heights.max())
+    h_max = float(heights.max())
+    below_highest = closest_gaps(heights, geometry) + h_max
     forces = np.empty((len(ranges), *below_highest.shape))
     for force, rho in zip(forces, ranges, strict=True):
         exponents = below_highest / rho
@@ -66,26 +65,12 @@ def rigid_pull_off(bodies: Bodies, ranges: Sequence[float]) -> Floats:
                 "expected a range of adhesion that resolves the relief of the surface, "
                 f"found rho = {rho:g} nm, too small for it"
             )
-        sums = np.exp(exponents) * _separable_sums(heights, geometry, rho)
-        force[:] = pull_off_force(sums, rho, geometry.pixel_size, WORK_OF_ADHESION)
+        of_sphere = folded(len(heights), geometry, rho)
+        with threadpool_limits(1, "blas"):  # so that the sums do not depend on their number
+            sums = of_sphere @ (exponential(heights, h_max, rho) @ of_sphere.T)
+        totals = np.exp(exponents) * sums
+        force[:] = pull_off_force(totals, rho, geometry.pixel_size, WORK_OF_ADHESION)
     return forces
-
-
-def _separable_sums(heights: Floats, geometry: ContactGeometry, rho: float) -> Floats:
-    """Return the sum of exp((h - h_max - s)/rho) over the window of every contact.
-
-    It is G exp((h - h_max)/rho) G^T, where G (contact, n) is exp(-s/rho) along one axis, summed
-    over the periodic images in the window: (contact, contact).
-    """
-    offset = geometry.offsets()
-    weight = np.exp(-geometry.paraboloid(offset) / rho)
-    of_sphere = np.array(
-        [np.bincount((one + offset) % len(heights), weight, len(heights))
-         for one in geometry.positions]
-    )  # fmt: skip
-    attraction = np.exp(np.subtract(heights, heights.max(), dtype=float) / rho)
-    with threadpool_limits(1, "blas"):  # so that the sums do not depend on their number
-        return np.asarray(of_sphere @ (attraction @ of_sphere.T))
 
 
 class MapSettings(TypedDict):
@@ -111,8 +96,7 @@ def force_maps(stitched: HeightMap, settings: MapSettings) -> xr.Dataset:
     pair = bodies(stitched, None, settings["radius"], settings["contact"])
     scan = stitched.pixels // 2
     mapped = at_every_pixel(pair, scan)
-    everywhere = rigid_pull_off(mapped, ranges)
-    contacts = rigid_pull_off(pair, ranges)
+    everywhere, contacts = rigid_pull_off(mapped, ranges), rigid_pull_off(pair, ranges)
     reference = everywhere[list(ranges).index(settings["reference_rho"])]
     numbers = [_numbers(forces, stitched.pixel_size, settings) for forces in everywhere]
     smooth = dmt_pull_off(WORK_OF_ADHESION, settings["radius"])
@@ -120,33 +104,25 @@ def force_maps(stitched: HeightMap, settings: MapSettings) -> xr.Dataset:
         [_distribution(sample / smooth) for sample in samples]
         for samples in zip(everywhere, contacts, strict=True)
     ]
-    axes = ("row", "column")
+    axes, over = ("row", "column"), ("rho", "sample", "relative_force")
     heights = stitched.heights[:scan, :scan].astype("float32")
+    share = {"units": "1", "long_name": "share of the forces per decade"}
+    variables: dict[str, Any] = {
+        "heights": (axes, heights, {"units": "nm", "long_name": "surface height"}),
+        "pull_off_force": (axes, reference.astype("float32"), FORCE),
+        "scan_size": ((), scan * stitched.pixel_size, {"units": "nm"}),
+        "touched_pixels": ((), _touched_pixels(mapped)),
+        "map_mean": ("rho", everywhere.mean(axis=(1, 2))),
+        "map_median": ("rho", np.median(everywhere, axis=(1, 2))),
+        "contacts_mean": ("rho", contacts.mean(axis=(1, 2))),
+        "distribution": (over, distributions, share),
+    }
+    further = {"array_error": ["contacts"], "contacts_needed": ["sampling"]}
+    for name in numbers[0]:
+        of_ranges = [of_range[name] for of_range in numbers]
+        variables[name] = (["rho", *further.get(name, [])], of_ranges)
     return xr.Dataset(
-        {
-            "heights": (axes, heights, {"units": "nm", "long_name": "surface height"}),
-            "pull_off_force": (axes, reference.astype("float32"), FORCE),
-            "scan_size": ((), scan * stitched.pixel_size, {"units": "nm"}),
-            "touched_pixels": ((), _touched_pixels(mapped)),
-            "map_mean": ("rho", everywhere.mean(axis=(1, 2))),
-            "map_median": ("rho", np.median(everywhere, axis=(1, 2))),
-            "contacts_mean": ("rho", contacts.mean(axis=(1, 2))),
-            "distribution": (
-                ("rho", "sample", "relative_force"),
-                distributions,
-                {"units": "1", "long_name": "share of the forces per decade"},
-            ),
-            **{
-                name: (("rho", *dimensions), [of_range[name] for of_range in numbers])
-                for name, dimensions in {
-                    "variation": (),
-                    "correlation_length": (),
-                    "correlated_places": (),
-                    "array_error": ("contacts",),
-                    "contacts_needed": ("sampling",),
-                }.items()
-            },
-        },
+        variables,
         {
             "rho": ("rho", ranges, {"units": "nm", "long_name": "range of adhesion"}),
             "row": range(scan),
@@ -172,10 +148,8 @@ def normal_quantile(settings: MapSettings) -> float:
 def _touched_pixels(bodies: Bodies) -> int:
     """Return how many pixels of a scan touch at some position on it, mirror images as one."""
     period = bodies.substrate.pixels
-    touching = (
-        pixel % period for pixel in touching_pixels(bodies.substrate.heights, bodies.geometry)
-    )
-    row, column = (np.minimum(pixel, period - 1 - pixel) for pixel in touching)
+    touching = np.array(touching_pixels(bodies.substrate.heights, bodies.geometry)) % period
+    row, column = np.minimum(touching, period - 1 - touching)
     return len(np.unique(row * period + column))
 
 
@@ -185,15 +159,13 @@ def _numbers(forces: np.ndarray, pixel_size: float, settings: MapSettings) -> di
     errors = np.array([array_error(forces, int(count)) for count in counts])
     length, area = correlation(forces, pixel_size)
     spread = variation(forces)
+    at_random = max(1.0, (spread / error) ** 2)
     return {
         "variation": spread,
         "correlation_length": length,
         "correlated_places": forces.size * pixel_size**2 / area,
         "array_error": errors,
-        "contacts_needed": [
-            max(1.0, (spread / error) ** 2),
-            contacts_for_error(counts**2, errors, error),
-        ],
+        "contacts_needed": [at_random, contacts_for_error(counts**2, errors, error)],
     }
 
 
@@ -265,11 +237,13 @@ def correlation(forces: Floats, pixel_size: float) -> Correlation:
     number = np.bincount(distance[near], weight[near])
     integral = np.bincount(distance[near], (weight * lags)[near])
     radial = integral / number
-    (negative,) = np.nonzero(radial <= 0)
+    level, length = np.exp(-1), np.nan
+    (below,), (negative,) = np.nonzero(radial < level), np.nonzero(radial <= 0)
+    if below.size:
+        at = below[0]
+        length = at - (level - radial[at]) / (radial[at - 1] - radial[at])
     end = negative[0] if negative.size else len(radial)
-    return Correlation(
-        _first_crossing(radial, np.exp(-1)) * pixel_size, integral[:end].sum() * pixel_size**2
-    )
+    return Correlation(float(length) * pixel_size, integral[:end].sum() * pixel_size**2)
 
 
 def _autocorrelation(forces: Floats) -> Floats:
@@ -285,25 +259,3 @@ def _autocorrelation(forces: Floats) -> Floats:
     pairs = (pixels - np.arange(half + 1))[:, None] * (pixels - np.abs(columns))
     covariance = products[: half + 1, columns] / pairs
     return np.asarray(covariance / covariance[0, half])
-
-
-def _first_crossing(curve: Floats, level: float) -> float:
-    """Return the index, interpolated, at which a curve first falls below a level; NaN if never."""
-    (below,) = np.nonzero(curve < level)
-    if not below.size:
-        return float("nan")
-    end = int(below[0])
-    return float(end - (level - curve[end]) / (curve[end - 1] - curve[end]))
-
-
-def deviation_interval(deviation: ArrayLike, count: int, confidence: float) -> Floats:
-    """Return the interval (..., 2) of a standard deviation of normal values, by chi-squared.
-
-    `deviation` (...) is that of `count` independent values, with the divisor count - 1; NaN of
-    fewer than two.
-    """
-    found = np.asarray(deviation, float)
-    if count < 2:
-        return np.full((*found.shape, 2), np.nan)
-    tails = np.array([1 + confidence, 1 - confidence]) / 2
-    return np.asarray(found[..., None] * np.sqrt((count - 1) / stats.chi2.ppf(tails, count - 1)))

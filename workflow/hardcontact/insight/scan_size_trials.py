@@ -13,6 +13,7 @@ force changes as soon as its longest waves go, the edge is open, and at least so
 """
 
 from collections.abc import Mapping
+from itertools import cycle
 from typing import NamedTuple, TypedDict
 
 import numpy as np
@@ -95,24 +96,24 @@ def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
     return ScanSizeRule(float(np.exp(found[0])), found[1:])
 
 
-def rule_error(rule: ScanSizeRule, case: Case, excess: ArrayLike) -> tuple[float, float]:
-    """Return the errors of ln(force) with and without the rule as a correction, on given scans.
+def correction_errors(predicted: ArrayLike, excess: ArrayLike) -> list[float]:
+    """Return the root mean squares of ln(force) that are left with and without a correction.
 
-    Both are roots of the mean square of ln(excess) of measured factors (n,). A correction is worth
-    making where the first is well below the second, on scans that the rule was not fitted to.
+    It divides measured factors (n,) by predicted ones. It is worth making where the first error is
+    well below the second, on scans that the rule was not fitted to.
     """
     measured = np.log(np.asarray(excess, float))
-    left = measured - np.log(rule.excess(case))
-    return float(np.sqrt((left**2).mean())), float(np.sqrt((measured**2).mean()))
+    left = measured - np.log(predicted)
+    return [float(np.sqrt((one**2).mean())) for one in (left, measured)]
 
 
 def ratio_of_means(
     forces: xr.DataArray, reference: xr.DataArray, confidence: float
 ) -> tuple[xr.DataArray, xr.DataArray]:
-    """Return the mean force over realizations over that of a reference, with its interval.
+    """Return the mean force over realizations over that of a reference, and its interval.
 
-    The interval (..., bound) of forces (realization, ...) above zero is that of the ratios of
-    single realizations by Student's t of their logarithms, about the ratio of the means.
+    The latter is that of the ratios of single realizations by Student's t of their logarithms,
+    about the ratio of the means.
     """
     ratio = forces.mean("realization") / reference.mean("realization")
     single = forces / reference
@@ -128,16 +129,14 @@ def window_edges(
     The forces are of `filtered_window_forces`, by surface; the tolerance is the relative change of
     the force that counts.
 
-    Over surface, edge_size and cutoff_wavelength ``long_ratio``, the mean over realizations of the
-    force without longer waves over that with all, with its interval; over surface and edge_size
-    what `described_edge` says: ``long_edge``, ``long_edge_interval`` and ``long_edge_bound`` in nm,
-    ``long_edge_at_least``, ``long_edge_status`` and ``long_interval_status``;
-    and ``force_over_largest``, the force over that on the larger whole surface, with its interval;
-    ``period`` and ``mirrored`` (edge_size).
+    With intervals: ``long_ratio`` (surface, edge_size, cutoff_wavelength), the mean over
+    realizations of the force without longer waves over that with all, and ``force_over_largest``
+    (surface, edge_size), the force over that on the larger whole surface. What `described_edge`
+    says of each edge size has names that begin with ``long_``. ``period`` and ``mirrored`` are
+    those of the forces.
     """
     given = next(iter(forces.values()))[["period", "mirrored"]]
-    measured = {(name,): one[["ratio", "pull_off_force"]] for name, one in forces.items()}
-    stacked = stack(measured, ["surface"])
+    stacked = stack({(name,): one for name, one in forces.items()}, ["surface"])
     ratio = stacked["ratio"].mean("realization", keep_attrs=True)
     interval = student_log_interval(stacked["ratio"], confidence, "realization")
     force = stacked["pull_off_force"]
@@ -187,9 +186,9 @@ def random_spectra(rng: np.random.Generator, count: int) -> list[Spectrum]:
 def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) -> xr.Dataset:
     """Return how much larger the force is on windows than on surfaces of a spectrum.
 
-    ``excess`` (scan_size, rho) is the mean force over realizations on windows over that on the
-    surfaces, with its interval from those of single realizations; ``rms_height``, ``roll_off`` and
-    ``radius`` of the sphere in nm. `name` is that of the spectrum, for its random numbers.
+    ``excess`` (scan_size, rho), with its interval, is a `ratio_of_means`; ``rms_height``,
+    ``roll_off`` and ``radius`` of the sphere are in nm. The name of the spectrum is for its random
+    numbers.
     """
     contacts: WindowContacts = {**trials["contacts"], "radius": radius}
     pixel_size = trials["size"] / trials["pixels"]
@@ -220,19 +219,17 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
 def scan_size_trials(spectra: Mapping[str, Spectrum], trials: Trials) -> xr.Dataset:
     """Return the rule, the excess of the force that it predicts, and its error.
 
-    The rule is tested on the spectra of surfaces. Over (surface, scan_size, rho) ``excess`` with
-    its interval and ``predicted_excess``, over (trial, scan_size, rho) the same of random surfaces
-    as ``known_excess`` and ``predicted_known_excess``, each from a rule that was fitted without its
-    spectrum; ``strength`` and ``exponent`` (ratio) of the rule; ``error`` (tested, kind), root mean
-    square of ln(force), of "random surfaces" and "surfaces", "corrected" by the rule and
-    "uncorrected"; ``size_needed`` (surface, rho) in nm for the excess of the trials.
+    Over (surface, scan_size, rho) ``excess`` with its interval and ``predicted_excess``, over
+    (trial, scan_size, rho) the same of random surfaces as ``known_excess`` and
+    ``predicted_known_excess``, each from a rule that was fitted without its spectrum; ``strength``
+    and ``exponent`` (ratio) of the rule; ``error`` (tested, kind) of `correction_errors`;
+    ``size_needed`` (surface, rho) in nm for the excess of the trials.
     """
     drawn = random_spectra(generator(trials["seed"], "scan size spectra"), trials["count"])
-    radii = [trials["radii"][one % len(trials["radii"])] for one in range(len(drawn))]
     known = xr.concat(
         [
             window_excess(f"random {one}", spectrum, radius, trials)
-            for one, (spectrum, radius) in enumerate(zip(drawn, radii, strict=True))
+            for one, (spectrum, radius) in enumerate(zip(drawn, cycle(trials["radii"])))
         ],
         "trial",
     )
@@ -242,31 +239,25 @@ def scan_size_trials(spectra: Mapping[str, Spectrum], trials: Trials) -> xr.Data
     ).assign_coords(surface=list(spectra))
     (of_random, known_excess), (of_surfaces, tested_excess) = _scans(known), _scans(tested)
     rule = fitted_rule(of_random, known_excess)
-    left_out = np.concatenate(
-        [
-            fitted_rule(*_scans(known.drop_isel(trial=one))).excess(
-                _scans(known.isel(trial=[one]))[0]
-            )
-            for one in range(trials["count"])
-        ]
-    )
-    misses = np.log(known_excess) - np.log(left_out)
-    of_known = np.sqrt([(misses**2).mean(), (np.log(known_excess) ** 2).mean()])
-    of_tested = rule_error(rule, of_surfaces, tested_excess)
+    left_out = []
+    for one in range(trials["count"]):
+        of_others = fitted_rule(*_scans(known.drop_isel(trial=one)))
+        left_out.append(of_others.excess(_scans(known.isel(trial=[one]))[0]))
+    of_known = np.concatenate(left_out)
+    predicted = rule.excess(of_surfaces)
+    pairs = ((of_known, known_excess), (predicted, tested_excess))
+    errors = [correction_errors(*pair) for pair in pairs]
     needed = rule.size_for(_scans(tested.isel(scan_size=[0]))[0], trials["excess"])
-    dims = ("surface", "scan_size", "rho")
-    shape = tuple(tested.sizes[name] for name in dims)
-    one = {"units": "1"}
+    dims, number = ("surface", "scan_size", "rho"), {"units": "1"}
+    surfaces, sizes, ranges = (tested.sizes[name] for name in dims)
     return tested.assign(
-        predicted_excess=(dims, rule.excess(of_surfaces).reshape(shape), one),
+        predicted_excess=(dims, predicted.reshape(surfaces, sizes, ranges), number),
         known_excess=known["excess"],
-        predicted_known_excess=(
-            ("trial", *dims[1:]), left_out.reshape(known["excess"].shape), one,
-        ),
-        strength=((), rule.strength, one),
-        exponent=("ratio", rule.exponents, one),
-        error=(("tested", "kind"), [of_known, of_tested], one),
-        size_needed=(("surface", "rho"), needed.reshape(shape[0], shape[2]), {"units": "nm"}),
+        predicted_known_excess=(("trial", *dims[1:]), of_known.reshape(-1, sizes, ranges), number),
+        strength=((), rule.strength, number),
+        exponent=("ratio", rule.exponents, number),
+        error=(("tested", "kind"), errors, number),
+        size_needed=(("surface", "rho"), needed.reshape(surfaces, ranges), {"units": "nm"}),
     ).assign_coords(
         ratio=RATIOS, tested=["random surfaces", "surfaces"], kind=["corrected", "uncorrected"]
     ).assign_attrs(
@@ -279,7 +270,5 @@ def _scans(excess: xr.Dataset) -> tuple[Case, Floats]:
     """Return the scans of a dataset of `window_excess`, stacked, and their factors: both flat."""
     like = excess["excess"]
     names = ("scan_size", "rms_height", "roll_off", "radius", "rho")
-    lengths = [
-        excess[name].broadcast_like(like).transpose(*like.dims).values.ravel() for name in names
-    ]
-    return Case(*lengths), like.values.ravel()
+    lengths = (excess[name].broadcast_like(like).transpose(*like.dims) for name in names)
+    return Case(*(length.values.ravel() for length in lengths)), like.values.ravel()

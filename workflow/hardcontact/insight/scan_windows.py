@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import NamedTuple, TypedDict
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -20,25 +20,24 @@ from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
 
+Floats = NDArray[np.float64]
 
-class WindowContacts(TypedDict):
+
+class WindowContacts(ContactArray):
     """Windows that are cut out of a surface, and the contacts on them."""
 
     sizes: list[float]  #: Edges of the windows in nm.
     each: int  #: Windows of every size, along the diagonal of the surface.
     radius: float  #: Of the sphere in nm.
     ranges: list[float]  #: Ranges of adhesion in nm.
-    window: float  #: Edge of the analysis window in nm.
-    count: int  #: Contacts along an edge of the array.
     load: NamedLoad  #: Preload and hardness.
 
 
-def window_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
+def window_forces(surface: HeightMap, parameters: WindowContacts) -> Floats:
     """Return the plastic pull-off of a smooth sphere on a surface and on windows cut out of it.
 
-    ``pull_off_force`` (scan_size, rho) in N at 1 J/m² are means over contacts and windows. The
-    surface is periodic, the largest there is; the last scan size is its own, and it is not
-    mirrored.
+    The forces (scan_size, rho) in N at 1 J/m² are means over contacts and windows. The surface is
+    periodic, the largest there is; the last scan size is its own, and it is not mirrored.
     """
     means = []
     for size in parameters["sizes"]:
@@ -59,29 +58,23 @@ def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[He
         yield mirror_stitch(level(substitute_scan(shifted, pixels)))
 
 
-def mean_forces(surface: HeightMap, parameters: WindowContacts) -> NDArray[np.float64]:
+def mean_forces(surface: HeightMap, parameters: WindowContacts) -> Floats:
     """Return the plastic pull-off (rho,) in N at 1 J/m² on a periodic surface, over contacts."""
-    array: ContactArray = {"window": parameters["window"], "count": parameters["count"]}
-    pair = bodies(surface, None, parameters["radius"], array)
+    pair = bodies(surface, None, parameters["radius"], parameters)
     found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])
     return np.asarray(found["pull_off_force"].values[0])
 
 
 class WindowFilters(NamedTuple):
-    """Random surfaces, the windows cut out of them, and what both are filtered at.
+    """Random surfaces, the windows cut out of them, and what both are filtered at."""
 
-    The sizes are edges of two whole surfaces in nm, the larger last; windows are cut out of that
-    one. The realizations are the surfaces of each size, which the seed draws; all have pixels of
-    one size in nm. The cutoffs ascend, in nm; wavelengths above are removed. The contacts are at
-    one range of adhesion, their count is that on whole surfaces. Mirrored windows hold few peaks:
-    half as many along an edge tell the same force there.
-    """
-
-    sizes: list[float]
-    pixel_size: float
-    realizations: int
-    cutoffs: list[float]
-    seed: int
+    sizes: list[float]  #: Edges of two whole surfaces in nm; windows are cut out of the last one.
+    pixel_size: float  #: In nm.
+    realizations: int  #: Surfaces of each size.
+    cutoffs: list[float]  #: In nm, ascending; wavelengths above are removed.
+    seed: int  #: Of the surfaces.
+    #: At one range of adhesion; the count is that on whole surfaces. Mirrored windows hold few
+    #: peaks: half as many along an edge tell the same force there.
     contacts: WindowContacts
 
 
@@ -103,42 +96,30 @@ def filtered_window_forces(name: str, density: Density, filters: WindowFilters) 
     means = np.array(list(progress(parts, count, "realizations")))
     windows, whole = filters.contacts["sizes"], filters.sizes
     nm, of_scan = {"units": "nm"}, ("realization", "edge_size")
-    long_name = "force without longer waves over that with all"
+    periods = [*(2 * size for size in windows), *whole]
+    over_all = {"units": "1", "long_name": "force without longer waves over that with all"}
     of_windows = {"units": "1", "long_name": "1 of mirrored windows, 0 of whole surfaces"}
+    removed = nm | {"long_name": "wavelength above which roughness is removed"}
     return xr.Dataset(
         {
             "pull_off_force": (of_scan, means[..., 0], FORCE),
-            "ratio": (
-                (*of_scan, "cutoff_wavelength"),
-                means[..., 1:],
-                {"units": "1", "long_name": long_name},
-            ),
-            "period": (
-                "edge_size",
-                [*(2 * size for size in windows), *whole],
-                nm | {"long_name": "longest wave of the surface"},
-            ),
+            "ratio": ((*of_scan, "cutoff_wavelength"), means[..., 1:], over_all),
+            "period": ("edge_size", periods, nm | {"long_name": "longest wave of the surface"}),
             "mirrored": ("edge_size", [1] * len(windows) + [0] * len(whole), of_windows),
         },
         {
             "edge_size": ("edge_size", [*windows, *whole], nm | {"long_name": "edge of the scan"}),
-            "cutoff_wavelength": (
-                "cutoff_wavelength",
-                filters.cutoffs,
-                nm | {"long_name": "wavelength above which roughness is removed"},
-            ),
+            "cutoff_wavelength": ("cutoff_wavelength", filters.cutoffs, removed),
         },
     )
 
 
-def filtered_forces(
-    surface: HeightMap, cutoffs: list[float], contacts: WindowContacts
-) -> NDArray[np.float64]:
+def filtered_forces(surface: HeightMap, cutoffs: list[float], contacts: WindowContacts) -> Floats:
     """Return the mean force on a periodic surface as it is, and what is left above each cutoff.
 
-    These are (1 + cutoff,): the force in N at 1 J/m², then ratios to it. The cutoffs (nm) ascend;
-    wavelengths above are removed. Ratios are NaN at cutoffs above the period, which would remove
-    nothing: that is no sign that longer waves do not matter.
+    These are (1 + cutoff,): the force in N at 1 J/m², then ratios to it. Ratios are NaN at cutoffs
+    (nm, ascending) above the period, which would remove nothing: that is no sign that longer waves
+    do not matter.
     """
     limit = surface.size * (1 + 1e-12)
     known = [None, *(cutoff for cutoff in cutoffs if cutoff <= limit)]
@@ -150,28 +131,18 @@ def filtered_forces(
 
 def _of_realization(
     name: str, density: Density, filters: WindowFilters, realization: int
-) -> list[NDArray[np.float64]]:
+) -> list[Floats]:
     """Return `filtered_forces` of windows of every size, their means, then of whole surfaces."""
-    contacts = filters.contacts
+    contacts, cutoffs, pixel_size = filters.contacts, filters.cutoffs, filters.pixel_size
     on_windows: WindowContacts = {**contacts, "count": -(-contacts["count"] // 2)}
-    smaller, larger = (
-        random_surface(
-            generator(filters.seed, name, realization, f"window edges {size:g} nm"),
-            window_pixels(size, filters.pixel_size),
-            filters.pixel_size,
-            density,
-        )
-        for size in filters.sizes
-    )
-    windows = [
-        np.mean(
-            [
-                filtered_forces(window, filters.cutoffs, on_windows)
-                for window in mirrored_windows(larger, size, contacts["each"])
-            ],
-            axis=0,
-        )
-        for size in contacts["sizes"]
-    ]
-    whole = [filtered_forces(one, filters.cutoffs, contacts) for one in (smaller, larger)]
-    return [*windows, *whole]
+    whole = []
+    for size in filters.sizes:
+        rng = generator(filters.seed, name, realization, f"window edges {size:g} nm")
+        pixels = window_pixels(size, pixel_size)
+        whole.append(random_surface(rng, pixels, pixel_size, density))
+    means = []
+    for size in contacts["sizes"]:
+        windows = mirrored_windows(whole[-1], size, contacts["each"])
+        forces = [filtered_forces(one, cutoffs, on_windows) for one in windows]
+        means.append(np.mean(forces, axis=0))
+    return [*means, *(filtered_forces(one, cutoffs, contacts) for one in whole)]

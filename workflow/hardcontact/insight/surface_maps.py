@@ -1,25 +1,20 @@
 """Maps of the pull-off force of all surfaces, and how many contacts and scans a mean needs."""
 
-from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike, NDArray
+from scipy import stats
 
-from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.adhesion.all_surfaces import Parts, of_first_scans
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.contact.smooth_sphere import dmt_pull_off
-from hardcontact.insight.scan_maps import (
-    SAMPLINGS,
-    MapSettings,
-    deviation_interval,
-    force_maps,
-    normal_quantile,
-)
+from hardcontact.insight.scan_maps import SAMPLINGS, MapSettings, normal_quantile
 from hardcontact.numbers.statistics import student_log_interval, with_interval
 from hardcontact.records.dataset import stack
-from hardcontact.records.job import progress
-from hardcontact.surfaces.height_map import read_height_map
+
+Floats = NDArray[np.float64]
 
 LONG_NAMES = {
     "map_mean": ("N", "mean pull-off force of all positions at W = 1 J/m2"),
@@ -36,34 +31,11 @@ LONG_NAMES = {
 }
 MEANS = ("map_mean", "map_median", "contacts_mean")
 OVER_SCANS = (
-    "variation",
-    "contacts_needed",
-    "correlation_length",
-    "correlated_places",
-    "touched_pixels",
-)
+    "variation", "contacts_needed", "correlation_length", "correlated_places", "touched_pixels",
+)  # fmt: skip
 
 
-def maps_of_surfaces(
-    stitched: Iterable[tuple[tuple[str, int], str]],
-    settings: MapSettings,
-    labels: Mapping[str, str],
-    basis: Mapping[str, str],
-) -> xr.Dataset:
-    """Return all that the figure of force maps shows, from the files of stitched scans.
-
-    These are given as ((surface, scan), file); the variables are those of `maps_of_scans`, with
-    ``label`` and ``basis`` (surface).
-    """
-    files = list(stitched)
-    scans = {
-        key: force_maps(read_height_map(path), settings)
-        for key, path in progress(files, len(files), "scans")
-    }
-    return with_names(maps_of_scans(scans, settings), {"labels": labels, "basis": basis})
-
-
-def maps_of_scans(scans: Mapping[tuple[str, int], xr.Dataset], settings: MapSettings) -> xr.Dataset:
+def maps_of_scans(scans: Parts, settings: MapSettings) -> xr.Dataset:
     """Return the maps of one scan a surface, and the numbers of all scans with their intervals.
 
     Of `force_maps` by (surface, scan): ``heights``, ``pull_off_force`` (surface, row, column) and
@@ -74,9 +46,7 @@ def maps_of_scans(scans: Mapping[tuple[str, int], xr.Dataset], settings: MapSett
     ``worth_of_scan`` is their variance, within and between scans, over that between scans.
     """
     pictures = ["heights", "pull_off_force", "scan_size"]
-    first = {(surface,): scans[surface, scan] for surface, scan in reversed(list(scans))}
-    order = list(dict.fromkeys((surface,) for surface, _ in scans))
-    maps = stack({key: first[key][pictures] for key in order}, ["surface"])
+    maps = stack(of_first_scans(scans, pictures), ["surface"])
     numbers = stack(
         {key: one.drop_vars(pictures) for key, one in scans.items()}, ["surface", "scan"]
     )
@@ -87,8 +57,13 @@ def maps_of_scans(scans: Mapping[tuple[str, int], xr.Dataset], settings: MapSett
         units="1", long_name="error of the mean of an array, root mean square over scans"
     )
     variables: dict[str, Any] = {}
+    present = numbers["map_mean"].isel(rho=0, drop=True).notnull()
     for name in OVER_SCANS:
-        variables |= _over_scans(name, numbers, settings)
+        values = numbers[name]
+        # Of the scans there are, none may lack it.
+        known = ~(values.isnull() & present).any("scan")
+        interval = student_log_interval(values, settings["confidence"], "scan").where(known)
+        variables |= _bounded(name, values.mean("scan").where(known), interval, settings)
     variables |= _between_scans(numbers, settings)
     complete = maps.merge(of_scans).merge(averaged).assign(variables)
     complete = complete.assign_coords(sampling=SAMPLINGS)
@@ -117,25 +92,12 @@ def _bounded(
     return with_interval(name, dimensions, value.values, ends, attributes, settings["confidence"])
 
 
-def _over_scans(name: str, numbers: xr.Dataset, settings: MapSettings) -> dict[str, Any]:
-    """Return the mean of a number over the scans there are; NaN where it is NaN on one of them."""
-    values, present = numbers[name], numbers["map_mean"].isel(rho=0, drop=True).notnull()
-    known = ~(values.isnull() & present).any("scan")
-    interval = student_log_interval(values, settings["confidence"], "scan")
-    return _bounded(name, values.mean("scan").where(known), interval.where(known), settings)
-
-
 def _between_scans(numbers: xr.Dataset, settings: MapSettings) -> dict[str, Any]:
     """Return how much means of whole scans scatter, what a scan is worth, and the scans needed."""
     means = numbers["map_mean"]
     scatter = means.std("scan", ddof=1) / means.mean("scan")
-    counts = means.isel(rho=0).count("scan").values
-    ends = np.array(
-        [
-            deviation_interval(of_surface, int(count), settings["confidence"])
-            for of_surface, count in zip(scatter.values, counts, strict=True)
-        ]
-    )
+    counts = means.isel(rho=0).count("scan").values[:, None]
+    ends = deviation_interval(scatter.values, counts, settings["confidence"])
     interval = xr.DataArray(ends, dims=(*scatter.dims, "bound"))
     error, within = settings["tolerance"] / normal_quantile(settings), numbers["variation"]
     ratio = (within**2).mean("scan")
@@ -150,3 +112,14 @@ def _between_scans(numbers: xr.Dataset, settings: MapSettings) -> dict[str, Any]
             settings,
         )
     )
+
+
+def deviation_interval(deviation: Floats, count: ArrayLike, confidence: float) -> Floats:
+    """Return the interval (..., 2) of a standard deviation (...) of normal values, by chi-squared.
+
+    It is that of `count` (...) independent values, with the divisor count - 1; NaN of fewer than
+    two.
+    """
+    freedom = np.asarray(count)[..., None] - 1
+    tails = np.array([1 + confidence, 1 - confidence]) / 2
+    return np.asarray(deviation[..., None] * np.sqrt(freedom / stats.chi2.ppf(tails, freedom)))

@@ -13,8 +13,7 @@ from hardcontact.own_surfaces.master_forces import (
     over_masters,
 )
 from hardcontact.own_surfaces.scan_parts import logarithmic_interval
-from hardcontact.scales.critical_band import logarithmic_limits
-from hardcontact.scales.edge_of_curve import Curve, described_edge
+from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
 
 #: What an edge is described by: further dimensions, and attributes.
 EDGE: dict[str, tuple[tuple[str, ...], dict[str, Any]]] = {

@@ -1,9 +1,15 @@
-"""The critical band: the wavelengths whose removal changes the pull-off force."""
+"""The critical band: the wavelengths whose removal changes the pull-off force, and its edges."""
+
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.numbers.statistics import Sampling, student_log_samples
+
+#: The group of all surfaces.
+POOLED = "pooled"
+AXES = ("side", "surface", "cutoff_wavelength")
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
@@ -24,105 +30,69 @@ def last_cutoff(values: xr.DataArray, side: str) -> float:
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
 
-#: The group of all surfaces.
-POOLED = "pooled"
-
-AXES = ("side", "surface", "cutoff_wavelength")
-
-
-def find_critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
-    """Return the `critical_band` of all surfaces, with label and basis of each.
-
-    The forces of the filtered masters are as in scales.nc; the tolerance is the relative change of
-    the force that counts.
-    """
-    band = critical_band(scales, tolerance, sampling)
-    return band.assign(label=scales.label, basis=scales.basis).assign_attrs(
-        scale_tolerance=tolerance,
-        confidence=sampling.confidence,
-        sphere_radius=scales.attrs["sphere_radius"],
-    )
-
-
 def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Dataset:
     """Return ratio curves, changes of the force and critical wavelengths, by side.
 
-    Parameters
-    ----------
-    scales : xarray.Dataset
-        ratio (surface, realization, side, cutoff_wavelength), NaN at cutoffs of the other side, and
-        unfiltered_wavelength (surface, side) in nm.
-    tolerance : float
-        Relative change of the force that counts.
-    sampling : Sampling
-        Mean ratios over realizations are sampled, each surface by itself.
+    `scales` has ``ratio`` (surface, realization, side, cutoff_wavelength), NaN at cutoffs of the
+    other side, and ``unfiltered_wavelength`` (surface, side) in nm; the tolerance is the relative
+    change of the force that counts. Mean ratios over realizations are sampled, each surface by
+    itself.
 
-    Returns
-    -------
-    xarray.Dataset
-        scale_ratio (1) over side, surface and cutoff_wavelength; scale_change (1) and
-        critical_wavelength (nm) over side and group, and scale_change over cutoff_wavelength; all
-        with intervals. The change is |ratio - 1|; that of the group POOLED is the mean over
-        surfaces. A surface leaves the tolerance where ln(ratio) does. A sampled change that stays
-        within the tolerance counts as the last cutoff of its side, a bound on where it leaves.
+    With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
+    group, cutoff_wavelength), |ratio - 1|, of the group POOLED the mean over surfaces; and
+    ``critical_wavelength`` (side, group) in nm. A surface leaves the tolerance where ln(ratio)
+    does. A sampled change that stays within the tolerance counts as the last cutoff of its side, a
+    bound on where it leaves.
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
-    sampled = _sampled_ratios(realizations, sampling)
+    sampled = np.stack(
+        [
+            student_log_samples(
+                sampling.generator("scales", str(surface)),
+                realizations.sel(surface=surface).dropna("realization", how="all").values,
+                sampling.samples,
+            )
+            for surface in scales.surface.values
+        ],
+        axis=2,
+    )
     change, changes = _changes(ratio), _changes(sampled)
     cutoffs = scales.cutoff_wavelength.values
     ends = scales.unfiltered_wavelength.transpose("side", "surface").values
     ends = np.concatenate([ends, ends.mean(axis=1, keepdims=True)], axis=1)
     critical = _critical_wavelengths(ends, cutoffs, ratio[None], tolerance)[0]
     known = np.isfinite(change)
-    last = [np.where(known, cutoffs, limit) for limit in (-np.inf, np.inf)]
-    last = np.where(ends < cutoffs[0], last[0].max(axis=-1), last[1].min(axis=-1))
+    last = np.where(
+        ends < cutoffs[0],
+        np.where(known, cutoffs, -np.inf).max(axis=-1),
+        np.where(known, cutoffs, np.inf).min(axis=-1),
+    )
     critical_samples = _critical_wavelengths(ends, cutoffs, sampled, tolerance)
     stays = np.isnan(critical_samples) & np.isfinite(changes).any(axis=-1)
     critical_samples = np.where(stays, last, critical_samples)
-    one, long_name = {"units": "1"}, "long_name"
-    return xr.Dataset(
-        sampling.with_interval(
-            "scale_ratio",
-            AXES,
-            ratio,
-            sampled,
-            one | {long_name: "pull-off force over that unfiltered"},
-        )
-        | sampling.with_interval(
-            "scale_change",
-            ("side", "group", "cutoff_wavelength"),
-            change,
-            changes,
-            one | {long_name: "relative change of the pull-off force, up or down"},
-        )
-        | sampling.with_interval(
-            "critical_wavelength",
-            ("side", "group"),
-            critical,
-            critical_samples,
-            {"units": "nm", long_name: "cutoff where the force leaves its tolerance"},
+    variables = [
+        ("scale_ratio", AXES, ratio, sampled, "1", "pull-off force over that unfiltered"),
+        (
+            "scale_change", ("side", "group", "cutoff_wavelength"), change, changes,
+            "1", "relative change of the pull-off force, up or down",
         ),
-        {
-            "side": scales.side.values,
-            "surface": scales.surface.values,
-            "group": [*scales.surface.values.tolist(), POOLED],
-            "cutoff_wavelength": scales.cutoff_wavelength,
-        },
-    )
-
-
-def _sampled_ratios(realizations: xr.DataArray, sampling: Sampling) -> np.ndarray:
-    """Return samples of the mean of ratios (realization, *AXES): (sample, *AXES)."""
-    samples = [
-        student_log_samples(
-            sampling.generator("scales", str(surface)),
-            realizations.sel(surface=surface).dropna("realization", how="all").values,
-            sampling.samples,
-        )
-        for surface in realizations.surface.values
-    ]
-    return np.stack(samples, axis=2)
+        (
+            "critical_wavelength", ("side", "group"), critical, critical_samples,
+            "nm", "cutoff where the force leaves its tolerance",
+        ),
+    ]  # fmt: skip
+    found: dict[str, Any] = {}
+    for name, dimensions, value, samples, units, long_name in variables:
+        attributes = {"units": units, "long_name": long_name}
+        found |= sampling.with_interval(name, dimensions, value, samples, attributes)
+    coordinates = {
+        "side": scales.side.values,
+        "surface": scales.surface.values,
+        "group": [*scales.surface.values.tolist(), POOLED],
+        "cutoff_wavelength": scales.cutoff_wavelength,
+    }
+    return xr.Dataset(found, coordinates)
 
 
 def _changes(ratios: np.ndarray) -> np.ndarray:
@@ -163,23 +133,84 @@ def _critical_wavelengths(
 
     ends: (side, group) nm, the unfiltered end: below all cutoffs, or above.
     """
-    pooled = _changes(ratios)[:, :, -1:]
-    of_surfaces = _along_curves(
-        ends[:, :-1], cutoffs, np.log(ratios), logarithmic_limits(tolerance)
-    )
-    of_all = _along_curves(ends[:, -1:], cutoffs, pooled, (-np.inf, tolerance))
-    return np.concatenate([of_surfaces, of_all], axis=-1)
-
-
-def _along_curves(
-    ends: np.ndarray, cutoffs: np.ndarray, curves: np.ndarray, limits: tuple[float, float]
-) -> np.ndarray:
-    """Return where curves (n, side, group, cutoff), zero without a filter, leave their limits."""
+    curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
+    limits = [logarithmic_limits(tolerance)] * ratios.shape[2] + [(-np.inf, tolerance)]
     wavelengths = np.full(curves.shape[:3], np.nan)
     for n, s, g in np.ndindex(wavelengths.shape):
         known = np.flatnonzero(np.isfinite(curves[n, s, g]))
         order = known if ends[s, g] < cutoffs[0] else known[::-1]
-        wavelengths[n, s, g] = critical_wavelength(
-            np.append(ends[s, g], cutoffs[order]), np.append(0.0, curves[n, s, g, order]), limits
-        )
+        # Without a filter the curve is zero.
+        curve = np.append(0.0, curves[n, s, g, order])
+        from_end = np.append(ends[s, g], cutoffs[order])
+        wavelengths[n, s, g] = critical_wavelength(from_end, curve, limits[g])
     return wavelengths
+
+
+class Curve(NamedTuple):
+    """A measure of the change of the force on one side, zero without a filter."""
+
+    side: str  #: small: wavelengths below the cutoff are removed; large: those above.
+    cell: float  #: Longest wavelength of the filtered surfaces in nm.
+    #: (k,) nm, in the order of growing effect: growing on the small side, falling on the large.
+    cutoffs: np.ndarray
+    #: (3, k): as computed, the least and the greatest within the interval; the latter NaN where
+    #: there is no interval. Of one surface ln(ratio), of several the mean of |ratio - 1|.
+    values: np.ndarray
+    limits: tuple[float, float]  #: Lower and upper; within them a change counts as none.
+
+
+def described_edge(curve: Curve) -> dict[str, Any]:
+    """Return the edge of a curve with its interval, and status.
+
+    An edge is that of `critical_wavelength`, found between two cutoffs that were computed. Where
+    the curve has left its limits before the first one, or does not leave them up to the last, the
+    edge is open, and a bound is all that is known.
+
+    The ends of its interval are cutoffs that were computed: the last one before any value within
+    the intervals leaves the limits, and the first one at which all values have left. At the true
+    edge the curve is at a limit, which its interval holds with the confidence asked for. Between
+    two cutoffs nothing was computed, so that nothing but a curve that has no further crossing there
+    is taken for granted, not a straight one.
+
+    ``edge``, ``edge_bound`` and ``edge_interval`` (2,) are in nm, NaN where they are open;
+    ``edge_at_least`` is 1 where the edge is longer than its bound; ``edge_status`` and
+    ``interval_status`` (2,) say whether an edge was found, or what it lies beyond.
+    """
+    cutoffs, small = curve.cutoffs, curve.side == "small"
+    value, least, greatest = curve.values
+    edge, bound, at_least, status = np.nan, np.nan, False, "found"
+    first = _first_outside(curve, value, value)
+    if 0 < first < len(cutoffs):
+        edge = critical_wavelength(cutoffs, value, curve.limits)
+    else:
+        bound = float(cutoffs[0] if first == 0 else cutoffs[-1])
+        at_least = small == (first > 0)
+        # Cutoffs between cell/sqrt(2) and the cell all act on its longest waves alone: beyond a
+        # bound there, no other cutoff could tell more.
+        at_end = at_least and bound > curve.cell / np.sqrt(2)
+        status = "beyond the cell" if at_end else "beyond the cutoffs"
+    # Before the first cutoff and after the last one an end is open.
+    known = np.concatenate([[np.nan], cutoffs, [np.nan]])
+    begins, ends = _first_outside(curve, greatest, least), _first_outside(curve, least, greatest)
+    interval = np.array([known[begins], known[ends + 1] if ends else np.nan])
+    if np.isnan(curve.values).any():
+        interval = np.full(2, np.nan)
+    interval = interval if small else interval[::-1]
+    return {
+        "edge": edge,
+        "edge_bound": bound,
+        "edge_at_least": int(at_least),
+        "edge_status": status,
+        "edge_interval": interval,
+        "interval_status": np.where(np.isfinite(interval), "found", "open"),
+    }
+
+
+def _first_outside(curve: Curve, above: np.ndarray, below: np.ndarray) -> int:
+    """Return the place of the first cutoff beyond the limits, the number of cutoffs if none is.
+
+    Beyond the upper limit count values of one row, beyond the lower one those of another.
+    """
+    lower, upper = curve.limits
+    outside = np.flatnonzero((above > upper) | (below < lower))
+    return int(outside[0]) if len(outside) else len(curve.cutoffs)

@@ -53,7 +53,7 @@ class Sources(NamedTuple):
     #: (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
     #: substrates with a pool.
     sphere_factor: xr.DataArray
-    masters: xr.Dataset  #: Of `stacked_masters.stacked_forces` at one load.
+    masters: xr.Dataset  #: Of `all_surfaces.stacked_forces` at one load.
 
 
 class Draw(NamedTuple):
@@ -98,7 +98,8 @@ def gathered_sources(
     """Return what sets are made from, of the files of the study and of the pools.
 
     The study gives `topography` and `adhesion`; the chunks of `pool.compute_pool` are by substrate,
-    first and last scan, the smooth ones of `pool.on_smooth_sphere` by substrate.
+    first and last scan, the smooth ones of `pool.on_smooth_sphere` by substrate, the masters of
+    `all_surfaces.stacked_forces` at one load.
     """
     pools: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
