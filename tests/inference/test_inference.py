@@ -8,8 +8,7 @@ from paper_numbers import MEAN_FORCE, SUBSTRATES
 
 from hardcontact.adhesion.force_curves import on_fine_grid
 from hardcontact.inference import error_map, inference
-from hardcontact.inference.inference import undecided
-from hardcontact.numbers.statistics import Sampling, bounds, with_interval
+from hardcontact.numbers.statistics import Sampling, bounds
 
 SAMPLING = Sampling(1, 50, 0.95)
 
@@ -111,7 +110,6 @@ def test_ratios_that_are_met_twice_give_two_minima():
     assert inferred.minimum_error[0] == inferred.best_error == inferred.error_of_range.min()
     assert inferred.minimum_range[0] == inferred.range_of_adhesion
     assert inferred.minimum_range.isnull().values.tolist() == [False, False, True]
-    assert "several minima" in str(inferred.undecided.values)
 
 
 def test_ends_of_the_sweep_are_minima_where_the_error_falls_towards_them():
@@ -138,28 +136,6 @@ def test_one_scan_is_fitted_without_interval():
     assert float(inferred.range_of_adhesion) == pytest.approx(4.0, rel=0.01)
     for name in ("range_of_adhesion", "work_of_adhesion", "best_error", "mean_force"):
         assert inferred[f"{name}_interval"].isnull().all(), name
-    assert str(inferred.undecided.values) == ""
-
-
-def inferred_with(error, low, high):
-    return xr.Dataset(
-        {
-            "best_error": error,
-            "minimum_range": ("minimum", [4.0, 0.7, np.nan]),
-            "minimum_error": ("minimum", [error, 0.5, np.nan]),
-        }
-        | with_interval("range_of_adhesion", (), 4.0, [low, high], {}, 0.95),
-        {"rho": RHOS},
-    )
-
-
-def test_what_cannot_be_decided():
-    said = undecided(inferred_with(0.4, 0.5, 10.0), 0.1)
-    assert "no range and work" in said and "no upper bound" in said and "no lower bound" in said
-    assert "minima: 4 nm (0.40), 0.7 nm (0.50)" in said
-    clear = undecided(inferred_with(0.05, 3.0, 5.0), 0.1)
-    assert "bound" not in clear and "between 3 and 5 nm" in clear
-    assert "told apart" not in undecided(inferred_with(0.05, np.nan, np.nan), 0.1)
 
 
 def make_adhesion(plastic):
@@ -225,7 +201,7 @@ def test_without_samples_the_values_are_the_same():
     forces = power_forces(spread=0.3)
     sampled, alone = infer(forces), infer(forces, Sampling(1, 0, 0.95))
     for name in alone.data_vars:
-        if not name.startswith(("sampled", "undecided")) and not name.endswith("interval"):
+        if not name.startswith("sampled") and not name.endswith("interval"):
             xr.testing.assert_equal(alone[name], sampled[name])
     assert alone.ratio_at_pair_interval.isnull().all()
     assert alone.force_median_interval.isnull().all()

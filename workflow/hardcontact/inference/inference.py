@@ -18,7 +18,7 @@ from hardcontact.adhesion.force_curves import (
     on_fine_grid,
 )
 from hardcontact.inference import error_map
-from hardcontact.numbers.statistics import Sampling, bounds
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.job import progress
 
 #: Of range and work of adhesion.
@@ -167,8 +167,7 @@ def infer_model(
         "work": ("work", error_map.WORK, ENERGY),
         "minimum": np.arange(1, MINIMA + 1),
     }
-    inferred = xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
-    return inferred.assign(undecided=undecided(inferred, threshold))
+    return xr.Dataset(variables, {"surface": forces.surface, "rho": forces.rho} | coordinates)
 
 
 def _fits(
@@ -212,29 +211,3 @@ def _errors(
             ("error", least, ONE),
         )
     }
-
-
-def undecided(inferred: xr.Dataset, threshold: float) -> str:
-    """Return what the scans leave open about the range of adhesion, in one sentence.
-
-    `inferred` is that of one contact model; `threshold` is that of the mean relative error. Without
-    an interval nothing is said of it.
-    """
-    low, high = (float(end) for end in bounds(inferred, "range_of_adhesion"))
-    least, greatest = (float(inferred.rho[end]) for end in (0, -1))
-    error = float(inferred.best_error)
-    minima = inferred[["minimum_range", "minimum_error"]].dropna("minimum")
-    both = zip(minima.minimum_range.values, minima.minimum_error.values, strict=True)
-    places = [f"{rho:.3g} nm ({of_place:.2f})" for rho, of_place in both]
-    limits = {
-        f"no range and work of adhesion bring the mean relative error below {threshold:g} "
-        f"(least {error:.2f})": error >= threshold,
-        f"the error has several minima: {', '.join(places)}": len(places) > 1,
-        f"the interval reaches the largest range computed, {greatest:g} nm: "
-        "there is no upper bound": high >= 0.99 * greatest,
-        f"the interval reaches the smallest range computed, {least:g} nm: "
-        "there is no lower bound": low <= 1.02 * least,
-        f"ranges of adhesion between {low:.2g} and {high:.2g} nm cannot be told apart "
-        "by these scans": np.isfinite(low),
-    }
-    return "; ".join(limit for limit, holds in limits.items() if holds)
