@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, library_map
 from hardcontact.surfaces.topography import (
     DEFINITIONS,
     METRICS,
     flat_map,
     level,
     level_lines,
-    library_map,
     metrics,
     mirror_stitch,
     prepared_scan,

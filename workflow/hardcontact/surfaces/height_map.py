@@ -1,11 +1,18 @@
-"""One value for a height map: heights, pixel size, whether it is periodic, its basis."""
+"""One value for a height map: heights, pixel size, whether it is periodic, its basis.
+
+SurfaceTopography is imported where it is used: importing it takes longer than most jobs compute.
+"""
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.records import dataset
+
+if TYPE_CHECKING:
+    from SurfaceTopography import Topography
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,3 +70,11 @@ def read_height_map(path: str) -> HeightMap:
         bool(stored.attrs["periodic"]),
         str(stored.attrs["basis"]),
     )
+
+
+def library_map(surface: HeightMap) -> "Topography":
+    """Return a height map as SurfaceTopography knows it; its first axis is x."""
+    from SurfaceTopography import Topography
+
+    sizes = tuple(count * surface.pixel_size for count in surface.heights.T.shape)
+    return Topography(np.asarray(surface.heights, dtype=float).T, sizes, unit="nm")

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, library_map
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -22,7 +22,7 @@ from hardcontact.surfaces.spectrum import (
     measured_psds,
     profile_psd,
 )
-from hardcontact.surfaces.topography import level, library_map
+from hardcontact.surfaces.topography import level
 
 #: Share of the waves of a window of Hann that are independent, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).

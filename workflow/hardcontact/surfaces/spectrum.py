@@ -14,8 +14,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.records import dataset
-from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.topography import library_map
+from hardcontact.surfaces.height_map import HeightMap, library_map
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography, UniformLineScan

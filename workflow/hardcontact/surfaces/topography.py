@@ -1,20 +1,16 @@
 """Height maps: levelling, subtracting the sphere, mirror stitching, rms metrics.
 
-SurfaceTopography and `scipy.stats` are imported where they are used: importing them takes longer
-than most jobs that import this module compute.
+`scipy.stats` is imported where it is used: importing it takes longer than most jobs that import
+this module compute.
 """
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.surfaces.height_map import HeightMap
-
-if TYPE_CHECKING:
-    from SurfaceTopography import Topography
+from hardcontact.surfaces.height_map import HeightMap, library_map
 
 #: Metrics of a height map with their units and long names, in the order of Table 1.
 METRICS = {
@@ -34,14 +30,6 @@ DEFINITIONS = {
     "half_laplacian": "rms_half_laplacian",
     "laplacian": "rms_laplacian",
 }
-
-
-def library_map(surface: HeightMap) -> "Topography":
-    """Return a height map as SurfaceTopography knows it; its first axis is x."""
-    from SurfaceTopography import Topography
-
-    sizes = tuple(count * surface.pixel_size for count in surface.heights.T.shape)
-    return Topography(np.asarray(surface.heights, dtype=float).T, sizes, unit="nm")
 
 
 def level(scan: HeightMap) -> HeightMap:
