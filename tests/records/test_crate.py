@@ -35,7 +35,7 @@ def folder(tmp_path):
 
 def test_outputs_are_described_and_logs_are_not(folder):
     files = [folder / "claims.csv", folder / "figures/fig1.csv"]
-    assert crate.described_files(folder) == {path.as_posix(): digest([path]) for path in files}
+    assert crate.described_files(folder) == {path.as_posix(): digest(path) for path in files}
 
 
 def test_the_crate_can_be_read_and_names_the_software(folder):
@@ -89,10 +89,10 @@ def test_the_crate_says_what_an_archive_asks(finished, monkeypatch):
     results = {folder / entity.id: entity["sha256"] for entity in action["result"]}
     assert {path.suffix for path in results} >= {".nc", ".csv", ".pdf", ".png", ".html", ".yaml"}
     assert {folder / "answer.html", folder / "answer.json"} <= results.keys()
-    assert all(digest([path]) == value for path, value in results.items())
+    assert all(digest(path) == value for path, value in results.items())
     inputs = {entity["name"]: entity["sha256"] for entity in action["object"]}
     assert "resources/spectra/uncd.csv" in inputs and "config/surfaces.tsv" in inputs
-    assert all(digest([path]) == value for path, value in inputs.items())
+    assert all(digest(path) == value for path, value in inputs.items())
     required = action["instrument"]["softwareRequirements"]
     versions = {package["name"]: package["version"] for package in required}
     assert versions == pinned_versions(ROOT / "environment.txt")

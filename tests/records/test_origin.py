@@ -2,12 +2,23 @@
 
 import hashlib
 import json
+import os
+import subprocess
 from importlib.metadata import version
 
 from refusals import assert_says, refusal
 from repository import ROOT
 
-from hardcontact.records.origin import Origin, canonical, digest, digests, pinned_versions
+from hardcontact.records.origin import (
+    Origin,
+    canonical,
+    digest,
+    digests,
+    keep_digests,
+    kept_digest,
+    pinned_versions,
+    refuse_changed,
+)
 
 
 def test_parameters_have_one_text():
@@ -16,32 +27,46 @@ def test_parameters_have_one_text():
     assert canonical({"a": 1}) != canonical({"a": 1.0})
 
 
-def test_digests_are_of_contents_and_order(tmp_path):
+def test_digests_are_those_of_contents(tmp_path):
     first, second = tmp_path / "first", tmp_path / "second"
     first.write_bytes(b"1")
     second.write_bytes(b"2")
-    one = hashlib.sha256(b"1").digest()
-    assert digest([first]) == hashlib.sha256(one).hexdigest()
-    assert digest([first, second]) != digest([second, first])
-    assert json.loads(digests([first, second, first])) == {
-        str(path): digest([path]) for path in (first, second)
-    }
+    assert digest(first) == hashlib.sha256(b"1").hexdigest()
+    assert digests([first, second, first]) == {str(path): digest(path) for path in (first, second)}
 
 
-def test_attributes_tell_parameters_inputs_and_code_apart(tmp_path):
-    data, script = tmp_path / "data.nc", tmp_path / "script.py"
-    data.write_text("data")
-    script.write_text("code")
-    origin = Origin("{}", [str(data), str(script)], [str(script)])
-    before = origin.attributes()
-    assert before == origin.attributes()
+def test_attributes_tell_parameters_inputs_and_code_apart():
+    data, script = ({path: text} for path, text in (("data.nc", "1"), ("script.py", "2")))
+    before = Origin("{}", data | script, ["script.py"]).attributes()
     assert json.loads(before["versions"])["numpy"] == version("numpy")
-    data.write_text("other data")
-    after = origin.attributes()
+    assert json.loads(before["input_digests"]) == data | script
+    after = Origin("{}", {"data.nc": "3"} | script, ["script.py"]).attributes()
     assert {key for key in before if before[key] != after[key]} == {"input_digests"}
-    script.write_text("other code")
-    last = origin.attributes()
-    assert {key for key in after if after[key] != last[key]} == {"input_digests", "code_digest"}
+    last = Origin("{}", data | {"script.py": "3"}, ["script.py"]).attributes()
+    assert {key for key in before if before[key] != last[key]} == {"input_digests", "code_digest"}
+
+
+def test_a_file_that_was_changed_after_it_was_made_is_refused(tmp_path):
+    made, given = tmp_path / "made.nc", tmp_path / "given.csv"
+    for path in (made, given):
+        path.write_bytes(bytes(100))
+    keep_digests([made])
+    refuse_changed(digests([made, given]))
+    assert kept_digest(given) is None
+    for changed in (b"\1" + bytes(99), bytes(99), bytes(101)):
+        made.write_bytes(changed)
+        os.utime(made, (0, 0))
+        given.write_bytes(changed)
+        said = refusal(refuse_changed, digests([made, given]))
+        assert_says(said, str(made), "delete it")
+        assert str(given) not in said
+
+
+def test_kept_digests_are_those_that_other_programs_check(tmp_path):
+    (tmp_path / "a.nc").write_text("content")
+    keep_digests([tmp_path / "a.nc"])
+    check = subprocess.run(["sha256sum", "-c", ".sha256/a.nc"], cwd=tmp_path, capture_output=True)
+    assert check.returncode == 0
 
 
 def test_pins_are_read_and_other_requirements_are_not(tmp_path):

@@ -23,7 +23,7 @@ from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 from hardcontact.records import published
 from hardcontact.records.code import LIBRARY
-from hardcontact.records.whole_file import hold
+from hardcontact.records.whole_file import hold, refuse_future
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
@@ -140,8 +140,9 @@ def say_how_to_go_on() -> None:
 
 
 def hold_folders(*folders: str) -> None:
-    """Keep other runs out of folders until this one ends, or refuse."""
+    """Keep other runs out of folders until this one ends, or refuse them."""
     try:
         _LOCKS.extend(hold(folder) for folder in folders)
+        refuse_all(partial(refuse_future, folder) for folder in folders)
     except ValueError as error:
         _refuse(error)

@@ -77,11 +77,11 @@ def described_files(folder: str | Path) -> dict[str, str]:
 def _files(folder: str | Path) -> dict[Path, str]:
     """Return the outputs of a study and their digests, without what differs from run to run."""
     return {
-        path: digest([path])
+        path: digest(path)
         for path in sorted(Path(folder).rglob("*"))
         if path.is_file()
         and path.name not in (NAME, "report.html")
-        and not path.name.startswith(".")
+        and not any(part.startswith(".") for part in path.relative_to(folder).parts)
         and path.relative_to(folder).parts[0] not in ("logs", "benchmarks")
     }
 

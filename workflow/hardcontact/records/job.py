@@ -15,7 +15,13 @@ import xarray as xr
 
 from hardcontact.records import dataset as labelled
 from hardcontact.records.dataset import FileFormat
-from hardcontact.records.origin import Origin, canonical, digests
+from hardcontact.records.origin import (
+    Origin,
+    canonical,
+    digests,
+    keep_digests,
+    refuse_changed,
+)
 from hardcontact.records.whole_file import whole_file
 
 _logger = logging.getLogger("hardcontact")
@@ -63,7 +69,7 @@ class Job(NamedTuple):
 
     def record(self, *outputs: int | str) -> None:
         """Write to the output `record` what determined outputs that have no attributes."""
-        made = {"output_digests": digests(self._path(output) for output in outputs)}
+        made = {"output_digests": canonical(digests(self._path(output) for output in outputs))}
         self.write_text(canonical(self.origin.attributes() | made), "record")
 
     def _path(self, output: int | str) -> str:
@@ -72,17 +78,23 @@ class Job(NamedTuple):
 
 @contextmanager
 def job(snakemake: Any) -> Iterator[Job]:
-    """Keep the log of a script and give it its `Job`, of what Snakemake gives to every script."""
+    """Keep the log of a script and give it its `Job`, of what Snakemake gives to every script.
+
+    An input that is not as the job wrote that made it is refused, before anything is computed.
+    """
     with job_log(snakemake.log[0]):
         inputs, canonical_parameters = snakemake.input, snakemake.params.canonical
+        found = digests(inputs)
+        refuse_changed(found)
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         yield Job(
             inputs,
             snakemake.output,
             json.loads(canonical_parameters),
             snakemake.threads,
-            Origin(canonical_parameters, list(inputs), list(code)),
+            Origin(canonical_parameters, found, list(code)),
         )
+        keep_digests(path for path in snakemake.output if Path(path).is_file())
 
 
 @contextmanager

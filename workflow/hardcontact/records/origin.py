@@ -3,13 +3,18 @@
 import hashlib
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import NamedTuple
 
+from hardcontact.records.whole_file import whole_file
+
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
+
+#: The folder of the digests of files, beside them.
+KEPT = ".sha256"
 
 
 def canonical(parameters: object) -> str:
@@ -17,25 +22,49 @@ def canonical(parameters: object) -> str:
     return json.dumps(parameters, sort_keys=True, ensure_ascii=False, separators=(",", ":"))
 
 
-def digest(paths: Iterable[str | Path]) -> str:
-    """Return the SHA-256 over the contents of files, in the given order."""
-    total = hashlib.sha256()
-    for path in paths:
-        with open(path, "rb") as file:
-            total.update(hashlib.file_digest(file, "sha256").digest())
-    return total.hexdigest()
+def digest(path: str | Path) -> str:
+    """Return the SHA-256 of the content of a file."""
+    with open(path, "rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
-def digests(paths: Iterable[str | Path]) -> str:
-    """Return the SHA-256 of each of the files by itself, by path, as canonical text."""
-    return canonical({Path(path).as_posix(): digest([path]) for path in set(paths)})
+def digests(paths: Iterable[str | Path]) -> dict[str, str]:
+    """Return the SHA-256 of each of the files, by path."""
+    return {Path(path).as_posix(): digest(path) for path in set(paths)}
+
+
+def keep_digests(paths: Iterable[str | Path]) -> None:
+    """Keep the SHA-256 of files that a job has made in KEPT beside them, as `sha256sum` does."""
+    for path, value in digests(paths).items():
+        with whole_file(_kept(path)) as temporary:
+            Path(temporary).write_text(f"{value}  {Path(path).name}\n", "utf-8")
+
+
+def kept_digest(path: str | Path) -> str | None:
+    """Return the SHA-256 that a file had when it was made, None of one that no job made."""
+    kept = _kept(path)
+    return kept.read_text("utf-8").partition(" ")[0] if kept.is_file() else None
+
+
+def refuse_changed(found: Mapping[str, str]) -> None:
+    """Refuse files, given with their SHA-256, that are not as a job made them, in one line."""
+    changed = [path for path in sorted(found) if kept_digest(path) not in (None, found[path])]
+    if changed:
+        said = (
+            f"{path}: expected the file that the study wrote, found another" for path in changed
+        )
+        raise ValueError("; ".join(said) + "; delete it and run again")
+
+
+def _kept(path: str | Path) -> Path:
+    return Path(path).parent / KEPT / Path(path).name
 
 
 class Origin(NamedTuple):
     """What a file was made from."""
 
     parameters: str  #: Canonical JSON text.
-    inputs: list[str]  #: Paths whose digests are kept one by one.
+    inputs: dict[str, str]  #: SHA-256 by path.
     code: list[str]  #: Paths among the inputs that are also digested together.
 
     def attributes(self) -> dict[str, str]:
@@ -43,11 +72,12 @@ class Origin(NamedTuple):
 
         The time of writing is not among them: it would differ between equal files.
         """
+        code = canonical({path: self.inputs[path] for path in self.code})
         return {
             "parameters": self.parameters,
             "versions": canonical({name: version(name) for name in PACKAGES}),
-            "code_digest": digest(self.code),
-            "input_digests": digests(self.inputs),
+            "code_digest": hashlib.sha256(code.encode()).hexdigest(),
+            "input_digests": canonical(self.inputs),
         }
 
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import netCDF4
 
-from hardcontact.records.origin import digest
+from hardcontact.records.origin import digest, kept_digest
 
 #: The texts of `Origin.attributes`; of files without attributes also `output_digests`, a dict.
 Record = dict[str, Any]
@@ -50,7 +50,7 @@ def require(paths: Iterable[str | Path]) -> None:
     for path in paths:
         outputs = _record(path)["output_digests"] if Path(path).parent.name == FOLDER else {}
         for name, expected in outputs.items():
-            if not Path(name).is_file() or digest([name]) != expected:
+            if not Path(name).is_file() or digest(name) != expected:
                 raise ValueError(
                     f"{name}: expected the file that the study wrote, found another or none; "
                     "delete it and run again"
@@ -106,7 +106,9 @@ def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], 
     for path, record in known.items():
         if "output_digests" in record:
             written.setdefault(path, record["output_digests"][path])
-    now = cache(lambda path: digest([path]))
+        if (when_made := kept_digest(path)) is not None:
+            written[path] = when_made
+    now = cache(digest)
     faults, absent = list[str](), set[str]()
     for path, record in sorted(known.items()):
         digests = json.loads(record["input_digests"])

@@ -4,6 +4,7 @@ import fcntl
 import os
 import shutil
 import tempfile
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -70,3 +71,19 @@ def hold(folder: str | Path) -> TextIO:
     for path in folder.rglob(f"{PART}*"):
         path.unlink(missing_ok=True)
     return file
+
+
+def refuse_future(folder: str | Path) -> None:
+    """Refuse files of the future anywhere below a folder, a line each, as a ValueError.
+
+    All that is made from such a file is older than it, and would be made again in every run.
+    """
+    now = time.time() + 60  # clocks of machines that share a file system differ a little
+    paths = (path for path in sorted(Path(folder).rglob("*")) if path.lstat().st_mtime > now)
+    lines = [
+        f"{path}: expected a file of the past, found one of {time.ctime(path.lstat().st_mtime)}; "
+        "give it a time of today (touch)"
+        for path in paths
+    ]
+    if lines:
+        raise ValueError("\n".join(lines))
