@@ -41,6 +41,7 @@ from hardcontact.config.limits import check_grids
         ),
         (("sphere.radius", "2 um"), ["sphere.radius", "2500 nm", "found 2000 nm"]),
         (("store", "results/paper/store"), ["store", "results/paper", "found results/paper/store"]),
+        (("store", "workflow/store"), ["store", "in results or outside", "found workflow/store"]),
         (("store", "results"), ["store", "apart from results/paper", "found results"]),
         (("effort", "quick"), ["effort", "no keys stand under quick", "config/quick.yaml"]),
         (("scan.size", "20 nm"), ["scan.size", "0.05 to 10000 nm", "found 0.0390625 nm"]),

@@ -40,6 +40,7 @@ def missing_scan(folder):
         ([], {"studdy": 1}, ["studdy"]),
         ([], {"contact": {"preload": 10}}, ["config key contact.preload", "found 10"]),
         (["-n"], {"scales": {"small": {"cutoffs": ["1 nm"]}}}, ["scales.small.cutoffs"]),
+        ([], {"quick": {"contact": {"count": 0}}}, ["effort quick", "contact.count", "found 0"]),
         ([], missing_scan, ["own.tsv", "none.nc", "no such file"]),
         ([], truncated_scan, ["own.nc", "expected a whole file"]),
         (["-n"], scan_with_holes, ["own.nc", "found 7", "scan.undefined_pixels"]),

@@ -26,8 +26,8 @@ from snakemake_interface_logger_plugins.common import LogEvent
 STUDY = "snakemake.logging.study"
 #: Exceptions that tell once more of a job that has failed.
 OF_JOBS = ("CalledProcessError", "RuleException")
-#: Exceptions whose last line tells a user all: a configuration file that does not exist.
-OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError")
+#: Exceptions whose last line tells a user all: of configuration files that cannot be read.
+OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
 
 
 class LogHandler(LogHandlerBase):

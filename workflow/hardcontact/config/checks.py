@@ -138,6 +138,8 @@ def _of_effort_and_names(config: dict[str, Any]) -> Iterator[Limit]:
     results, store = (Path(os.path.realpath(folder)) for folder in folders)
     apart = not (results.is_relative_to(store) or store.is_relative_to(results))
     yield Limit(apart, "store", f"a folder apart from {folders[0]}", folders[1])
+    inside = store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent)
+    yield Limit(not inside, "store", "a folder in results or outside of the project", folders[1])
     for skewness in config["robustness"]["heights"]["skewness"]:
         if float(f"{skewness:g}") != skewness:  # Two of them might have the same name.
             key = "robustness.heights.skewness"

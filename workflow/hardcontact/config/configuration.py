@@ -102,13 +102,14 @@ def refuse_repeated_keys(path: str | Path) -> None:
             pending.append((f"{name}.", value))
 
 
-def configuration(config: Any, schema: Schema) -> dict[str, Any]:
+def configuration(config: Any, schema: Schema, where: str = "config key ") -> dict[str, Any]:
     """Return a configuration, as read from YAML, with every quantity as a number.
 
     Lengths are in nm, forces in N, pressures in Pa, as its JSON schema names them. A key that is
-    unknown, missing or of the wrong type, unit or size is a ValueError in one line.
+    unknown, missing or of the wrong type, unit or size is a ValueError in one line that begins with
+    `where`.
     """
-    refuse(config, schema, "config key ")
+    refuse(config, schema, where)
     numbers: dict[str, Any] = _numbers(config, schema, schema)
     return numbers
 

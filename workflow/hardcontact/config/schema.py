@@ -127,6 +127,7 @@ def _shortened(value: object) -> str:
     """Return a value as it was given, on one line of limited length."""
     short = reprlib.Repr()
     short.maxstring = short.maxother = 80
+    short.maxlevel = 2
     return short.repr(value)
 
 

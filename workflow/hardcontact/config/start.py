@@ -101,15 +101,21 @@ def with_effort(config: Mapping[str, Any]) -> dict[str, Any]:
     return merged
 
 
-def checked_configuration(workflow: Any, config: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the configuration that Snakemake merged, with quantities as numbers, or refuse it."""
+def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, Any]:
+    """Return the configuration that Snakemake merged, with quantities as numbers, or refuse it.
+
+    The keys under `quick` are checked even where they are not used.
+    """
+    schema = _schema("config.schema.yaml")
     try:
         if _is_main(workflow):
             refuse_all(
                 partial(refuse_repeated_keys, os.path.relpath(path))
                 for path in workflow.configfiles
             )
-        return numbers_of(config, _schema("config.schema.yaml"))
+        numbers = numbers_of(config, schema)
+        numbers_of(with_effort(config | {"effort": "quick"}), schema, "effort quick: config key ")
+        return numbers
     except ValueError as error:
         _refuse(error)
 
