@@ -71,6 +71,12 @@ def test_all_problems_are_told_at_once_each_with_its_line(table):
         assert re.search(says, line), line
 
 
+@pytest.mark.parametrize("force", ["1e-320,uN", "1e308,kN", "1e-16,N", "2,MN"])
+def test_a_force_that_no_contact_has_is_refused_as_it_was_given(table, force):
+    (said,) = problems(table("surface,value,unit", f"bare,{force}"))
+    assert_says(said, "line 2", "1e-15 to 1000 N", force.replace(",", " "))
+
+
 def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table):
     found = problems(
         table(

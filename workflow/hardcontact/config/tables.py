@@ -18,13 +18,15 @@ from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.spectral_models import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
-#: The largest table in bytes: some ten thousand rows.
-TABLE_LIMIT = 2**20
+#: The largest table in bytes: some hundred thousand rows.
+TABLE_LIMIT = 2**22
 #: Cells by the name of their column.
 Row = Mapping[str, str]
 #: Columns of a table of single tests, and of one row a surface.
 TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
+#: The least and the largest pull-off force in N: of an atom, and of a hundred kilograms.
+FORCES = (1e-15, 1e3)
 #: Models of a band; a power law continues the band above, so that it cannot come first.
 MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
@@ -151,16 +153,20 @@ def _faults(row: Row, surfaces: Collection[str]) -> list[str]:
     faults = []
     if row["surface"] not in surfaces:
         faults.append(f"surface: expected {' or '.join(surfaces)}, found {found(row['surface'])}")
-    if math.isnan(_newtons("1", row["unit"])):
+    known = math.isfinite(in_unit(1.0, row["unit"], "N"))
+    if not known:
         faults.append(f"unit: expected one of force, such as uN, found {found(row['unit'])}")
-    faults += [
-        f"{name}: expected a positive number, found {found(row[name])}"
-        for name in ("value", "mean", "median")
-        if name in row and not _newtons(row[name], "N") > 0
-    ]
+    least, most = FORCES
+    for name in (name for name in ("value", "mean", "median") if name in row):
+        if not 0 < number(row[name]) < math.inf:
+            faults.append(f"{name}: expected a positive number, found {found(row[name])}")
+        elif known and not least <= _newtons(row[name], row["unit"]) <= most:
+            faults.append(
+                f"{name}: expected {least:g} to {most:g} N, found {row[name]} {row['unit']}"
+            )
     if "count" in row and _count(row["count"]) < 1:
         faults.append(f"count: expected a number of tests, found {found(row['count'])}")
-    if "median" in row and _newtons(row["median"], "N") > _newtons(row["mean"], "N"):
+    if "median" in row and number(row["median"]) > number(row["mean"]):
         faults.append(
             "median: expected at most the mean, as of log-normal forces (or give single tests), "
             f"found {row['median']} beside {row['mean']}"
@@ -177,8 +183,8 @@ def _force(row: Row) -> tuple[str, float, float, int]:
 
 
 def _newtons(text: str, unit: str) -> float:
-    """Return a force in N; NaN if it is no number with a unit of force."""
-    return in_unit(number(text), unit, "N")
+    """Return a force in N, of twelve digits; NaN if it is no number with a unit of force."""
+    return float(f"{number(text) * in_unit(1.0, unit, 'N'):.12g}")
 
 
 def _count(text: str) -> int:
