@@ -247,3 +247,13 @@ def test_the_command_is_installed():
 )  # fmt: skip
 def test_ids_of_surfaces(label, surface):
     assert request.surface_id(label) == surface
+
+
+def test_ctrl_c_is_one_line(monkeypatch, capsys):
+    def interrupted(arguments):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(new, "parsed", interrupted)
+    monkeypatch.setattr(sys, "argv", ["hardcontact", "new", "mine", "a.nc"])
+    assert new.main() == 130
+    assert len(capsys.readouterr().err.splitlines()) == 1

@@ -64,6 +64,9 @@ def main() -> int:
         for line in dict.fromkeys(str(error).splitlines()):
             print(f"error: {line}", file=sys.stderr)
         return 1
+    except KeyboardInterrupt:
+        print("Stopped before anything was written.", file=sys.stderr)
+        return 130
     return 0
 
 
