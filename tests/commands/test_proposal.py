@@ -1,6 +1,7 @@
 """What is chosen for scans of any size: the study accepts it, and it is what the rules say."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import HealthCheck, event, given, settings
@@ -175,3 +176,11 @@ def test_two_surfaces_share_their_keys():
 def test_gaps_are_filled_and_said():
     choices = propose([entry(undefined=3)], None, probe()).choices
     assert choices[0][:2] == ("scan.undefined_pixels", "harmonic")
+
+
+@pytest.mark.parametrize(("share", "told"), [(0.04, 0), (0.3, 1)])
+def test_many_undefined_pixels_are_a_caution(share, told):
+    scan = entry()
+    scan = replace(scan, undefined=int(share * scan.pixels**2))
+    cautions = propose([scan], None, probe()).cautions
+    assert sum("30% of its pixels are undefined" in caution for caution in cautions) == told

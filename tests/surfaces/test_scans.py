@@ -74,9 +74,13 @@ def test_undefined_pixels_are_counted_and_filled_on_demand(tmp_path):
     assert around.min() <= filled.T[3, 4:9].min() <= filled.T[3, 4:9].max() <= around.max()
 
 
-def test_nothing_but_undefined_pixels(tmp_path):
-    path = scan(tmp_path / "a.nc", np.ma.masked_all((32, 32)))
-    assert_says(refusal(scans.read_scan, path, "", "harmonic"), "a.nc", "1024 undefined")
+@pytest.mark.parametrize(("lines", "undefined"), [(32, 1024), (17, 544)])
+def test_scans_that_are_more_filled_than_measured_are_refused(tmp_path, lines, undefined):
+    values = np.ma.masked_array(np.random.default_rng(0).random((32, 32)), False)
+    values[:lines] = np.ma.masked
+    path = scan(tmp_path / "a.nc", values)
+    said = refusal(scans.read_scan, path, "", "harmonic")
+    assert_says(said, "a.nc", "at most 50%", f"{undefined} of 1024")
 
 
 def test_pixels_that_are_not_square(tmp_path):

@@ -47,6 +47,11 @@ class Entry:
     notes: tuple[str, ...]
 
     @property
+    def undefined_share(self) -> float:
+        """Share of undefined pixels of a map, or points of a line scan."""
+        return self.undefined / (self.pixels**2 if self.kind == "map" else self.pixels)
+
+    @property
     def size(self) -> float:
         """Edge of a map, or length of a line scan, in nm."""
         return self.pixels * self.pixel_size

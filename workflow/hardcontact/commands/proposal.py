@@ -43,6 +43,8 @@ CONTACT_SECONDS = 2.0
 SECONDS_A_PIXEL, SECONDS_A_TILE = 4e-7, 4e-8
 #: The least ratio of neighbouring cutoffs: forces in between are as good interpolated.
 RATIO = 1.15
+#: Share of undefined pixels from which what fills them is told: a few change hardly anything.
+MANY_UNDEFINED = 0.05
 
 
 class Effort(NamedTuple):
@@ -114,6 +116,12 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
         for scan in substrates
         if scan.band.shortest > scan.band.longest
     )
+    filled = (
+        f"{entry.name}: {entry.undefined_share:.0%} of its pixels are undefined, and filled with "
+        "what is smoother than the surface"
+        for entry in entries
+        if entry.undefined_share > MANY_UNDEFINED
+    )
     if gaps := sum(entry.undefined > 0 for entry in entries):
         reason = f"{gaps} of the files have undefined pixels"
         full.insert(0, Choice("scan.undefined_pixels", FILLING, reason))
@@ -122,7 +130,7 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
         full,
         [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
         reasons,
-        [*contact_cautions(substrates, probe, contact), *blind],
+        [*contact_cautions(substrates, probe, contact), *blind, *filled],
     )
 
 

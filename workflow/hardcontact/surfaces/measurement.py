@@ -40,6 +40,8 @@ FILE_LIMIT = 2**30
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTHS = (1e-3, 1e7)
+#: Share of undefined pixels beyond which a scan is more filled than measured.
+MOST_UNDEFINED = 0.5
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
 #: are steeper.
 SLOPE_LIMIT = 10
@@ -127,11 +129,14 @@ def _masked(heights: Floats) -> np.ma.MaskedArray:
 def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
     """Return how many pixels are undefined, and what is said of them, if there are any.
 
-    All, or any that may not be filled, are refused.
+    More than MOST_UNDEFINED, or any that may not be filled, are refused.
     """
     count = int(heights.mask.sum())
-    if count == heights.size:
-        raise RefusedScan(f"expected heights, found {count} undefined pixels and no other")
+    if count > MOST_UNDEFINED * heights.size:
+        raise RefusedScan(
+            f"expected at most {MOST_UNDEFINED:.0%} of the pixels undefined, "
+            f"found {count} of {heights.size}"
+        )
     if count and undefined_pixels == "refuse":
         raise RefusedScan(
             f"expected no undefined pixels, found {count}; "
