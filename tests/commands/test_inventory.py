@@ -86,6 +86,16 @@ def test_all_problems_at_once(tmp_path):
     assert_says(problems[2], "text.txt", "expected")
 
 
+def test_a_scan_that_is_given_twice_is_a_problem(tmp_path):
+    first = scan(tmp_path / "first.nc", wave(), (640.0, 640.0))
+    # In another unit, with the rounding of another format.
+    again = scan(tmp_path / "again.nc", np.float32(wave() / 1e3), (0.64, 0.64), "um")
+    other = scan(tmp_path / "other.nc", 1.01 * wave(), (640.0, 640.0))
+    found = inventory([source(path) for path in (first, again, other)], None)
+    (line,) = found.problems
+    assert_says(line, "again.nc", "expected each scan once", "first.nc")
+
+
 def test_the_table_says_what_was_found(tmp_path):
     heights = np.ma.masked_array(wave(), np.zeros((64, 64), bool))
     heights.mask[3, 4] = True

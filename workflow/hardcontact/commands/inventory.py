@@ -1,7 +1,8 @@
 """What the files of own surfaces hold: one entry a topography, and what cannot be read."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from pathlib import PurePath
 from typing import NamedTuple
 
@@ -102,7 +103,22 @@ def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
             refusals += str(error).splitlines()
         found.entries.extend(entries)
         (found.unreadable if entries else found.problems).extend(refusals)
+    found.problems.extend(_twins(found.entries))
     return found
+
+
+def _twins(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a line for each topography that stands among those of its surface before.
+
+    A scan that counts twice makes intervals too narrow. Formats round differently: twins have the
+    same pixels, and size and roughness that agree within 1e-4.
+    """
+    for one, other in combinations(entries, 2):
+        pair = (one, other)
+        alike = len({(scan.source.surface, scan.kind, scan.pixels) for scan in pair}) == 1
+        numbers = ((scan.size, scan.rms_height, scan.peak_to_valley) for scan in pair)
+        if alike and np.allclose(*numbers, rtol=1e-4, atol=0):
+            yield f"{other.name}: expected each scan once, found that of {one.name} again"
 
 
 def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
