@@ -154,14 +154,14 @@ def elastic_limit(
     # The comparison of a scan that is missing would say that it does not hold.
     holds = (index >= 1).where(index.notnull()).mean(CONTACT_AXES)
     solved = (pressure >= elastic.attrs["hardness"]).where(pressure.notnull()).mean("contact")
-    ratio = force / force.sel(variant="bearing_area", drop=True)
+    ratio = (force / force.sel(variant="bearing_area", drop=True)).assign_attrs(units="1")
     variables = {
         "force_ratio": ratio.mean("scan").assign_attrs(units="1"),
         "force_ratio_interval": student_log_interval(ratio, confidence, "scan"),
     }
     for name, share in {"plastic_share": holds, "solved_plastic_share": solved}.items():
         variables[name] = share.mean("scan").assign_attrs(units="1")
-        interval = student_interval(share, confidence, "scan")
+        interval = student_interval(share.assign_attrs(units="1"), confidence, "scan")
         variables[f"{name}_interval"] = interval.clip(0, 1, keep_attrs=True)
     summary = xr.Dataset(variables).merge(stacked[["plasticity_index", "elastic_area"]])
     summary = summary.merge(_at_solved_contacts(stacked["elastic_area"], elastic))

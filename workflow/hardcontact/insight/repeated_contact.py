@@ -220,6 +220,7 @@ def repeated_contact(pairs: Parts, described: Described, confidence: float) -> x
     summary: dict[str, xr.DataArray] = {}
     for name, parts in {"force_ratio": of_stages, "mean_ratio": whole}.items():
         ratio = parts["pull_off_force"] / parts["single_pull_off_force"]
+        ratio.attrs["units"] = "1"
         summary[name] = ratio.mean("scan").assign_attrs(units="1")
         summary[f"{name}_interval"] = student_log_interval(ratio, confidence, "scan")
     for name in SUMMARY:

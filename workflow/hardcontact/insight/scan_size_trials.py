@@ -208,7 +208,7 @@ def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) 
     return xr.Dataset(
         {
             "excess": excess,
-            "excess_interval": interval,
+            "excess_interval": interval.assign_attrs(units="1"),
             "rms_height": ((), all_scales_moments(spectrum)[0], nm),
             "roll_off": ((), roll_off(spectrum), nm),
             "radius": ((), radius, nm),
