@@ -6,6 +6,7 @@ The only place that knows the inside of Snakemake.
 import logging
 import os
 import sys
+import threading
 from collections.abc import Mapping
 from copy import deepcopy
 from functools import partial
@@ -138,11 +139,20 @@ def say_answer(workflow: Any, page: str) -> None:
     """Say which page to open at the end of a run that was asked for it."""
     if any(page in job.output for job in workflow.dag.jobs):
         logger.info(f"The answer is made: open {page}")
+    _stop_looking()
 
 
 def say_how_to_go_on() -> None:
     """Say at the end of a run that failed or was stopped that what is made is kept."""
     logger.error("Not all is made: the same command goes on from here.")
+    _stop_looking()
+
+
+def _stop_looking() -> None:
+    """End without waiting for Snakemake's timers: there is no work left that they could find."""
+    for thread in threading.enumerate():
+        if isinstance(thread, threading.Timer):
+            thread.cancel()
 
 
 def hold_folders(*folders: str) -> None:
