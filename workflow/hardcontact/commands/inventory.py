@@ -116,8 +116,8 @@ def _twins(entries: Sequence[Entry]) -> Iterator[str]:
     for one, other in combinations(entries, 2):
         pair = (one, other)
         alike = len({(scan.source.surface, scan.kind, scan.pixels) for scan in pair}) == 1
-        numbers = ((scan.size, scan.rms_height, scan.peak_to_valley) for scan in pair)
-        if alike and np.allclose(*numbers, rtol=1e-4, atol=0):
+        first, second = ((scan.size, scan.rms_height, scan.peak_to_valley) for scan in pair)
+        if alike and np.allclose(first, second, rtol=1e-4, atol=0):
             yield f"{other.name}: expected each scan once, found that of {one.name} again"
 
 
