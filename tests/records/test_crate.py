@@ -118,7 +118,7 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
     for path in (finished / "results/quick").iterdir():
         if path.is_file() and path.suffix in (".nc", ".csv", ".yaml"):
             shutil.copyfile(path, results / path.name)
-    run = snakemake(study, *REDRAW, *REPORT)
+    run = snakemake(study, *REDRAW, *REPORT, "--verbose")
     assert run.returncode == 0, run.stdout[-3000:]
     jobs = set(re.findall(r"^(?:local)?rule (\w+):", run.stdout, re.M)) - {"redraw"}
     assert jobs == {f"draw_{name}" for name in FIGURES} | {

@@ -57,7 +57,8 @@ def refuse_changed(found: Mapping[str, str]) -> None:
 
 
 def _kept(path: str | Path) -> Path:
-    return Path(path).parent / KEPT / Path(path).name
+    # A search for *.nc finds datasets alone.
+    return Path(path).parent / KEPT / f"{Path(path).name}.sha256"
 
 
 class Origin(NamedTuple):
