@@ -65,7 +65,8 @@ def test_a_file_that_was_changed_after_it_was_made_is_refused(tmp_path):
 def test_kept_digests_are_those_that_other_programs_check(tmp_path):
     (tmp_path / "a.nc").write_text("content")
     keep_digests([tmp_path / "a.nc"])
-    check = subprocess.run(["sha256sum", "-c", ".sha256/a.nc.sha256"], cwd=tmp_path, capture_output=True)
+    command = ["sha256sum", "-c", ".sha256/a.nc.sha256"]
+    check = subprocess.run(command, cwd=tmp_path, capture_output=True)
     assert check.returncode == 0
 
 

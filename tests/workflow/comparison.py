@@ -3,7 +3,7 @@
 import xarray as xr
 
 #: Folders of files that belong to one run and not to its results.
-OF_THE_RUN = {"logs", "benchmarks"}
+OF_THE_RUN = {"logs", "benchmarks", ".sha256"}
 
 
 def paths(results):
