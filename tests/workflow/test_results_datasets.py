@@ -46,7 +46,7 @@ CONTENT = {
         "1": "ratio ratio_error ratio_at_pair ratio_at_pair_interval mean_relative_error "
         "error_of_range minimum_error best_error best_error_interval sampled_error "
         "model_error_ratio model_error_ratio_interval lognormal_shape censored_fraction",
-        "-": "label basis undecided pair",
+        "-": "label basis pair",
     },
     "band": {
         "nm": "critical_wavelength critical_wavelength_interval cutoff_wavelength",
