@@ -67,10 +67,9 @@ def topography(count=1, basis="measured"):
 
 #: Kind, size, pixel size, reliable band (all nm), why it ends, tip radius (nm), of each.
 MEASUREMENTS = {
-    "fine.spm": ("map", 640, 10, 55, 320, "tip of 10 nm", "size of the scan", 10),
-    "coarse.spm": ("map", 10_000, 40, 160, 5000, "noise floor below 160 nm", "size of the scan",
-                   np.nan),
-    "line.txt": ("profile", 50_000, 200, 800, 25_000, "pixels", "size of the scan", np.nan),
+    "fine.spm": ("map", 640, 10, 55, 320, "tip", 10),
+    "coarse.spm": ("map", 10_000, 40, 160, 5000, "noise", np.nan),
+    "line.txt": ("profile", 50_000, 200, 800, 25_000, "pixels", np.nan),
 }  # fmt: skip
 
 
@@ -93,7 +92,7 @@ def _spectra_of(bins, measured):
     wavelength = 2 * np.pi / bins
     columns = dict(zip(
         ("kind", "size", "pixel_size", "shortest_reliable", "longest_reliable",
-         "shortest_reason", "longest_reason", "tip_radius"),
+         "limited_by", "tip_radius"),
         zip(*measured.values(), strict=True), strict=True,
     ))  # fmt: skip
     psd, reliable = [], []
@@ -109,7 +108,7 @@ def _spectra_of(bins, measured):
     count = np.isfinite(logarithm).sum(axis=0)
     joined = np.exp(np.nansum(logarithm, axis=0) / np.where(count, count, np.nan))
     texts = {name: [str(value) for value in columns.pop(name)]
-             for name in ("kind", "shortest_reason", "longest_reason")}  # fmt: skip
+             for name in ("kind", "limited_by")}  # fmt: skip
     return xr.Dataset(
         {
             "spectrum": ("wavevector", np.where(WAVEVECTORS < 2 * np.pi / 0.3,
@@ -124,7 +123,10 @@ def _spectra_of(bins, measured):
             "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(measured) - 1)),
             "shortest_measured": min(columns["shortest_reliable"]),
             "longest_measured": max(columns["longest_reliable"]),
-            "tail_note": "continued with H = 0.8 down to 0.3 nm, which adds a slope of at most 0.5",
+            "tail_hurst": 0.8,
+            "tail_fit_shortest": min(columns["shortest_reliable"]),
+            "tail_fit_longest": 10 * min(columns["shortest_reliable"]),
+            "tail_ended_by": "atoms",
         },
         {"measurement": np.arange(1, len(measured) + 1), "wavevector": WAVEVECTORS,
          "bin_wavevector": bins},

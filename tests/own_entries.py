@@ -20,7 +20,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, **others):
     fields = {
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
-        "band": ReliableBand(4 * pixel, size / 3, "4 pixels", "a third of the size"),
+        "band": ReliableBand(4 * pixel, size / 3, "pixels"),
         "undefined": 0, "notes": (),
     }  # fmt: skip
     return Entry(

@@ -153,7 +153,7 @@ def test_a_force_without_interval_is_named():
 
 def test_ends_of_the_reliable_wavelengths_have_their_reason():
     short, long = named("spectrum_end")
-    assert (short["at"].value, short["reason"]) == (55.0, "tip of 10 nm")
+    assert (short["at"].value, short["limited_by"]) == (55.0, "tip")
     assert (long["at"].value, long["measurement"]) == (25e3, "scans/line.txt")
     cut = spectra()
     cut["spectrum"][:, np.flatnonzero(cut["spectrum"].values[0])[-1]] *= 0.01  # as where tails end

@@ -35,7 +35,7 @@ def test_coarse_pixels_are_not_chosen_for_size():
 
 
 def test_scans_without_a_reliable_wavelength_come_last():
-    blind = ReliableBand(3000.0, 2000.0, "tip", "a third of the size")
+    blind = ReliableBand(3000.0, 2000.0, "tip")
     assert sizes([entry(6000, band=blind), entry(2500)]) == {"a": [2500]}
     assert sizes([entry(6000, band=blind)]) == {"a": [6000]}
 

@@ -183,7 +183,7 @@ def test_a_scan_without_reliable_wavelengths_is_refused_beforehand(folder, monke
     own_scan(folder / "blunt.nc")
     done = run(monkeypatch, capsys, NAME, "blunt.nc", "--tip", "100 um")
     assert done.code == 1 and len(done.errors) == 1
-    assert_says(done.errors[0], "at least 3 bins", "found 0", "blunt.nc from", "tip of 100000 nm")
+    assert_says(done.errors[0], "at least 3 bins", "found 0", "blunt.nc from", "(the tip)")
 
 
 def test_a_study_is_replaced_only_when_told(folder, monkeypatch, capsys):

@@ -24,7 +24,7 @@ def scans(draw):
     size, pixels = draw(between(100, 1e5)), draw(st.integers(64, 2048))
     rms = draw(between(0.1, size / 10))
     shortest = draw(between(2, 2 * pixels)) * size / pixels
-    band = ReliableBand(shortest, size / 3, "the tip", "a third of the size")
+    band = ReliableBand(shortest, size / 3, "tip")
     return [entry(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
 
 
@@ -128,14 +128,14 @@ def test_every_scan_makes_as_many_masters(count, realizations):
 
 
 def test_roughness_is_artificial_below_the_reliable_wavelengths():
-    band = ReliableBand(120.0, 833.0, "tip of 20 nm", "a third of the size")
+    band = ReliableBand(120.0, 833.0, "tip")
     proposal = propose([entry(band=band), entry()], None, probe())
     (transition,) = [one for one in proposal.choices if one.key == "scales.small.transition"]
-    assert transition.value == "120 nm" and "tip of 20 nm" in transition.reason
-    blind = ReliableBand(2000.0, 833.0, "tip of 1 µm", "a third of the size")
+    assert transition.value == "120 nm" and "the tip" in transition.reason
+    blind = ReliableBand(2000.0, 833.0, "tip")
     proposal = propose([entry(band=blind)], None, probe())
     assert chosen(proposal)["scales.small.transition"] == "1000 nm"
-    assert "no wavelength is reliable: tip of 1 µm" in " ".join(proposal.cautions)
+    assert "no wavelength is reliable, from 2 µm (the tip) to 833 nm" in " ".join(proposal.cautions)
 
 
 def test_a_usual_range_that_is_too_short_is_made_longer_and_said():

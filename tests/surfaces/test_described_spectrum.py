@@ -36,7 +36,7 @@ def test_known_bands_are_those_of_published_or_measured_sources():
     known = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
     expected = self_affine(found.bin_wavevector.values, 1e9, 2000.0, 0.8)
     np.testing.assert_allclose(found.joined, np.where(known, expected, np.nan), rtol=0.03)
-    assert found.attrs["tail_note"] == "1000 to 100 nm assumed: none; 10 to 0.1 nm inferred: c"
+    assert np.isnan(found.attrs["tail_hurst"]) and set(found.limited_by.values) == {"source"}
 
 
 def test_what_is_not_known_is_artificial():

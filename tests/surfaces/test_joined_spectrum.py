@@ -8,9 +8,10 @@ from measurements import line_of, map_of, measurement
 from random_scans import uncd
 from refusals import assert_says, refusal
 
+from hardcontact.answer.artificial import artificial_bands
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
-from hardcontact.surfaces.joined_spectrum import joined_spectrum, stacked_spectra
+from hardcontact.surfaces.joined_spectrum import Tail, joined_spectrum, stacked_spectra
 from hardcontact.surfaces.measured_spectrum import bias_of_log, independent_waves, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectral_models import smooth_rolloff
@@ -62,7 +63,7 @@ def test_the_joined_spectrum_is_the_table_that_masters_are_made_with(tmp_path):
     assert joined.attrs["shortest_measured"] == 16 and joined.attrs["longest_measured"] == (
         pytest.approx(40_000 / 3)
     )
-    assert "H = 0.8" in joined.attrs["tail_note"] or "H = 0.7" in joined.attrs["tail_note"]
+    assert 0.7 <= joined.attrs["tail_hurst"] < 0.9
 
 
 def test_only_what_is_reliable_is_joined():
@@ -77,8 +78,8 @@ def test_only_what_is_reliable_is_joined():
         np.testing.assert_array_equal(one["reliable"] == 1, within & np.isfinite(one["psd"]))
         np.testing.assert_array_equal(one["psd"], measured_psd(scan)[1])
         assert (one["shortest_reliable"], one["longest_reliable"]) == (band.shortest, band.longest)
-        assert one["shortest_reason"].item() == band.shortest_reason
-    assert "noise floor" in joined["shortest_reason"].values[0]
+        assert one["limited_by"].item() == band.limited_by
+    assert joined["limited_by"].values[0] == "noise"
     mean = joined["joined"].values
     single = (joined["reliable"].values.sum(axis=0) == 1) & (joined["reliable"].values[1] == 1)
     unbiased = np.exp(bias_of_log(independent_waves(scans[1])[single]))
@@ -107,7 +108,7 @@ def test_a_noise_floor_is_not_continued():
     wavevector, density = measured_psd(noisy)
     short = (2 * np.pi / wavevector < 40) & np.isfinite(density)
     assert (density[short] / self_affine(wavevector[short]) > 2).all()
-    assert "noise floor" in joined["shortest_reason"].values[0]
+    assert joined["limited_by"].values[0] == "noise"
     shorter = (2 * np.pi / WAVEVECTORS < 50) & (2 * np.pi / WAVEVECTORS > 1)
     ratio = joined["spectrum"].values[shorter] / self_affine(WAVEVECTORS[shorter])
     assert (np.abs(np.log(ratio)) < 1.2).all()
@@ -121,12 +122,12 @@ def test_the_radius_given_counts_before_that_of_the_file():
     assert np.isnan(unknown["tip_radius"].item())
 
 
-def test_wavelengths_between_two_bands_are_said_to_be_interpolated():
+def test_wavelengths_between_two_bands_are_artificial():
     large, small, _ = two_sizes_and_a_line(16)
     tiny = replace(small, heights=small.heights[:96, :96])
-    joined = joined_spectrum([large, tiny], [None, None])
-    assert "between 128 and 160 nm interpolated" in joined.attrs["tail_note"]
-    assert "between" not in joined_spectrum([large, small], [None, None]).attrs["tail_note"]
+    for scans, gaps in (([large, tiny], [(128, 160)]), ([large, small], [])):
+        joined = stacked_spectra({"x": joined_spectrum(scans, [None, None])}, {"x": "X"})
+        np.testing.assert_allclose(artificial_bands(joined.sel(surface="x"))[1:-1], gaps)
 
 
 def test_measurements_that_show_nothing_reliable_are_refused_in_one_line():
@@ -160,6 +161,6 @@ def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
         chosen = stacked.sel(surface=name)
         np.testing.assert_array_equal(chosen["spectrum"], single["spectrum"])
         np.testing.assert_array_equal(chosen["joined"], single["joined"])
-        for limit in ("shortest_measured", "longest_measured", "tail_note"):
+        for limit in ("shortest_measured", "longest_measured", *Tail._fields):
             assert chosen[limit].item() == single.attrs[limit]
     assert stacked["shortest_measured"].attrs["units"] == "nm"

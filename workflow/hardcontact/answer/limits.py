@@ -215,7 +215,7 @@ def _of_spectrum(spectra: xr.Dataset) -> list[Limit]:
             "code": "spectrum_end",
             "side": side,
             "at": Number("at", one[f"{end}_reliable"].item(), "nm"),
-            "reason": str(one[f"{end}_reason"].item()),
+            "limited_by": str(one["limited_by"].item()) if side == "small" else "size",
             "measurement": measurement_name(one),
             "described": one["kind"].item() == DESCRIPTION,
         }
@@ -243,14 +243,11 @@ def scans_without_tip(spectra: xr.Dataset) -> list[xr.Dataset]:
 
 def tail(spectra: xr.Dataset) -> dict[str, Any]:
     """Return how the spectrum goes on below the wavelengths measured: to where, with what H."""
-    wavelength = 2 * np.pi / spectra["wavevector"].values
-    used = spectra["spectrum"].values
-    added = (used > 0) & (wavelength < spectra["shortest_measured"].item() * (1 - 1e-9))
-    # The first and the last step lead from and to what is no power law.
-    slopes = np.diff(np.log(used[added])) / np.diff(-np.log(wavelength[added]))
-    hurst = -1 - float(np.median(slopes)) / 2 if slopes.size else np.nan
+    wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
+    shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
     return {
-        "hurst": Number("hurst", hurst, source="extrapolated"),
-        "ends_at": Number("ends_at", float(wavelength[used > 0].min()), "nm"),
-        "note": str(spectra["tail_note"].item()),
+        "hurst": Number("hurst", spectra["tail_hurst"].item(), source="extrapolated"),
+        "fitted": between("fitted", shortest, longest, "nm"),
+        "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
+        "ended_by": str(spectra["tail_ended_by"].item()),
     }

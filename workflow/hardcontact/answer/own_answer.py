@@ -31,7 +31,7 @@ METRICS = {
     "kurtosis": "1",
 }
 #: Texts of each measurement, beside its lengths.
-MEASUREMENT_TEXTS = ("path", "dataset", "kind", "shortest_reason", "longest_reason", "notes")
+MEASUREMENT_TEXTS = ("path", "dataset", "kind", "limited_by", "notes")
 
 
 class OwnSurface(NamedTuple):

@@ -12,7 +12,7 @@ from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.numbers.printing import print_length
-from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
+from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 
 #: The use of scans that only enter the spectrum of their surface.
@@ -167,9 +167,9 @@ def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
     lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
     for number, entry in enumerate(entries, 1):
         lines += [f"{number}: {note}" for note in entry.notes]
-        if "pixels" not in entry.band.shortest_reason:
-            reason = entry.band.shortest_reason
-            lines.append(f"{number}: what is shorter is not reliable: {reason}")
+        if entry.band.limited_by != "pixels":
+            limit = LIMITS[entry.band.limited_by]
+            lines.append(f"{number}: what is shorter is not reliable: {limit}")
     return "\n".join(lines)
 
 

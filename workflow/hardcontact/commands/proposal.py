@@ -24,6 +24,7 @@ from hardcontact.contact.bearing_area import TILE, contact_pixel_count
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import FEWEST
+from hardcontact.surfaces.reliable_band import LIMITS
 from hardcontact.surfaces.spectrum import BIN_EDGES
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
@@ -111,8 +112,7 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     full, quick = (list(_choices(substrates, probe, contact, effort)) for effort in (FULL, QUICK))
     usual = {choice.key: choice.value for choice in full}
     blind = (
-        f"{scan.name}: no wavelength is reliable: {scan.band.shortest_reason}, but "
-        f"{scan.band.longest_reason} ends at {print_length(scan.band.longest)}"
+        f"{scan.name}: no wavelength is reliable, {scan.band}"
         for scan in substrates
         if scan.band.shortest > scan.band.longest
     )
@@ -145,12 +145,7 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
         ]
         count = int(np.any(reliable, axis=0).sum())
         if count < FEWEST:
-            found = "; ".join(
-                f"{scan.name} from {print_length(scan.band.shortest)} "
-                f"({scan.band.shortest_reason}) to {print_length(scan.band.longest)} "
-                f"({scan.band.longest_reason})"
-                for scan in scans
-            )
+            found = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
             faults.append(
                 f"{surface}: expected scans that are reliable in at least {FEWEST} bins of "
                 f"wavelengths (ten a decade), found {count}: {found}; add one of another size"
@@ -258,7 +253,7 @@ def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
     """Return the wavelengths (nm) beyond which roughness is artificial, and why the shorter one."""
     longest = TRANSITION_SHARE * min(scan.size for scan in substrates)
     ends = [(TRANSITION_PIXELS * scan.pixel_size, "four pixels") for scan in substrates]
-    ends += [(scan.band.shortest, scan.band.shortest_reason) for scan in substrates]
+    ends += [(scan.band.shortest, LIMITS[scan.band.limited_by]) for scan in substrates]
     shortest, reason = max(ends)
     longest, shortest = (float(f"{wavelength:.3g}") for wavelength in (longest, shortest))
     if shortest > longest:

@@ -14,10 +14,10 @@ import numpy as np
 
 from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
-from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
+from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scans import flat_measurement, list_measurements
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 
@@ -39,8 +39,7 @@ FEWEST = 5
 WAVES_OF_A_BIN = 20.0
 #: What a joined spectrum says of each measurement, as notes tell it.
 OF_MEASUREMENT = (
-    "path", "dataset", "shortest_reliable", "shortest_reason", "longest_reliable", "longest_reason",
-    "notes",
+    "path", "dataset", "shortest_reliable", "longest_reliable", "limited_by", "notes",
 )  # fmt: skip
 
 
@@ -93,9 +92,8 @@ def own_spectrum(
     known = np.isfinite(joined.joined.values)
     reliable = Spectrum(joined.bin_wavevector.values[known], joined.joined.values[known])
     notes = [
-        f"{path} {member}".strip() + f": reliable from {print_length(shortest)} ({why_shortest}) "
-        f"to {print_length(longest)} ({why_longest})" + (f"; {read}" if read else "")
-        for path, member, shortest, why_shortest, longest, why_longest, read in zip(
+        f"{path} {member}".strip() + f": reliable {ReliableBand(*band)}" + f"; {read}" * bool(read)
+        for path, member, *band, read in zip(
             *(joined[name].values for name in OF_MEASUREMENT), strict=True
         )
     ]

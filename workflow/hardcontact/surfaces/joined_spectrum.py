@@ -4,14 +4,13 @@ It is continued beyond its band within bounds on slope and curvature.
 """
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.numbers.printing import print_number
 from hardcontact.surfaces.measured_spectrum import (
     bias_of_log,
     independent_waves,
@@ -76,7 +75,7 @@ def joined_spectrum(
     known = np.isfinite(joined)
     if known.sum() < FEWEST:
         raise ValueError(_too_few(measurements, bands, int(known.sum())))
-    spectrum, note = continued_spectrum(BIN_CENTRES[known], joined[known], variance[known])
+    spectrum, tail = continued_spectrum(BIN_CENTRES[known], joined[known], variance[known])
     used = [band for band, bins in zip(bands, reliable, strict=True) if bins.any()]
     found = with_measurements(
         spectrum_dataset(spectrum),
@@ -91,7 +90,7 @@ def joined_spectrum(
         calibrated_to_table1="",
         shortest_measured=min(band.shortest for band in used),
         longest_measured=max(band.longest for band in used),
-        tail_note="; ".join([note, *_gaps(used)]),
+        **tail._asdict(),
     )
 
 
@@ -111,27 +110,13 @@ def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tu
 def _too_few(measurements: Sequence[Measurement], bands: Sequence[ReliableBand], count: int) -> str:
     """Return the line that refuses measurements with too few reliable bins."""
     found = "; ".join(
-        f"{one.path} {one.dataset}".strip()
-        + f" from {print_number(band.shortest)} nm ({band.shortest_reason}) "
-        f"to {print_number(band.longest)} nm ({band.longest_reason})"
+        f"{one.path} {one.dataset}".strip() + f" {band}"
         for one, band in zip(measurements, bands, strict=True)
     )
     return (
         f"expected measurements that are reliable in at least {FEWEST} bins of wavelengths (ten a "
         f"decade), found {count}: {found}"
     )
-
-
-def _gaps(bands: Sequence[ReliableBand]) -> list[str]:
-    """Return words for the wavelengths between the bands that no measurement reaches."""
-    texts, reached = list[str](), 0.0
-    for band in sorted(bands, key=lambda one: one.shortest):
-        if reached and band.shortest > reached:
-            texts.append(
-                f"between {print_number(reached)} and {print_number(band.shortest)} nm interpolated"
-            )
-        reached = max(reached, band.longest)
-    return texts
 
 
 def _described(
@@ -144,8 +129,7 @@ def _described(
         "pixel_size": measurement.pixel_size,
         "shortest_reliable": band.shortest,
         "longest_reliable": band.longest,
-        "shortest_reason": band.shortest_reason,
-        "longest_reason": band.longest_reason,
+        "limited_by": band.limited_by,
         "path": measurement.path,
         "dataset": measurement.dataset,
         "tip_radius": np.nan if tip_radius is None else tip_radius,
@@ -157,8 +141,8 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
     """Return the joined spectra of all surfaces, given by surface, with their names in print.
 
     The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or ""
-    where a surface has fewer measurements than another; `label`, `shortest_measured`,
-    `longest_measured` (nm) and `tail_note` (surface) stand beside them.
+    where a surface has fewer measurements than another; `label`, `shortest_measured` and
+    `longest_measured` (nm), and the fields of `Tail` (surface) stand beside them.
     """
     most = max(one.sizes["measurement"] for one in of_surface.values())
     padded = []
@@ -173,20 +157,33 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
             one.drop_attrs(deep=False).pad(padding, constant_values=empty, keep_attrs=True)
         )
     names = pd.Index(list(of_surface), name="surface")
-    shortest, longest, notes = (
-        [one.attrs[name] for one in of_surface.values()]
-        for name in ("shortest_measured", "longest_measured", "tail_note")
-    )
+    units = {"shortest_measured": "nm", "longest_measured": "nm"} | TAIL_UNITS
     return xr.concat(padded, names, combine_attrs="override").assign(
-        shortest_measured=("surface", shortest, {"units": "nm"}),
-        longest_measured=("surface", longest, {"units": "nm"}),
-        label=("surface", [labels[name] for name in of_surface]),
-        tail_note=("surface", notes),
+        {
+            name: ("surface", [one.attrs[name] for one in of_surface.values()], {"units": unit})
+            for name, unit in units.items()
+        }
+        | {"label": ("surface", [labels[name] for name in of_surface])}
     )
 
 
-def continued_spectrum(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, str]:
-    """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and in words how it was continued.
+class Tail(NamedTuple):
+    """How a spectrum goes on below the shortest wavelength measured; NaN where it does not."""
+
+    tail_hurst: float = np.nan
+    tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
+    tail_fit_longest: float = np.nan
+    tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
+
+
+#: Units of the fields of a tail.
+TAIL_UNITS = dict(zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True))
+
+
+def continued_spectrum(
+    wavevector: Floats, density: Floats, variance: Floats
+) -> tuple[Floats, Tail]:
+    """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
 
     The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
     of ln C. Above the longest wavelength measured C_iso is constant. Below the shortest it is
@@ -206,16 +203,12 @@ def continued_spectrum(wavevector: Floats, density: Floats, variance: Floats) ->
     start = measured.copy()
     start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * hurst)
     tail = power_law_tail(start, hurst, ATOMIC)
-    ends, reason = _bounded(measured + tail)
+    ends, ended_by = _bounded(measured + tail)
     spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(ends, last), measured + tail, 0.0)
     if ends <= last:
-        return spectrum, f"no roughness was added below the wavelengths measured: {reason}"
-    short, long = 2 * np.pi / wavevector[[-1, -count]]
-    return spectrum, (
-        f"below the wavelengths measured, artificial: self-affine with H = {hurst:.2f}, fitted "
-        f"from {print_number(short)} to {print_number(long)} nm and held within 0 to 1, "
-        f"ending at {2 * np.pi / WAVEVECTORS[ends]:.2g} nm: {reason}"
-    )
+        return spectrum, Tail(tail_ended_by=ended_by)
+    shortest, longest = 2 * np.pi / wavevector[[-1, -count]]
+    return spectrum, Tail(hurst, float(shortest), float(longest), ended_by)
 
 
 def _hurst(wavevector: Floats, density: Floats, variance: Floats) -> tuple[float, int]:
@@ -232,7 +225,7 @@ def _hurst(wavevector: Floats, density: Floats, variance: Floats) -> tuple[float
 
 
 def _bounded(density: Floats) -> tuple[int, str]:
-    """Return the last index of WAVEVECTORS within the bounds, and what ends the spectrum there."""
+    """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
     from scipy.integrate import cumulative_trapezoid
 
     squares = (
@@ -242,15 +235,13 @@ def _bounded(density: Floats) -> tuple[int, str]:
         np.sqrt(cumulative_trapezoid(square, np.log(WAVEVECTORS), initial=0)) for square in squares
     )
     ends = {
-        f"the rms gradient of all scales reaches {GRADIENT}": gradient > GRADIENT,
-        f"the rms curvature of all scales reaches {HALF_LAPLACIAN} per nm": (
-            half_laplacian > HALF_LAPLACIAN
-        ),
-        "atoms are no closer": density == 0,
+        "gradient": gradient > GRADIENT,
+        "half_laplacian": half_laplacian > HALF_LAPLACIAN,
+        "atoms": density == 0,
     }
     first = {
-        reason: int(np.argmax(np.append(beyond, True)))  # where no wave is beyond: after the last
-        for reason, beyond in ends.items()
+        bound: int(np.argmax(np.append(beyond, True)))  # where no wave is beyond: after the last
+        for bound, beyond in ends.items()
     }
-    reason = min(first, key=first.__getitem__)
-    return first[reason] - 1, reason
+    ended_by = min(first, key=first.__getitem__)
+    return first[ended_by] - 1, ended_by

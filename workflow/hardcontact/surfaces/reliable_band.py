@@ -26,7 +26,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.numbers.printing import print_number
+from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
@@ -59,41 +59,54 @@ HALF_DECADE = 5
 TOLERANCE = 1e-3
 
 
+#: What ends a band toward short wavelengths, in words for messages.
+LIMITS = {
+    "pixels": f"{PIXELS} pixels",
+    "tip": "the tip",
+    "noise": "a noise floor",
+    "smoothing": "smoothing by the microscope",
+}
+
+
 class ReliableBand(NamedTuple):
     """The wavelengths (nm) at which a measurement is reliable; none if shortest exceeds longest."""
 
     shortest: float
     longest: float
-    shortest_reason: str  #: In words, what ends the band.
-    longest_reason: str
+    limited_by: str  #: What ends the band toward short wavelengths, one of LIMITS.
+
+    def __str__(self) -> str:
+        """Print both ends with what sets them."""
+        return (
+            f"from {print_length(self.shortest)} ({LIMITS[self.limited_by]}) "
+            f"to {print_length(self.longest)} (a third of the size)"
+        )
 
 
 def reliable_band(
     measurement: Measurement, tip_radius: float | None, density: Floats | None = None
 ) -> ReliableBand:
-    """Return the wavelengths at which a measurement is reliable, with a reason for each end.
+    """Return the wavelengths at which a measurement is reliable, with what limits them.
 
     The radius of the tip is in nm; if it is None, not known, the tip limits nothing. The density is
     that of `measured_psd`, if it is there already.
     """
     if density is None:
         _, density = measured_psd(measurement)
-    pixel, size = measurement.pixel_size, size_of(measurement)
     ends = _spectral_ends(measurement, density)
-    ends.append((PIXELS * pixel, f"{PIXELS} pixels of {print_number(pixel)} nm"))
+    ends.append((PIXELS * measurement.pixel_size, "pixels"))
     if tip_radius is not None:
         cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
             tip_radius, rtol=TOLERANCE
         )
         if cutoff is not None:
-            ends.append((float(cutoff), f"tip of {print_number(tip_radius)} nm"))
-    shortest, reason = max(ends)
-    kind = "scan" if measurement.kind == "map" else "line scan"
-    return ReliableBand(shortest, size / PARTS, reason, f"a third of the size of the {kind}")
+            ends.append((float(cutoff), "tip"))
+    shortest, limit = max(ends)
+    return ReliableBand(shortest, size_of(measurement) / PARTS, limit)
 
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
-    """Return the ends of the spectrum by its shape, in nm, each in words."""
+    """Return the ends of the spectrum by its shape: wavelengths in nm, LIMITS."""
     seen = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
     q, variance = BIN_CENTRES[seen], variance_of_log(independent_waves(measurement)[seen])
     slope, error = local_slopes(q, density[seen], variance)
@@ -106,11 +119,9 @@ def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[floa
     last = _without_smoothed(smoothed, risen)
     ends = []
     if risen < unsmoothed:
-        end = _end(q, risen)
-        ends.append((end, f"noise floor below {print_number(end)} nm"))
+        ends.append((_end(q, risen), "noise"))
     if last < risen or unsmoothed < len(q) and risen == unsmoothed:
-        end = _end(q, last)
-        ends.append((end, f"smoothed by the microscope below {print_number(end)} nm"))
+        ends.append((_end(q, last), "smoothing"))
     return ends
 
 

@@ -14,6 +14,7 @@ from hardcontact.surfaces.calibration import (
     expected_moments,
     transfer_weights,
 )
+from hardcontact.surfaces.joined_spectrum import Tail
 from hardcontact.surfaces.spectral_models import (
     CALIBRATED,
     KNOWN,
@@ -160,8 +161,7 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
             "tip_radius": np.nan,
             "shortest_reliable": run.shortest,
             "longest_reliable": run.longest,
-            "shortest_reason": "the source ends",
-            "longest_reason": "the source or the table of the study ends",
+            "limited_by": "source",
             "notes": run.source,
         }
         for run in runs.itertuples()
@@ -177,8 +177,5 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
         calibrated_to_table1=stored.attrs["calibrated_to_table1"],
         shortest_measured=runs.shortest.min(),
         longest_measured=runs.longest.max(),
-        tail_note="; ".join(
-            f"{band.longest_nm:g} to {band.shortest_nm:g} nm {band.basis}: {band.source}"
-            for band in bands[~bands.basis.isin(KNOWN)].itertuples()
-        ),
+        **Tail()._asdict(),
     )
