@@ -85,7 +85,9 @@ def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share
         masters = forces_of_masters(
             template.assign(unfiltered_pull_off_force=forces), "a", "small", MASTERS
         )
-        half = half_width_over_masters(masters, lambda filtered, whole: whole, 0.95)
+        half = half_width_over_masters(
+            masters, lambda filtered, whole: whole, "unfiltered_shift", 0.95
+        )
         mean = float(masters.forces.unfiltered_pull_off_force.mean())
         held += abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half
     assert held >= 0.9 * drawn

@@ -1,6 +1,8 @@
 # Own surfaces: edges of the band, predicted force, fit to own forces.
 
 from hardcontact.config.configuration import NONE, left_out
+from hardcontact.config.grids import master_megabytes
+from hardcontact.surfaces.synthesis import SIDES
 
 
 rule aggregate_spectra:
@@ -26,6 +28,39 @@ rule aggregate_spectra:
         ),
     script:
         "../scripts/aggregate_spectra.py"
+
+
+rule redraw_masters:
+    """Compute the forces of the masters of one realization with a spectrum that is drawn."""
+    input:
+        scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
+        stitched=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
+        sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
+        code=code_inputs("redraw_masters.py"),
+    output:
+        expand(PATTERNS.redrawn_pull_off, side=SIDES, allow_missing=True),
+    log:
+        PATTERNS.log("redraw_masters", PATTERNS.redrawn_pull_off.replace("-{side}", "")),
+    benchmark:
+        PATTERNS.benchmark("redraw_masters", PATTERNS.redrawn_pull_off.replace("-{side}", ""))
+    resources:
+        mem_mb=max(master_megabytes(STUDY["scales"][side]["pixels"], 3000) for side in SIDES),
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "realization": int(w.realization),
+                "seed": STUDY["seed"],
+                "measuring": FILES.measuring(w.surface),
+                "sides": {side: STUDY["scales"][side] for side in SIDES},
+                "radius": STUDY["sphere"]["radius"],
+                "rho": STUDY["scales"]["range"],
+                "loads": [FILES.load],
+                **{key: STUDY["contact"][key] for key in ("window", "count")},
+            }
+        ),
+    script:
+        "../scripts/redraw_masters.py"
 
 
 rule find_band_edges:

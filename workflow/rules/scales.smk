@@ -3,6 +3,8 @@
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
+REDRAWN = [] if COMPARED else FILES.redrawn_masters
+
 
 rule synthesize_small_scale_master:
     """Continue the roughness of a scan below its pixels."""
@@ -93,6 +95,7 @@ rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
         masters=FILES.paths(PATTERNS.filtered_pull_off, FILES.masters),
+        redrawn=FILES.paths(PATTERNS.redrawn_pull_off, REDRAWN),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
@@ -104,6 +107,7 @@ rule aggregate_scales:
         canonical=canonical(
             {
                 "masters": FILES.masters,
+                "redrawn": REDRAWN,
                 "load": FILES.load["name"],
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,

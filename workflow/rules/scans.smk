@@ -43,15 +43,7 @@ rule measure_spectrum:
     benchmark:
         PATTERNS.benchmark("measure_spectrum", PATTERNS.measured_spectrum)
     params:
-        canonical=lambda w: canonical(
-            {
-                "datasets": [one.dataset for one in SELECTION.measured(w.surface)],
-                "tip_radii": [one.tip_radius for one in SELECTION.measured(w.surface)],
-                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
-                "levelling": STUDY["scan"]["levelling"],
-                "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-            }
-        ),
+        canonical=lambda w: canonical(FILES.measuring(w.surface)),
     script:
         "../scripts/measure_spectrum.py"
 

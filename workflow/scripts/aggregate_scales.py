@@ -4,6 +4,7 @@ from hardcontact.adhesion.all_surfaces import (
     at_load,
     stacked_forces,
     with_names,
+    with_spectrum_shifts,
     with_transitions,
 )
 from hardcontact.records.dataset import read_all
@@ -11,8 +12,16 @@ from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters
-    masters = read_all(given["masters"], this.input.masters)
-    forces = stacked_forces({key: at_load(one, given["load"]) for key, one in masters.items()})
+    forces, *redrawn = (
+        stacked_forces({key: at_load(one, given["load"]) for key, one in parts.items()})
+        for parts in (
+            read_all(given["masters"], this.input.masters),
+            read_all(given["redrawn"], this.input.redrawn),
+        )
+        if parts
+    )
+    if redrawn:
+        forces = with_spectrum_shifts(forces, *redrawn)
     this.write(
         with_transitions(with_names(forces, given), given["transitions"]).assign_attrs(
             {name: given[name] for name in ("rho", "sphere_radius")}

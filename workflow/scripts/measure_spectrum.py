@@ -2,16 +2,11 @@
 
 from hardcontact.records.job import job
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.scans import flat_measurement
+from hardcontact.surfaces.scans import flat_measurements
 
 with job(snakemake) as this:
-    given = this.parameters
-    how = {name: given[name] for name in ("undefined_pixels", "levelling", "sphere_radius")}
-    measurements = [
-        flat_measurement(path, dataset, **how)
-        for path, dataset in zip(this.input.scans, given["datasets"], strict=True)
-    ]
+    measuring = this.parameters
     this.write(
-        joined_spectrum(measurements, given["tip_radii"]),
+        joined_spectrum(flat_measurements(this.input.scans, measuring), measuring["tip_radii"]),
         title="power spectral density of a measured surface, joined of its measurements",
     )

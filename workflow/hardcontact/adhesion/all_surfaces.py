@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from typing import Any, TypedDict, TypeVar
 
+import numpy as np
 import xarray as xr
 
 from hardcontact.records.dataset import stack
@@ -104,6 +105,26 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     scales = stacked.assign(ratio=ratio, unfiltered_wavelength=ends)
     scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
     return scales
+
+
+def with_spectrum_shifts(scales: xr.Dataset, redrawn: xr.Dataset) -> xr.Dataset:
+    """Return forces of masters with what another spectrum changes of them.
+
+    Both are of `stacked_forces`; the masters redrawn are of drawn spectra, with the same random
+    numbers. ``ratio_shift`` (surface, realization, side, cutoff_wavelength) and
+    ``unfiltered_shift`` (surface, realization, side) are changes of the logarithms of ``ratio`` and
+    of the mean ``unfiltered_pull_off_force``, NaN where there is no other master.
+    """
+    whole = "unfiltered_pull_off_force"
+    factors = xr.Dataset(
+        {
+            "ratio_shift": redrawn["ratio"] / scales["ratio"],
+            "unfiltered_shift": redrawn[whole].mean(CONTACT_AXES)
+            / scales[whole].mean(CONTACT_AXES),
+        }
+    )
+    shifts = factors.map(np.log).map(lambda one: one.assign_attrs(units="1"))
+    return scales.merge(shifts, join="left")
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:

@@ -11,6 +11,7 @@ from hardcontact.config.selection import Selection
 from hardcontact.config.variants import Variant, named_load, surface_variants, variants
 from hardcontact.contact.bearing_area import NamedLoad
 from hardcontact.numbers.units import magnitude, token
+from hardcontact.surfaces.scans import Measuring
 from hardcontact.surfaces.synthesis import SIDES
 
 Key = TypeVar("Key")
@@ -80,6 +81,18 @@ class Files:
         patterns, made = self._patterns, self.surface_variants[variant].spectrum
         pattern = patterns.measured_spectrum if measured else patterns.calibrated_spectrum
         return self.path(pattern, surface, variant=made)
+
+    def measuring(self, surface: str) -> Measuring:
+        """Return how the measurements of a surface are read."""
+        scan, measured = self._configuration["scan"], self._selection.measured(surface)
+        sphere = surface == self._selection.sphere
+        return {
+            "datasets": [one.dataset for one in measured],
+            "tip_radii": [one.tip_radius for one in measured],
+            "undefined_pixels": scan["undefined_pixels"],
+            "levelling": scan["levelling"],
+            "sphere_radius": self._configuration["sphere"]["radius"] if sphere else None,
+        }
 
     def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return what a substitute scan shares with the others of its group."""
@@ -217,6 +230,12 @@ class Files:
         """Every master of the study."""
         realizations = range(1, self._configuration["scales"]["realizations"] + 1)
         return [Master(*one) for one in product(self._selection.substrates, realizations, SIDES)]
+
+    @property
+    def redrawn_masters(self) -> list[Master]:
+        """Every master of a measured surface: its spectrum can be drawn."""
+        basis = self._selection.basis
+        return [one for one in self.masters if basis[one.surface] == "measured"]
 
     @property
     def scaled_masters(self) -> list[ScaledMaster]:

@@ -21,7 +21,6 @@ from hardcontact.own_surfaces.scan_parts import (
     quarters_of_contacts,
 )
 from hardcontact.records.dataset import stack
-from hardcontact.surfaces.synthesis import SIDES
 
 
 class Masters(NamedTuple):
@@ -69,9 +68,9 @@ def over_masters(
 ) -> xr.Dataset:
     """Return what is found of the forces, as in scales.nc, over surface and side."""
     parts = {
-        (str(surface), side): found(forces_of_masters(scales, str(surface), side, masters))
-        for surface in scales.surface.values
-        for side in SIDES
+        (surface, side): found(forces_of_masters(scales, surface, side, masters))
+        for surface in scales.surface.values.tolist()
+        for side in scales.side.values.tolist()
     }
     return stack(parts, ["surface", "side"])
 
@@ -79,6 +78,7 @@ def over_masters(
 def half_width_over_masters(
     given: MasterForces,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
+    shift: str,
     confidence: float,
 ) -> np.ndarray:
     """Return the half width of the interval of the logarithm of a mean over masters.
@@ -89,8 +89,12 @@ def half_width_over_masters(
     it the quarters hold already: rather too wide an interval than one that leaves out the choice of
     random numbers.
 
+    Another spectrum, which the measurements allow as well, moves all realizations at once, too: the
+    mean square of its shifts, one a realization, is added as it is.
+
     The statistic is of the mean forces of a master with and without a filter, (realization, ...),
-    which it keeps; the half width is (...).
+    which it keeps; its shifts (realization, ...) by another spectrum are a variable of the forces,
+    if spectra were drawn. The half width is (...).
     """
 
     def of_masters(kept: xr.DataArray) -> xr.DataArray:
@@ -109,4 +113,7 @@ def half_width_over_masters(
     if given.parts.conditional and count > 1:
         logarithms = np.log(of_masters(xr.DataArray(True)).values)
         sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
+    shifts = given.forces.get(shift)
+    if shifts is not None and shifts.notnull().any():
+        sources.append(Variance((shifts**2).mean("realization").values, count))
     return half_width(sources, confidence)

@@ -58,7 +58,9 @@ def band_edges(
 
 def _ratios(given: MasterForces, confidence: float) -> xr.Dataset:
     """Return the ratios of one surface and side with their interval, and where that comes from."""
-    half = half_width_over_masters(given, lambda filtered, whole: filtered / whole, confidence)
+    half = half_width_over_masters(
+        given, lambda filtered, whole: filtered / whole, "ratio_shift", confidence
+    )
     ratio = given.forces.ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
     filled = interval

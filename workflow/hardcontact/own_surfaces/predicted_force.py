@@ -156,7 +156,9 @@ def continued_force(
 
     def of_side(given: MasterForces) -> xr.Dataset:
         force = work * given.forces.unfiltered_pull_off_force.mean().values
-        half = half_width_over_masters(given, lambda filtered, whole: whole, confidence)
+        half = half_width_over_masters(
+            given, lambda filtered, whole: whole, "unfiltered_shift", confidence
+        )
         interval, end = logarithmic_interval(force, half), float(given.forces.unfiltered_wavelength)
         return xr.Dataset(
             with_interval("continued_force", (), force, interval, newton, confidence)

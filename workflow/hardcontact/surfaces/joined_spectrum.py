@@ -11,6 +11,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
+from hardcontact.surfaces.long_waves import LongWaves, with_rolloff
 from hardcontact.surfaces.measured_spectrum import (
     bias_of_log,
     independent_waves,
@@ -20,7 +21,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band
+from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band, with_tip
 from hardcontact.surfaces.spectral_models import power_law_tail
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -43,8 +44,60 @@ ATOMIC = 0.3
 #: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
 #: 1.20). A sphere of such a curvature has the radius of an atom.
 GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
+#: Radii in nm of tips that are not known: from new ones to blunt ones.
+TIPS = (5.0, 50.0)
+#: Standard deviations of the Hurst exponent beyond what is measured, for surfaces are self-affine
+#: over some decades at best, and of the slope d ln C/d ln q within a gap between measurements.
+HURST_SCATTER, KINK = 0.1, 1.0
 #: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
 FLATTEST = -2.0
+
+
+class Tail(NamedTuple):
+    """How a spectrum goes on below the shortest wavelength measured; NaN where it does not."""
+
+    tail_hurst: float = np.nan
+    tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
+    tail_fit_longest: float = np.nan
+    tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
+
+
+#: Units of the fields of a tail.
+TAIL_UNITS = dict(zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True))
+
+
+class _Data(NamedTuple):
+    """The measurements of a surface, and what they say of its spectrum."""
+
+    measurements: Sequence[Measurement]
+    radii: Sequence[float | None]  #: Of their tips in nm, where they are known.
+    densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
+    waves: Floats  #: (measurement, bins) independent ones.
+    bands: Sequence[ReliableBand]
+    long_waves: LongWaves
+
+    def reliable(self, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
+        """Return which bins (measurement, bins) are measured within given bands."""
+        wavelength = 2 * np.pi / BIN_CENTRES
+        within = [(band.shortest <= wavelength) & (wavelength <= band.longest) for band in bands]
+        return np.array(within) & np.isfinite(self.densities)
+
+
+def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]) -> _Data:
+    """Return what the measurements say; fewer than three reliable bins are a ValueError."""
+    radii = [
+        measurement.tip_radius if radius is None else radius
+        for measurement, radius in zip(measurements, tip_radii, strict=True)
+    ]
+    densities = np.array([measured_psd(measurement)[1] for measurement in measurements])
+    bands = list(map(reliable_band, measurements, radii, densities))
+    waves = np.array([independent_waves(measurement) for measurement in measurements])
+    long_waves = LongWaves(measurements, densities, bands)
+    data = _Data(measurements, radii, densities, waves, bands, long_waves)
+    count = int(data.reliable(bands).any(axis=0).sum())
+    if count < FEWEST:
+        raise ValueError(_too_few(measurements, bands, count))
+    return data
 
 
 def joined_spectrum(
@@ -59,29 +112,16 @@ def joined_spectrum(
     what is known of each measurement. Fewer than three reliable bins of wavelengths are a
     ValueError of one line.
     """
-    radii = [
-        measurement.tip_radius if radius is None else radius
-        for measurement, radius in zip(measurements, tip_radii, strict=True)
-    ]
-    densities = [measured_psd(measurement)[1] for measurement in measurements]
-    bands = list(map(reliable_band, measurements, radii, densities))
-    wavelength = 2 * np.pi / BIN_CENTRES
-    reliable = [
-        (band.shortest <= wavelength) & (wavelength <= band.longest) & np.isfinite(density)
-        for band, density in zip(bands, densities, strict=True)
-    ]
-    waves = [independent_waves(measurement) for measurement in measurements]
-    joined, variance = _log_mean(np.array(reliable), np.array(densities), np.array(waves))
-    known = np.isfinite(joined)
-    if known.sum() < FEWEST:
-        raise ValueError(_too_few(measurements, bands, int(known.sum())))
-    spectrum, tail = continued_spectrum(BIN_CENTRES[known], joined[known], variance[known])
-    used = [band for band, bins in zip(bands, reliable, strict=True) if bins.any()]
+    data = _data(measurements, tip_radii)
+    reliable = data.reliable(data.bands)
+    joined, variance = _log_mean(reliable, data.densities, data.waves)
+    spectrum, tail, rolloff = _continued(joined, variance, data.long_waves, probability=0.5)
+    used = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
     found = with_measurements(
         spectrum_dataset(spectrum),
-        np.array(densities),
-        np.array(reliable),
-        list(map(_described, measurements, radii, bands)),
+        data.densities,
+        reliable,
+        list(map(_described, measurements, data.radii, data.bands)),
     )
     return found.assign(
         joined=("bin_wavevector", joined, {"units": "nm4", "long_name": "joined PSD"})
@@ -90,8 +130,77 @@ def joined_spectrum(
         calibrated_to_table1="",
         shortest_measured=min(band.shortest for band in used),
         longest_measured=max(band.longest for band in used),
+        rolloff=rolloff,
         **tail._asdict(),
     )
+
+
+def drawn_spectrum(
+    rng: np.random.Generator,
+    measurements: Sequence[Measurement],
+    tip_radii: Sequence[float | None],
+) -> Spectrum:
+    """Draw a spectrum of a surface within what its measurements leave open.
+
+    Arguments are those of `joined_spectrum`. Drawn are the power of the few waves in each bin; the
+    calibrations, relative to their mean; the radii of tips that are not known, even in their
+    logarithm within TIPS; a kink in each gap between measurements; the Hurst exponent below them;
+    and the roll-off above.
+    """
+    data = _data(measurements, tip_radii)
+    bands = [
+        band
+        if radius is not None or one.kind != "map"
+        else with_tip(band, one, float(np.exp(rng.uniform(*np.log(TIPS)))))
+        for one, radius, band in zip(measurements, data.radii, data.bands, strict=True)
+    ]
+    reliable = data.reliable(bands)
+    if reliable.any(axis=0).sum() < FEWEST:
+        reliable = data.reliable(data.bands)
+    calibration = CALIBRATION * rng.standard_normal((len(bands), 1))
+    scatter = np.sqrt(variance_of_log(data.waves)) * rng.standard_normal(data.waves.shape)
+    densities = data.densities * np.exp(calibration - calibration.mean() + scatter)
+    joined, variance = _with_kinks(rng, *_log_mean(reliable, densities, data.waves))
+    change = HURST_SCATTER * rng.standard_normal()
+    spectrum, *_ = _continued(joined, variance, data.long_waves, rng.uniform(), change)
+    return Spectrum(WAVEVECTORS, spectrum)
+
+
+def _continued(
+    joined: Floats,
+    variance: Floats,
+    long_waves: LongWaves,
+    probability: float,
+    hurst_change: float = 0.0,
+) -> tuple[Floats, Tail, float]:
+    """Return C_iso (nm⁴) on WAVEVECTORS of what is joined, with its tail and roll-off in nm.
+
+    The roll-off is that which is not exceeded with a probability.
+    """
+    known = np.isfinite(joined)
+    points = BIN_CENTRES[known], joined[known], variance[known]
+    density, tail = continued_spectrum(*points, hurst_change)
+    slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
+    rolloff = long_waves.rolloff(density, longest, slope, probability)
+    return with_rolloff(density, longest, slope, rolloff), tail, rolloff
+
+
+def _with_kinks(
+    rng: np.random.Generator, joined: Floats, variance: Floats
+) -> tuple[Floats, Floats]:
+    """Return a joined spectrum with a kink in each gap: C_iso (bins,) in nm⁴ and variances."""
+    known = np.flatnonzero(np.isfinite(joined))
+    place = np.arange(known[0], known[-1] + 1)
+    log_q, log_density = np.log(BIN_CENTRES), np.full(len(joined), np.nan)
+    log_density[place] = np.interp(place, known, np.log(joined[known]))
+    for first, last in zip(known[:-1], known[1:], strict=True):
+        bins, half = np.arange(first + 1, last), (log_q[last] - log_q[first]) / 2
+        if len(bins):
+            depth = 1 - np.abs(log_q[bins] - log_q[first] - half) / half
+            log_density[bins] += KINK * rng.standard_normal() * half / 2 * depth
+    filled = np.full(len(joined), np.nan)
+    filled[place] = np.interp(place, known, variance[known])
+    return np.exp(log_density), filled
 
 
 def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
@@ -141,8 +250,8 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
     """Return the joined spectra of all surfaces, given by surface, with their names in print.
 
     The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or ""
-    where a surface has fewer measurements than another; `label`, `shortest_measured` and
-    `longest_measured` (nm), and the fields of `Tail` (surface) stand beside them.
+    where a surface has fewer measurements than another; `label`, `shortest_measured`,
+    `longest_measured` and `rolloff` (nm), and the fields of `Tail` (surface) stand beside them.
     """
     most = max(one.sizes["measurement"] for one in of_surface.values())
     padded = []
@@ -157,7 +266,7 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
             one.drop_attrs(deep=False).pad(padding, constant_values=empty, keep_attrs=True)
         )
     names = pd.Index(list(of_surface), name="surface")
-    units = {"shortest_measured": "nm", "longest_measured": "nm"} | TAIL_UNITS
+    units = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | TAIL_UNITS
     return xr.concat(padded, names, combine_attrs="override").assign(
         {
             name: ("surface", [one.attrs[name] for one in of_surface.values()], {"units": unit})
@@ -167,27 +276,15 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
     )
 
 
-class Tail(NamedTuple):
-    """How a spectrum goes on below the shortest wavelength measured; NaN where it does not."""
-
-    tail_hurst: float = np.nan
-    tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
-    tail_fit_longest: float = np.nan
-    tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
-
-
-#: Units of the fields of a tail.
-TAIL_UNITS = dict(zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True))
-
-
 def continued_spectrum(
-    wavevector: Floats, density: Floats, variance: Floats
+    wavevector: Floats, density: Floats, variance: Floats, hurst_change: float = 0.0
 ) -> tuple[Floats, Tail]:
     """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
 
     The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
     of ln C. Above the longest wavelength measured C_iso is constant. Below the shortest it is
-    self-affine with the Hurst exponent of the last decade past the roll-off, held within 0 to 1.
+    self-affine with the Hurst exponent of the last decade past the roll-off, changed by a number
+    and held within 0 to 1.
     The tail ends at the distance of atoms, or where the rms gradient or half-Laplacian of all
     scales would pass that of the roughest hard surface known: there is none if the measured part
     alone does.
@@ -195,7 +292,7 @@ def continued_spectrum(
     # A point of the table at the last wavevector may lie beyond it by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
     measured = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
-    hurst, count = _hurst(wavevector, density, variance)
+    hurst, count = _hurst(wavevector, density, variance, hurst_change)
     # The tail begins with the log-mean of the last points along it.
     relative = wavevector[-FEWEST:] / wavevector[-1]
     level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * hurst)))))
@@ -211,7 +308,9 @@ def continued_spectrum(
     return spectrum, Tail(hurst, float(shortest), float(longest), ended_by)
 
 
-def _hurst(wavevector: Floats, density: Floats, variance: Floats) -> tuple[float, int]:
+def _hurst(
+    wavevector: Floats, density: Floats, variance: Floats, change: float
+) -> tuple[float, int]:
     """Return the Hurst exponent of the last decade past the roll-off, and its number of points."""
     slopes, error = local_slopes(wavevector, density, variance)
     fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
@@ -221,7 +320,7 @@ def _hurst(wavevector: Floats, density: Floats, variance: Floats) -> tuple[float
     fitted[-FEWEST:] = True
     weight = 1 / np.sqrt(variance[fitted])
     slope = np.polyfit(np.log(wavevector[fitted]), np.log(density[fitted]), 1, w=weight)[0]
-    return float(np.clip(-slope / 2 - 1, 0, 1)), int(fitted.sum())
+    return float(np.clip(-slope / 2 - 1 + change, 0, 1)), int(fitted.sum())
 
 
 def _bounded(density: Floats) -> tuple[int, str]:

@@ -95,14 +95,19 @@ def reliable_band(
         _, density = measured_psd(measurement)
     ends = _spectral_ends(measurement, density)
     ends.append((PIXELS * measurement.pixel_size, "pixels"))
-    if tip_radius is not None:
-        cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
-            tip_radius, rtol=TOLERANCE
-        )
-        if cutoff is not None:
-            ends.append((float(cutoff), "tip"))
     shortest, limit = max(ends)
-    return ReliableBand(shortest, size_of(measurement) / PARTS, limit)
+    band = ReliableBand(shortest, size_of(measurement) / PARTS, limit)
+    return band if tip_radius is None else with_tip(band, measurement, tip_radius)
+
+
+def with_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) -> ReliableBand:
+    """Return a band of a measurement that ends where a tip of a radius in nm hides the surface."""
+    cutoff = levelled_topography(measurement).scanning_probe_reliability_cutoff(
+        tip_radius, rtol=TOLERANCE
+    )
+    if cutoff is None or cutoff <= band.shortest:
+        return band
+    return band._replace(shortest=float(cutoff), limited_by="tip")
 
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:

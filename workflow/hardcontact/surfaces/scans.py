@@ -13,10 +13,10 @@ import resource
 import sys
 import tempfile
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from pathlib import Path
-from typing import IO, Any
+from typing import IO, Any, TypedDict
 
 import numpy as np
 import xarray as xr
@@ -109,6 +109,30 @@ def flat_measurement(
         raise ValueError(f"levelling: expected {' or '.join(LEVELLING)}, found {levelling}")
     measurement = read_measurement(path, dataset, undefined_pixels)
     return flattened(measurement, sphere_radius, levelling)
+
+
+class Measuring(TypedDict):
+    """How the measurements of a surface are read, and the radii of their tips."""
+
+    datasets: list[str]  #: In its container, of each; empty of any other file.
+    tip_radii: list[float | None]  #: In nm; None of a tip that is not given.
+    undefined_pixels: str
+    levelling: str
+    sphere_radius: float | None  #: In nm, None of a flat surface.
+
+
+def flat_measurements(paths: Iterable[str], measuring: Measuring) -> list[Measurement]:
+    """Read the measurements of a surface, each as `flat_measurement` does."""
+    return [
+        flat_measurement(
+            path,
+            dataset,
+            undefined_pixels=measuring["undefined_pixels"],
+            levelling=measuring["levelling"],
+            sphere_radius=measuring["sphere_radius"],
+        )
+        for path, dataset in zip(paths, measuring["datasets"], strict=True)
+    ]
 
 
 def flattened(

@@ -178,4 +178,5 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
         shortest_measured=runs.shortest.min(),
         longest_measured=runs.longest.max(),
         **Tail()._asdict(),
+        rolloff=np.nan,
     )

@@ -1,0 +1,99 @@
+"""How often the long edge, from a scan and the spectrum measured on it, is inside its interval."""
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from hardcontact.adhesion.all_surfaces import at_load, stacked_forces, with_spectrum_shifts
+from hardcontact.numbers.random import generator
+from hardcontact.own_surfaces.master_forces import Masters
+from hardcontact.own_surfaces.open_edges import band_edges
+from hardcontact.scales.filtered_masters import filtered_pull_off
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.joined_spectrum import drawn_spectrum, joined_spectrum
+from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.spectral_models import self_affine
+from hardcontact.surfaces.spectrum import spectrum_from
+from hardcontact.surfaces.synthesis import large_scale_master, random_surface
+from hardcontact.surfaces.topography import level, mirror_stitch
+
+pytestmark = pytest.mark.study
+
+SIZE, PIXELS, TILES, REALIZATIONS = 2500.0, 64, 4, 4
+RADIUS, RHO = 30e3, 5.6
+PIXEL_SIZE, CELL = SIZE / PIXELS, 2 * TILES * SIZE
+CUTOFFS = np.geomspace(300, 14_000, 12).tolist()
+LOAD = {"name": "one", "preload": 2e-6, "hardness": 25e9}
+SETTINGS = {
+    "side": "large", "scales": {"pixels": 2 * TILES * PIXELS, "cutoffs": CUTOFFS},
+    "radius": RADIUS, "rho": RHO, "loads": [LOAD], "window": 5000.0, "count": 8,
+}  # fmt: skip
+#: Roll-off wavelengths, a third and three times the size of a scan, with the plateau in nm⁴.
+SURFACES = {SIZE / 3: 1.2e6, 3 * SIZE: 6e8}
+
+
+def density(rolloff):
+    return lambda q: self_affine(q, SURFACES[rolloff], rolloff, 0.8)
+
+
+def forces(masters):
+    """Forces on large-scale masters, by realization, as scales.nc has them."""
+    found = {
+        ("a", number, "large"): at_load(filtered_pull_off(master, None, SETTINGS), "one")
+        for number, master in enumerate(masters, 1)
+    }
+    stacked = stacked_forces(found).assign(
+        label=("surface", ["a"]), basis=("surface", ["measured"])
+    )
+    return stacked.assign_attrs(rho=RHO, sphere_radius=RADIUS)
+
+
+@cache
+def true_edge(rolloff):
+    """The edge of the mean over many surfaces as large as a master, each of the true spectrum."""
+    surfaces = (
+        random_surface(generator(1, number), 2 * TILES * PIXELS, PIXEL_SIZE, density(rolloff))
+        for number in range(60)
+    )
+    edges = band_edges(forces(surfaces), Masters({"a": 60}, TILES), 0.1, 0.95)
+    return edges.edge.sel(side="large").item()
+
+
+def interval(rolloff, number):
+    """The interval of the long edge in nm from one scan of a surface; open ends are NaN."""
+    surface = random_surface(generator(2, number), 16 * PIXELS, PIXEL_SIZE, density(rolloff))
+    heights = surface.heights[:PIXELS, :PIXELS].astype(float)
+    scan = level(HeightMap(heights, PIXEL_SIZE, False, "measured"))
+    measured = Measurement(
+        "a", "", "", "nm", "map", scan.heights, PIXEL_SIZE, 1.0, notes=(), undefined=0
+    )
+    spectrum = spectrum_from(joined_spectrum([measured], [None]))
+    spectra = {
+        "as measured": [spectrum] * REALIZATIONS,
+        "drawn": [
+            drawn_spectrum(generator(3, number, draw), [measured], [None])
+            for draw in range(REALIZATIONS)
+        ],
+    }
+    of_spectra = (
+        forces(
+            large_scale_master(
+                generator(4, number, draw), mirror_stitch(scan), TILES, 0.4 * SIZE, spectrum
+            )
+            for draw, spectrum in enumerate(used)
+        )
+        for used in spectra.values()
+    )
+    edges = band_edges(with_spectrum_shifts(*of_spectra), Masters({"a": 1}, TILES), 0.1, 0.95)
+    return edges.edge_interval.sel(side="large").values.ravel()
+
+
+@pytest.mark.parametrize("rolloff", SURFACES)
+def test_the_interval_of_one_scan_holds_the_long_edge(rolloff):
+    edge, trials = true_edge(rolloff), 20
+    assert np.isfinite(edge)
+    low, high = np.array([interval(rolloff, number) for number in range(trials)]).T
+    held = ~(low > edge) & ~(high < edge)
+    assert held.sum() >= 18
+    assert np.isfinite(low).sum() + np.isfinite(high).sum() >= trials

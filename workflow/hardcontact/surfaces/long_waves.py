@@ -1,0 +1,123 @@
+"""Roughness at wavelengths longer than those at which a scan is reliable.
+
+Few waves longer than a third of a scan fit into it, and levelling takes a part of each. What is
+left of them in the rms height still tells how far a spectrum goes on to rise: it continues with the
+slope of its longest reliable waves up to a roll-off wavelength, and is constant beyond. The
+roll-off follows from the variance of the levelled heights by Bayes' rule; before that, all
+roll-offs from the longest reliable wavelength to FARTHEST times the scan are equally likely in
+their logarithm.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from hardcontact.surfaces.measured_spectrum import levelled_topography, size_of
+from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, WAVEVECTORS, Floats
+
+#: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
+#: slopes to it, which levelling removes.
+FARTHEST = 10.0
+#: Roll-off wavelengths that are considered, and directions that waves are averaged over.
+CANDIDATES, DIRECTIONS = 61, 64
+#: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
+STEEPEST = -4.0
+LOG_WAVEVECTORS = np.log(WAVEVECTORS)
+#: Width of the bins of a measured PSD in ln q.
+BIN = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
+
+
+def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
+    """Return the share of the variance of random waves (q,) that levelling leaves in a scan.
+
+    A least-squares plane is taken from a map, a line from a profile, of a size in nm; waves have
+    wavevectors in rad/nm, all directions and all phases. The share that is removed is the square of
+    the projections on 1, sqrt(12) x/L and sqrt(12) y/L, in closed form.
+    """
+    angle = (np.arange(DIRECTIONS) + 0.5) * np.pi / 2 / DIRECTIONS
+    half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
+    x, y = half * np.cos(angle), half * np.sin(angle)
+    mean_x, slope_x = _projections(x)
+    if kind == "profile":
+        return np.asarray((1 - mean_x - slope_x).mean(axis=1))
+    mean_y, slope_y = _projections(y)
+    removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
+    return np.asarray((1 - removed).mean(axis=1))
+
+
+def _projections(half: Floats) -> tuple[Floats, Floats]:
+    """Return the squared projections of exp(2iau), |u| <= 1/2, on 1 and sqrt(12) u."""
+    slope = np.sqrt(3) * (np.sin(half) - half * np.cos(half)) / half**2
+    return (np.sin(half) / half) ** 2, slope**2
+
+
+class LongWaves:
+    """The scans of a surface that reach farthest, and what their rms height says of long waves."""
+
+    def __init__(
+        self,
+        scans: Sequence[Measurement],
+        densities: Floats,
+        bands: Sequence[ReliableBand],
+    ) -> None:
+        """Take all scans of a surface with their `measured_psd` (scan, bins) in nm⁴ and bands."""
+        farthest = max(band.longest for band in bands)
+        widest = [n for n, band in enumerate(bands) if band.longest == farthest]
+        self.kind, self.size = scans[widest[0]].kind, size_of(scans[widest[0]])
+        self.count = len(widest)
+        #: The mean variance of the levelled heights in nm².
+        self.variance = float(np.mean([_variance(scans[n]) for n in widest]))
+        self._density = np.nan_to_num(densities[widest]).mean(axis=0)
+        self._unreliable = 2 * np.pi / BIN_CENTRES < min(bands[n].shortest for n in widest)
+        self._share = levelled_share(WAVEVECTORS, self.size, self.kind)
+
+    def rolloff(self, density: Floats, longest: float, slope: float, probability: float) -> float:
+        """Return the roll-off wavelength in nm that is not exceeded with a probability.
+
+        The density is C_iso (nm⁴) on WAVEVECTORS, constant above the longest wavelength measured
+        (nm), where its d ln C/d ln q is the slope.
+        """
+        if slope >= 0:
+            return longest
+        wavelengths = np.geomspace(longest, max(FARTHEST * self.size, 1.01 * longest), CANDIDATES)
+        risen = (with_rolloff(density, longest, slope, one) for one in wavelengths)
+        likelihood = np.array([self._log_likelihood(one) for one in risen])
+        posterior = np.exp(likelihood - likelihood.max())
+        below = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
+        return float(np.exp(np.interp(probability, below, np.log(wavelengths))))
+
+    def _log_likelihood(self, density: Floats) -> float:
+        """Return the logarithm of the likelihood of the variance, less a constant.
+
+        The power of each of N independent waves is distributed exponentially, so that theirs is a
+        gamma variable of the relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π along
+        a line, and 1 of waves longer than the scan, which are a bow. Heights that are not of the
+        surface, at wavelengths too short to be reliable, are added to the variance.
+        """
+        from scipy import stats
+
+        waves = WAVEVECTORS * self.size / (2 * np.pi)
+        number = np.maximum(waves if self.kind == "profile" else np.pi * waves**2, 1)
+        power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
+        excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
+        noise = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable].sum() * BIN / (2 * np.pi)
+        expected = np.trapezoid(power, LOG_WAVEVECTORS) + noise
+        shape = expected**2 / np.trapezoid(power**2 / number, LOG_WAVEVECTORS) * self.count
+        return float(stats.gamma.logpdf(self.variance, shape, scale=expected / shape))
+
+
+def _variance(scan: Measurement) -> float:
+    return float(np.asarray(levelled_topography(scan).heights()).var())
+
+
+def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
+    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured.
+
+    It rises with d ln C/d ln q = `slope`, held within STEEPEST and 0, up to the roll-off, and is
+    constant beyond; wavelengths are in nm.
+    """
+    beyond = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
+    rise = np.minimum(beyond, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST, 0.0)
+    return np.asarray(density * rise)
