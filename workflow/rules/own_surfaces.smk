@@ -40,9 +40,9 @@ rule redraw_masters:
     output:
         expand(PATTERNS.redrawn_pull_off, side=SIDES, allow_missing=True),
     log:
-        PATTERNS.log("redraw_masters", PATTERNS.redrawn_pull_off.replace("-{side}", "")),
+        PATTERNS.log("redraw_masters", PATTERNS.redrawn_pull_off.replace("{side}-", "")),
     benchmark:
-        PATTERNS.benchmark("redraw_masters", PATTERNS.redrawn_pull_off.replace("-{side}", ""))
+        PATTERNS.benchmark("redraw_masters", PATTERNS.redrawn_pull_off.replace("{side}-", ""))
     resources:
         mem_mb=max(master_megabytes(STUDY["scales"][side]["pixels"], 3000) for side in SIDES),
     params:
