@@ -123,6 +123,7 @@ def _spectra_of(bins, measured):
             "notes": ("measurement", ["37 undefined pixels"] + [""] * (len(measured) - 1)),
             "shortest_measured": min(columns["shortest_reliable"]),
             "longest_measured": max(columns["longest_reliable"]),
+            "rolloff": 1.5 * max(columns["longest_reliable"]),
             "tail_hurst": 0.8,
             "tail_fit_shortest": min(columns["shortest_reliable"]),
             "tail_fit_longest": 10 * min(columns["shortest_reliable"]),

@@ -56,7 +56,7 @@ def limits(of: Datasets) -> list[Limit]:
         *_of_pixels(of.force),
         *_of_intervals(of.edges, of.force),
         *_sparse_cutoffs(of.edges),
-        *_of_spectrum(of.spectra),
+        *_of_spectrum(of.spectra, of.topography),
     ]
 
 
@@ -204,7 +204,18 @@ def _sparse_cutoffs(edges: xr.Dataset) -> list[Limit]:
     return found
 
 
-def _of_spectrum(spectra: xr.Dataset) -> list[Limit]:
+def _rms_heights(topography: xr.Dataset) -> dict[str, Any]:
+    """Return the rms height of all scales beside the mean of the scans."""
+    scans = float(topography["rms_height"].mean())
+    whole = number_of(topography, "all_scales_rms_height")
+    return {
+        "of_scans": Number("of_scans", scans, "nm"),
+        "whole": whole,
+        "less": whole.value < scans,
+    }
+
+
+def _of_spectrum(spectra: xr.Dataset, topography: xr.Dataset) -> list[Limit]:
     """Return what bounds the reliable wavelengths, what lies beyond, and which tips are unknown."""
     seen = reliable_measurements(spectra)
     finest = seen.isel(measurement=int(seen["shortest_reliable"].values.argmin()))
@@ -222,6 +233,16 @@ def _of_spectrum(spectra: xr.Dataset) -> list[Limit]:
         for side, (one, end) in ends.items()
     ]
     found.append({"code": "tail"} | tail(spectra))
+    if np.isfinite(spectra["rolloff"].item()):
+        rolloff = Number("rolloff", spectra["rolloff"].item(), "nm", source="extrapolated")
+        found.append(
+            {
+                "code": "long_waves",
+                "rolloff": rolloff,
+                "above": number_of(spectra, "longest_measured"),
+            }
+            | _rms_heights(topography)
+        )
     blind = [
         measurement_name(one)
         for one in single(measurements(spectra))
