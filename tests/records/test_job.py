@@ -101,13 +101,14 @@ def test_an_input_that_was_changed_after_it_was_made_stops_the_job(
     snakemake, tmp_path, monkeypatch, capsys
 ):
     monkeypatch.setattr(os, "_exit", sys.exit)
-    handlers = []
-    monkeypatch.setattr(logging.getLogger("hardcontact"), "handlers", handlers)
+    logger = logging.getLogger("hardcontact")
+    monkeypatch.setattr(logger, "handlers", [])
     with job(snakemake) as this:
         this.write_text("made", "text")
     snakemake.input, snakemake.output = Named(text="made/text.txt"), Named(data="made/data.nc")
     (tmp_path / "made/text.txt").write_text("madf")
     with pytest.raises(SystemExit), job(snakemake):
         raise NotImplementedError("is not reached")
-    handlers.pop().close()
+    for handler in logger.handlers:
+        handler.close()
     assert_says(capsys.readouterr().err, "error: made/text.txt: expected", "run again")
