@@ -12,6 +12,8 @@ from answer_inputs import (
     open_edges,
     spectra,
     topography,
+    unresolved_edges,
+    with_edge,
     without_interval,
 )  # fmt: skip
 
@@ -32,13 +34,6 @@ def grave(**others):
     return [one["code"] for one in grave_limits(of_first(**others))]
 
 
-def with_edge(edge, low, high, side="small"):
-    data = edges()
-    data["edge"].loc[{"side": side}] = edge
-    data["edge_interval"].loc[{"side": side}] = [low, high]
-    return data
-
-
 def test_substitutes_are_named():
     assert named("substitute", topography=topography(1, "substitute")) and not named("substitute")
 
@@ -56,6 +51,11 @@ def test_open_ends_of_intervals_are_named(low, high, end):
     assert (found["side"], found["end"]) == ("small", end)
 
 
+def test_edges_where_nothing_matters_are_no_bounds():
+    assert named("nothing_resolved", edges=unresolved_edges()) and not named("nothing_resolved")
+    assert not named("open_edge", edges=unresolved_edges())
+
+
 def test_an_edge_without_any_interval_has_no_open_ends():
     assert not named("open_interval", edges=with_edge(37.0, np.nan, np.nan))
 
@@ -63,7 +63,7 @@ def test_an_edge_without_any_interval_has_no_open_ends():
 def test_edges_in_artificial_roughness_are_named():
     (inside,) = named("artificial_edge")
     assert (inside["side"], inside["place"]) == ("small", "inside")
-    assert not named("artificial_edge", edges=with_edge(100.0, 80.0, 130.0))
+    assert not named("artificial_edge", edges=with_edge(120.0, 90.0, 150.0))
     (partly,) = named("artificial_edge", edges=with_edge(70.0, 40.0, 90.0))
     assert partly["place"] == "partly"
     fine = spectra(measured={"fine.spm": MEASUREMENTS["fine.spm"]})  # reliable up to 320 nm

@@ -21,6 +21,7 @@ from answer_inputs import (
     setting,
     spectra,
     topography,
+    unresolved_edges,
 )  # fmt: skip
 from html_page import Page
 from jsonschema import Draft202012Validator, ValidationError
@@ -200,6 +201,21 @@ def test_numbers_are_those_of_the_datasets():
     scans = topography().sel(surface="my_coating")["rms_height"].values.tolist()
     assert [scan["rms_height"]["value"] for scan in of_surface["scans"]] == scans
     assert numbers["fit"] is None and numbers["pooled_band"] is None
+
+
+@pytest.mark.parametrize(("of_paper", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
+def test_who_gives_range_and_work_is_told_of_no_other_pairs(of_paper, count):
+    answered = own_answer(datasets(), setting()._replace(of_paper=of_paper))
+    rows = as_plain(answered)["surfaces"]["my_coating"]["answer"]
+    assert [row["name"] for row in rows].count("force_of_pair") == count
+
+
+def test_a_verdict_without_a_band_has_no_edges():
+    unresolved = own_answer(datasets(edges=unresolved_edges()), setting())
+    answer = re.search(r'<div class="answer">(.*?)</div>', own_page(unresolved), re.DOTALL)[1]
+    assert "Nothing" in answer and "at least" not in answer and len(words(answer)) <= 25
+    schema = json.loads((ROOT / "workflow/schemas/answer_surfaces.schema.json").read_text())
+    Draft202012Validator(schema).validate(as_plain(unresolved))
 
 
 def test_open_edges_are_no_numbers():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import (
     MEASUREMENTS,
+    PAIRS,
     SURFACES,
     WORK,
     continued,
@@ -14,10 +15,13 @@ from answer_inputs import (
     open_edges,
     setting,
     spectra,
+    unresolved_edges,
+    with_edge,
+    without_interval,
 )  # fmt: skip
 
 from hardcontact.answer import surface_facts as facts
-from hardcontact.answer.artificial import place_of_edge
+from hardcontact.answer.artificial import parts_of_change, place_of_edge
 from hardcontact.numbers.number import Number, plain
 
 
@@ -27,21 +31,14 @@ def rows(own=None, **others):
     return {row.fact.name: row for row in facts.answer_rows(of._replace(fit=own))}
 
 
-def with_edge(edge, low, high, side="small"):
-    data = edges()
-    data["edge"].loc[{"side": side}] = edge
-    data["edge_interval"].loc[{"side": side}] = [low, high]
-    return data
-
-
 def test_rows_hold_edges_and_forces_in_their_order():
     found = rows()
     assert list(found) == [
         "short_edge", "long_edge", "force_mean", "force_median", "force_middle", "smooth_sphere",
+        "range_sensitivity",
     ]  # fmt: skip
-    short = found["short_edge"].fact
-    assert short[1:] == (37.0, "nm", 29.6, 46.25, "", "artificial")
-    assert found["long_edge"].fact.source == "measured"
+    long = found["long_edge"].fact
+    assert long[1:] == (1700.0, "nm", 1360.0, 2125.0, "", "measured")
     mean = found["force_mean"].fact
     assert (mean.value, mean.low, mean.high) == pytest.approx((0.64e-6, 0.512e-6, 0.8e-6))
     assert found["force_median"].fact.value == pytest.approx(0.95 * 0.64e-6)
@@ -54,13 +51,28 @@ def test_rows_hold_edges_and_forces_in_their_order():
 @pytest.mark.parametrize(
     ("data", "source"),
     [
-        (with_edge(100.0, 80.0, 130.0), "measured"),
-        (with_edge(70.0, 40.0, 90.0), "partly_artificial"),
-        (with_edge(100.0, np.nan, np.nan), "measured"),
+        (with_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
+        (with_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
+        (with_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
+        (with_edge(120.0, np.nan, np.nan), ("measured", None, None)),
     ],
 )
-def test_edges_have_their_place_among_artificial_wavelengths(data, source):
-    assert rows(edges=data)["short_edge"].fact.source == source
+def test_ends_of_intervals_among_artificial_wavelengths_are_not_told(data, source):
+    fact = plain(rows(edges=data)["short_edge"].fact)
+    assert (fact["source"], fact["low"], fact["high"]) == source
+
+
+def test_the_change_at_an_edge_is_parted_where_scans_begin_to_be_reliable():
+    # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
+    data = with_edge(80.0, 70.0, 90.0)
+    low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
+    unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
+    of = datasets(edges=data).of_surface(SURFACES[0])
+    np.testing.assert_allclose(parts_of_change(of, "small", 0, 80), [high - unseen, unseen], 1e-4)
+    assert rows(edges=data)["short_edge"].about["change"].value == pytest.approx(
+        1 - unseen / high, rel=1e-4
+    )
+    assert sum(parts_of_change(of, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
 
 
 def test_open_edges_are_bounds():
@@ -72,24 +84,63 @@ def test_open_edges_are_bounds():
     below["edge_at_least"].loc[{"side": "large"}] = 0
     assert rows(edges=below)["long_edge"].fact.status == "open_below"
     below["edge_bound"].loc[{"side": "large"}] = 30_000.0
-    assert place_of_edge(below.isel(surface=0).sel(side="large"), [(25e3, np.inf)]) == "inside"
+    assert place_of_edge(datasets(edges=below).of_surface(SURFACES[0]), "large") == "inside"
 
 
-def test_an_edge_without_ends_is_not_bounded_only_where_ratios_have_intervals():
-    data = with_edge(100.0, np.nan, np.nan)
-    assert rows(edges=data)["short_edge"].fact.status == "not_bounded"
-    bare = data.assign(scale_ratio_interval=data["scale_ratio_interval"] * np.nan)
-    assert rows(edges=bare)["short_edge"].fact.status == ""
-    half = rows(edges=with_edge(100.0, 80.0, np.nan))["short_edge"].fact
-    assert (half.low, plain(half.high), half.status) == (80.0, None, "")
-
-
-def test_forces_without_bounds_are_not_bounded():
+def test_what_has_no_interval_says_why():
+    data = with_edge(120.0, np.nan, np.nan)
+    assert rows(edges=data)["short_edge"].fact.status == "few_parts"
+    whole = data.assign(interval_source=("surface", ["none"]))
+    assert rows(edges=whole)["short_edge"].fact.status == "whole_scan"
+    half = rows(edges=with_edge(120.0, 90.0, np.nan))["short_edge"].fact
+    assert (half.low, plain(half.high), half.status) == (90.0, None, "")
+    assert rows(force=without_interval(force()))["force_mean"].fact.status == "whole_scan"
     endless = force()
     endless["force_interval"].loc[{"bound": "low"}] = 0
     endless["force_interval"].loc[{"bound": "high"}] = np.inf
     fact = rows(force=endless)["force_mean"].fact
-    assert np.isnan([fact.low, fact.high]).all() and fact.status == "not_bounded"
+    assert np.isnan([fact.low, fact.high]).all() and fact.status == "few_parts"
+
+
+def test_a_force_at_its_bound_is_told():
+    assert rows()["force_mean"].about["bounded"] is False
+    smooth = force()
+    smooth["smooth_bound"] = smooth["force"].isel(surface=0)
+    assert rows(force=smooth)["force_mean"].about["bounded"] is True
+
+
+def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_beyond():
+    of = datasets().of_surface(SURFACES[0])
+    assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
+    between, beyond = facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
+    assert between.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
+    assert between.about["share"].value == 0.58 and between.about["range"].value == 10.0
+    assert beyond.fact.status == "not_computed" and np.isnan(beyond.fact.value)
+    one_range = force().sel(rho=[5.6])
+    assert np.isnan(rows(force=one_range)["range_sensitivity"].fact.value)
+
+
+def answer_of(data, measured):
+    """The verdict on edges with scans of these reliable wavelengths (nm)."""
+    scan = ("map", 2 * measured[1], 1, *measured, "pixels", np.nan)
+    found = rows(edges=data, spectra=spectra(measured={"scan.spm": scan}))
+    told = facts.verdict(list(found.values()))
+    return told["answer"], told["band"]
+
+
+@pytest.mark.parametrize(
+    ("data", "measured", "expected"),
+    [
+        (edges(), (6, 25e3), ("yes", "found")),
+        (edges(), (55, 25e3), ("partly", "found")),
+        (edges(), (400, 1000), ("no", "found")),
+        (open_edges(), (6, 25e3), ("partly", "found")),
+        (with_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
+        (unresolved_edges(), (6, 25e3), ("no", "none")),
+    ],
+)
+def test_the_verdict_says_whether_scans_can_answer(data, measured, expected):
+    assert answer_of(data, measured) == expected
 
 
 def test_continued_roughness_has_its_own_force_and_the_verdict_both():

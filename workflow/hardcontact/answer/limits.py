@@ -11,7 +11,6 @@ import xarray as xr
 
 from hardcontact.adhesion.finite_scan import LEAST_TRIED
 from hardcontact.answer.artificial import (
-    artificial_bands,
     measurement_name,
     measurements,
     place_of_edge,
@@ -26,6 +25,7 @@ from hardcontact.answer.surface_facts import (
     continued_fact,
     differing_sides,
     edge_fact,
+    resolves_nothing,
 )
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs
@@ -47,8 +47,7 @@ def limits(of: Datasets) -> list[Limit]:
     substitute = of.topography["basis"].item() == "substitute"
     return [
         *([{"code": "substitute"}] if substitute else []),
-        *(limit for side in EDGES for limit in _of_edge(side, of.edges.sel(side=side))),
-        *_artificial_edges(of),
+        *_of_edges(of),
         *_of_blind_scans(of),
         *_of_window(of.force),
         *_of_scan_size(of),
@@ -78,6 +77,14 @@ def grave_limits(of: Datasets) -> list[Limit]:
     ]
 
 
+def _of_edges(of: Datasets) -> list[Limit]:
+    """Return what is wrong with the edges of a surface, or that it has none."""
+    if resolves_nothing(of.edges):
+        return [{"code": "nothing_resolved"}]
+    edges = (limit for side in EDGES for limit in _of_edge(side, of.edges.sel(side=side)))
+    return [*edges, *_artificial_edges(of)]
+
+
 def _of_edge(side: str, of_side: xr.Dataset) -> list[Limit]:
     """Return that an edge, or an end of its interval, lies beyond what was computed."""
     edge = edge_fact(of_side, EDGES[side])
@@ -92,9 +99,8 @@ def _of_edge(side: str, of_side: xr.Dataset) -> list[Limit]:
 
 
 def _artificial_edges(of: Datasets) -> list[Limit]:
-    """Return which edges of a surface, or their intervals, lie where no scan reaches."""
-    bands = artificial_bands(of.spectra)
-    places = {side: place_of_edge(of.edges.sel(side=side), bands) for side in EDGES}
+    """Return which edges of a surface, or their intervals, rest on what no scan shows."""
+    places = {side: place_of_edge(of, side) for side in EDGES}
     return [
         {"code": "artificial_edge", "side": side, "place": place}
         for side, place in places.items()

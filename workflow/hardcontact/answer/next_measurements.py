@@ -15,7 +15,7 @@ from hardcontact.answer.artificial import artificial_bands, place_of_edge
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.facts import between
 from hardcontact.answer.limits import FEW_PIXELS, scans_without_tip
-from hardcontact.answer.surface_facts import differing_sides
+from hardcontact.answer.surface_facts import differing_sides, resolves_nothing
 from hardcontact.numbers.number import Number
 
 #: What a measurement settles, in the order of what it is worth.
@@ -24,10 +24,10 @@ WORTH = ("edge", "force", "input")
 
 def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
     """Return what to measure next on one surface, each with what it `settles`, of `WORTH`."""
+    larger = [*_longer_waves(of), *_larger_scans(of)]
     found = [
         *_shorter_waves(of),
-        *_longer_waves(of),
-        *_larger_scans(of),
+        *([] if resolves_nothing(of.edges) else larger),
         *_finer_pixels(of.force),
         *_more_places(of.force),
         *([{"code": "tips", "settles": "input"}] if scans_without_tip(of.spectra) else []),
@@ -51,6 +51,9 @@ def _shorter_waves(of: Datasets) -> list[dict[str, Any]]:
         for low, high in artificial_bands(of.spectra)
         if max(low, shortest) < min(high, longest)
     ]
+    nothing_resolved = resolves_nothing(of.edges)
+    if nothing_resolved:  # what decides is shorter than all that is measured
+        gaps = [(np.nan, float(of.spectra["shortest_measured"]))]
     if not gaps:
         return []
     bands = [between("band", *gap, "nm")._replace(source="artificial") for gap in gaps]
@@ -59,16 +62,18 @@ def _shorter_waves(of: Datasets) -> list[dict[str, Any]]:
             "code": "shorter_waves",
             "settles": "edge",
             "bands": bands,
-            "and_below": bool(open_below),
-            "settles_force": "small" in differing_sides(of.force),
+            "and_below": bool(open_below) and not nothing_resolved,
+            "settles_force": nothing_resolved or "small" in differing_sides(of.force),
         }
     ]
 
 
 def _longer_waves(of: Datasets) -> list[dict[str, Any]]:
     """Return that a larger map or a line scan tells where the long edge lies."""
-    place = place_of_edge(of.edges.sel(side="large"), artificial_bands(of.spectra))
-    if not _is_open(of.edges, "large") and place == "outside":
+    at_large = of.edges.sel(side="large")
+    shorter = _is_open(of.edges, "large") and not at_large["edge_at_least"].item()
+    known = not _is_open(of.edges, "large") and place_of_edge(of, "large") == "outside"
+    if shorter or known:
         return []
     return [{"code": "longer_waves", "settles": "edge"}]
 

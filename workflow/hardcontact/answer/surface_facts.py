@@ -1,13 +1,23 @@
 """The facts of the answer of own surfaces: its edges, its forces, and what they were made from."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.artificial import artificial_bands, measurements, place_of_edge, single
+from hardcontact.answer.artificial import (
+    NEARLY_ALL,
+    artificial_bands,
+    measurements,
+    parts_of_change,
+    place_of_edge,
+    reliable_share,
+    share_at_edge,
+    share_inside,
+    single,
+)
 from hardcontact.answer.datasets import Datasets, Setting, at_range, model_of
 from hardcontact.answer.facts import bare, between, ends, number_of
 from hardcontact.numbers.number import Number
@@ -29,8 +39,9 @@ QUARTILES = ("_lower", "_upper")
 class Row(NamedTuple):
     """A row of the table of an answer: a number whose name and source are codes.
 
-    What else is known of it is `reason` of an open edge, `side`, `start` and `end` of continued
-    roughness, `tests` of a measured force.
+    What else is known of it is `reason` of an open edge, `change`, the share of an edge or a force
+    that comes from reliable wavelengths, `side`, `start` and `end` of continued roughness, `tests`
+    of a measured force.
     """
 
     fact: Number
@@ -51,6 +62,45 @@ def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: 
     scatter = of_side["pooled_change_interval" if prefix else "scale_ratio_interval"]
     endless = not np.isfinite([low, high]).any() and np.isfinite(scatter).any()
     return Number(name, edge, "nm", low, high, "not_bounded" if endless else "", source)
+
+
+def _with_reason(fact: Number, source: str) -> Number:
+    """Return a number whose interval has no ends with the reason for that as its status.
+
+    The source of the interval is that of the dataset: "none" if every contact feels all of a scan.
+    """
+    if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
+        return fact
+    return fact._replace(status="whole_scan" if source == "none" else "few_parts")
+
+
+def resolves_nothing(edges: xr.Dataset) -> bool:
+    """Return whether the force of a surface changes at no cutoff, from either side.
+
+    It is that on a smooth sphere then, and both edges are open the wrong way.
+    """
+    codes = [edge_fact(edges.sel(side=side), name).status for side, name in EDGES.items()]
+    return codes == ["open_above", "open_below"]
+
+
+def edge_rows(of: Datasets) -> list[Row]:
+    """Return the edges of one surface, with those ends of intervals that scans are reliable at."""
+    if resolves_nothing(of.edges):
+        return [Row(Number(name, np.nan, "nm", status="no_edge"), {}) for name in EDGES.values()]
+    rows, bands = [], artificial_bands(of.spectra)
+    source = str(of.edges["interval_source"].item())
+    for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
+        edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of, side)])
+        low, high = (
+            np.nan if edge.source == "artificial" or share_inside(end, end, bands) else end
+            for end in (edge.low, edge.high)
+        )
+        if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
+            edge = edge._replace(status=edge.status or "no_interval")
+        edge = _with_reason(edge._replace(low=low, high=high), source)
+        change = Number("change", share_at_edge(of, side))
+        rows.append(Row(edge, {"reason": str(of_side["edge_status"].item()), "change": change}))
+    return rows
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:
@@ -76,9 +126,9 @@ def continued_fact(
     return number_of(of_side, variable, name=name, source="extrapolated", strict=False)
 
 
-def force_rows(force: xr.Dataset) -> list[Row]:
+def force_rows(of: Datasets) -> list[Row]:
     """Return the predicted forces of one surface at the range asked for, and the smooth limit."""
-    here = at_range(force)
+    force, here = of.force, at_range(of.force)
     quantiles = here["force_quantile"]
     least, median, most = (
         quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
@@ -86,18 +136,75 @@ def force_rows(force: xr.Dataset) -> list[Row]:
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     smooth = 2 * np.pi * 1e-9 * radius * work
     continued = [
-        Row(continued_fact(force, side), continuation(force, side))
+        Row(
+            _with_reason(
+                continued_fact(force, side), str(force["continued_source"].sel(side=side).item())
+            ),
+            continuation(force, side),
+        )
         for side in differing_sides(force)
     ]
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
     mean = number_of(here, "force", name="force_mean", strict=False)
+    bounded = np.nanmax([mean.value, mean.high]) >= here["smooth_bound"].item()
+    about = {"model": model_of(force), "bounded": bool(bounded)} | _origin_of_force(of)
     return [
-        Row(mean, {"model": model_of(force)}),
-        *continued,
+        Row(_with_reason(mean, str(force["interval_source"].item())), about),
         Row(Number("force_median", median, "N"), {}),
+        *continued,
         Row(between("force_middle", least, most, "N"), {"share": share}),
         Row(Number("smooth_sphere", float(smooth), "N"), {}),
+        Row(Number("range_sensitivity", _sensitivity(force)), {}),
     ]
+
+
+def _origin_of_force(of: Datasets) -> dict[str, Any]:
+    """Return the share of the fall of the force from a smooth sphere that is reliable, and a code.
+
+    The fall is measured if artificial wavelengths change the force by no more than the tolerance.
+    """
+    parts = parts_of_change(of, "small")
+    share = reliable_share(parts)
+    origin = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
+    if parts[1] <= np.log1p(of.edges.attrs["tolerance"]):
+        origin = "measured"
+    return {"change": Number("change", share), "origin": origin}
+
+
+def _sensitivity(force: xr.Dataset) -> float:
+    """Return d ln F/d ln rho at the range asked for, NaN if no other was computed."""
+    of_model = force.sel(contact_model=model_of(force))
+    rho, forces = np.log(of_model["rho"].values), np.log(of_model["force"].values)
+    if len(rho) < 2:
+        return np.nan
+    asked = np.abs(rho - np.log(force.attrs["range_of_adhesion"])).argmin()
+    return float(np.gradient(forces, rho)[asked])
+
+
+def pair_rows(force: xr.Dataset, pairs: Sequence[Mapping[str, Any]]) -> list[Row]:
+    """Return the force of one surface at other pairs of range and work of adhesion.
+
+    A pair is a row of resources/adhesion/pairs.csv. Forces are interpolated between the ranges
+    computed, in logarithms; beyond them a force is "not_computed". The pair asked for has no row.
+    """
+    asked = force.attrs["range_of_adhesion"], force.attrs["work_of_adhesion"]
+    of_model, rows = force.sel(contact_model=model_of(force)), []
+    ranges, forces = np.log(of_model["rho"].values), np.log(of_model["force"].values)
+    for pair in pairs:
+        rho, work = pair["range_of_adhesion_nm"], pair["work_of_adhesion_J_m2"]
+        if np.allclose(asked, (rho, work), rtol=1e-6):
+            continue
+        value = np.interp(np.log(rho), ranges, forces, np.nan, np.nan)
+        newton = float(np.exp(value) * work / asked[1])
+        status = "not_computed" if np.isnan(newton) else ""
+        about = {
+            "pair": pair["pair"],
+            "range": Number("range", rho, "nm"),
+            "work": Number("work", work, "J m-2"),
+            "share": Number("share", pair["share_of_sets"]),
+        }
+        rows.append(Row(Number("force_of_pair", newton, "N", status=status), about))
+    return rows
 
 
 def of_answer(fit: xr.Dataset) -> xr.Dataset:
@@ -124,17 +231,16 @@ def measured_rows(fit: xr.Dataset) -> list[Row]:
     return rows
 
 
-def answer_rows(of: Datasets) -> list[Row]:
-    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces."""
-    bands, edges = artificial_bands(of.spectra), []
-    for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
-        edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of_side, bands)])
-        edges.append(Row(edge, {"reason": str(of_side["edge_status"].item())}))
+def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[Row]:
+    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces.
+
+    Forces are told at the `pairs` of range and work of adhesion too, as in `pair_rows`.
+    """
     surface = str(of.edges["surface"].item())
     own = []
     if of.fit is not None and surface in of.fit["surface"].values:
         own = measured_rows(of_answer(of.fit).sel(surface=surface))
-    return [*edges, *force_rows(of.force), *own]
+    return [*edge_rows(of), *force_rows(of), *pair_rows(of.force, pairs), *own]
 
 
 def pooled_rows(edges: xr.Dataset) -> list[Row]:
@@ -152,16 +258,30 @@ def _by_value(numbers: Sequence[Number]) -> list[Number]:
     return sorted(numbers, key=lambda one: np.nan_to_num(one.value))
 
 
-def verdict(rows: Sequence[Row]) -> dict[str, list[Number]]:
+def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     """Return the answer of one surface at a glance, without intervals.
 
-    `edges` are the short and the long one, `forces` the least and the greatest, the same where the
-    scans say all.
+    `answer` is whether its scans can answer: "yes" if both edges and the fall of the force from
+    that of a smooth sphere come from wavelengths at which a scan is reliable, "no" if none does,
+    else "partly". `band` is "none" if nothing that they resolve changes the force, "overlapping" if
+    the short edge is the longer one, else "found". `edges` are the short and the long one, `forces`
+    the least and the greatest, the same where the scans say all.
     """
     facts = [bare(row.fact) for row in rows]
     forces = _by_value([one for one in facts if one.name in ("force_mean", "force_continued")])
     edges = [one for one in facts if one.name in EDGES.values()]
-    return {"edges": edges, "forces": [forces[0], forces[-1]]}
+    short, long = edges
+    origins = {row.about["origin"] for row in rows if "origin" in row.about}
+    origins |= {one.source for one in edges}
+    if any(one.status for one in edges):  # a bound says less than an edge
+        origins.add("partly_artificial")
+    band = "overlapping" if short.value >= long.value else "found"
+    answer = "partly"
+    if np.isnan(short.value):
+        band, answer = "none", "no"
+    elif len(origins) == 1:
+        answer = {"measured": "yes", "artificial": "no"}.get(origins.pop(), "partly")
+    return {"answer": answer, "band": band, "edges": edges, "forces": [forces[0], forces[-1]]}
 
 
 class Span(NamedTuple):
