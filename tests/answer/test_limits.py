@@ -64,8 +64,9 @@ def test_edges_in_artificial_roughness_are_named():
     (inside,) = named("artificial_edge")
     assert (inside["side"], inside["place"]) == ("small", "inside")
     assert not named("artificial_edge", edges=with_edge(120.0, 90.0, 150.0))
-    (partly,) = named("artificial_edge", edges=with_edge(70.0, 40.0, 90.0))
-    assert partly["place"] == "partly"
+    (partly,) = named("artificial_edge", edges=with_edge(70.0, 60.0, 90.0))
+    (interval,) = named("artificial_edge", edges=with_edge(120.0, 40.0, 150.0))
+    assert (partly["place"], interval["place"]) == ("partly", "interval")
     fine = spectra(measured={"fine.spm": MEASUREMENTS["fine.spm"]})  # reliable up to 320 nm
     both = named("artificial_edge", spectra=fine)
     assert [one["side"] for one in both] == ["small", "large"]

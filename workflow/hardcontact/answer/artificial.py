@@ -98,17 +98,20 @@ def share_at_edge(of: Datasets, side: str) -> float:
 
 
 def place_of_edge(of: Datasets, side: str) -> str:
-    """Return whether an edge rests on artificial roughness: "inside", "partly" or "outside".
+    """Return whether an edge rests on artificial roughness.
 
-    Inside is an edge, or its bound, at an artificial wavelength, and one of whose change as good as
-    all comes from such; partly one whose interval reaches them, or some of whose change.
+    "inside" is an edge, or its bound, at an artificial wavelength, and one of whose change as good
+    as all comes from such, "partly" one of whose change some does, "interval" one whose interval
+    alone reaches such wavelengths, "outside" any other.
     """
     of_side, bands = of.edges.sel(side=side), artificial_bands(of.spectra)
     edge, share = float(of_side["edge"].fillna(of_side["edge_bound"])), share_at_edge(of, side)
     if share_inside(edge, edge, bands) or share < 1 - NEARLY_ALL:
         return "inside"
+    if share < NEARLY_ALL:
+        return "partly"
     low, high = of_side["edge_interval"].fillna(edge).values
-    return "partly" if share_inside(low, high, bands) or share < NEARLY_ALL else "outside"
+    return "interval" if share_inside(low, high, bands) else "outside"
 
 
 def measurement_name(one: xr.Dataset) -> str:

@@ -25,7 +25,12 @@ from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
 #: What an edge comes from, by its place among artificial wavelengths.
-SOURCES = {"inside": "artificial", "partly": "partly_artificial", "outside": "measured"}
+SOURCES = {
+    "inside": "artificial",
+    "partly": "partly_artificial",
+    "interval": "interval_artificial",
+    "outside": "measured",
+}
 #: The upper end of an interval is called open where it lies this many times farther, in the
 #: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
 LOPSIDED = 2.0
