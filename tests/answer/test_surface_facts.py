@@ -120,10 +120,12 @@ def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_be
     assert np.isnan(rows(force=one_range)["range_sensitivity"].fact.value)
 
 
-def answer_of(data, measured):
+def answer_of(data, measured, of_force=None):
     """The verdict on edges with scans of these reliable wavelengths (nm)."""
     scan = ("map", 2 * measured[1], 1, *measured, "pixels", np.nan)
-    found = rows(edges=data, spectra=spectra(measured={"scan.spm": scan}))
+    found = rows(
+        edges=data, spectra=spectra(measured={"scan.spm": scan}), force=of_force or force()
+    )
     told = facts.verdict(list(found.values()))
     return told["answer"], told["band"]
 
@@ -141,6 +143,11 @@ def answer_of(data, measured):
 )
 def test_the_verdict_says_whether_scans_can_answer(data, measured, expected):
     assert answer_of(data, measured) == expected
+
+
+def test_scans_that_lack_roughness_answer_in_part_at_most():
+    assert answer_of(edges(), (6, 25e3), continued(force(), small=0.25))[0] == "partly"
+    assert answer_of(edges(), (400, 1000), continued(force(), small=0.25))[0] == "no"
 
 
 def test_continued_roughness_has_its_own_force_and_the_verdict_both():

@@ -266,11 +266,12 @@ def _by_value(numbers: Sequence[Number]) -> list[Number]:
 def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     """Return the answer of one surface at a glance, without intervals.
 
-    `answer` is whether its scans can answer: "yes" if both edges and the fall of the force from
-    that of a smooth sphere come from wavelengths at which a scan is reliable, "no" if none does,
-    else "partly". `band` is "none" if nothing that they resolve changes the force, "overlapping" if
-    the short edge is the longer one, else "found". `edges` are the short and the long one, `forces`
-    the least and the greatest, the same where the scans say all.
+    `answer` is whether its scans can answer: "yes" if both edges, which are no bounds, and the fall
+    of the one force from that of a smooth sphere come from wavelengths at which a scan is reliable,
+    "no" if none does or there is no band, else "partly". `band` is "none" if nothing that they
+    resolve changes the force, "overlapping" if the short edge is the longer one, else "found".
+    `edges` are the short and the long one, `forces` the least and the greatest, the same where the
+    scans say all.
     """
     facts = [bare(row.fact) for row in rows]
     forces = _by_value([one for one in facts if one.name in ("force_mean", "force_continued")])
@@ -278,14 +279,13 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     short, long = edges
     origins = {row.about["origin"] for row in rows if "origin" in row.about}
     origins |= {one.source for one in edges}
-    if any(one.status for one in edges):  # a bound says less than an edge
-        origins.add("partly_artificial")
+    settled = not any(one.status for one in edges) and len(forces) == 1
     band = "overlapping" if short.value >= long.value else "found"
-    answer = "partly"
+    answer = "yes" if origins == {"measured"} and settled else "partly"
     if np.isnan(short.value):
-        band, answer = "none", "no"
-    elif len(origins) == 1:
-        answer = {"measured": "yes", "artificial": "no"}.get(origins.pop(), "partly")
+        band = "none"
+    if band == "none" or origins == {"artificial"}:
+        answer = "no"
     return {"answer": answer, "band": band, "edges": edges, "forces": [forces[0], forces[-1]]}
 
 
