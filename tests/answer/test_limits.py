@@ -14,7 +14,6 @@ from answer_inputs import (
     topography,
     unresolved_edges,
     with_edge,
-    without_interval,
 )  # fmt: skip
 
 from hardcontact.answer.artificial import measurement_name
@@ -38,13 +37,6 @@ def test_substitutes_are_named():
     assert named("substitute", topography=topography(1, "substitute")) and not named("substitute")
 
 
-def test_open_edges_are_named_with_their_bound():
-    (found,) = named("open_edge", edges=open_edges())
-    assert (found["side"], found["reason"]) == ("large", "beyond the cell")
-    assert (found["edge"].value, found["edge"].status) == (2560.0, "open_above")
-    assert not named("open_edge")
-
-
 @pytest.mark.parametrize(("low", "high", "end"), [(np.nan, 50, "low"), (30, np.nan, "high")])
 def test_open_ends_of_intervals_are_named(low, high, end):
     (found,) = named("open_interval", edges=with_edge(37.0, low, high))
@@ -53,23 +45,10 @@ def test_open_ends_of_intervals_are_named(low, high, end):
 
 def test_edges_where_nothing_matters_are_no_bounds():
     assert named("nothing_resolved", edges=unresolved_edges()) and not named("nothing_resolved")
-    assert not named("open_edge", edges=unresolved_edges())
 
 
 def test_an_edge_without_any_interval_has_no_open_ends():
     assert not named("open_interval", edges=with_edge(37.0, np.nan, np.nan))
-
-
-def test_edges_in_artificial_roughness_are_named():
-    (inside,) = named("artificial_edge")
-    assert (inside["side"], inside["place"]) == ("small", "inside")
-    assert not named("artificial_edge", edges=with_edge(120.0, 90.0, 150.0))
-    (partly,) = named("artificial_edge", edges=with_edge(70.0, 60.0, 90.0))
-    (interval,) = named("artificial_edge", edges=with_edge(120.0, 40.0, 150.0))
-    assert (partly["place"], interval["place"]) == ("partly", "interval")
-    fine = spectra(measured={"fine.spm": MEASUREMENTS["fine.spm"]})  # reliable up to 320 nm
-    both = named("artificial_edge", spectra=fine)
-    assert [one["side"] for one in both] == ["small", "large"]
 
 
 def test_finite_scans_have_their_numbers():
@@ -145,11 +124,6 @@ def test_intervals_of_few_scans_are_conditional():
     quarters = force().assign(conditional=("surface", [1]), correlation_of_parts=("surface", [0.2]))
     (found,) = named("conditional", force=quarters)
     assert found["correlation"].value == 0.2 and found["scans"] == 3
-
-
-def test_a_force_without_interval_is_named():
-    (found,) = named("no_interval", force=without_interval(force()))
-    assert (found["of"], found["source"]) == ("force", "none")
 
 
 def test_ends_of_the_reliable_wavelengths_have_their_reason():

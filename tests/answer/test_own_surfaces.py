@@ -223,11 +223,6 @@ def test_open_edges_are_no_numbers():
     assert edge["edge"]["value"] is None and edge["bound"]["value"] == 2560.0
     assert edge["edge"]["interval"] == [None, None] and edge["status"] == "beyond the cell"
     assert edge["conditional"] is True and edge["edge_at_least"] is True
-    codes = [
-        one["code"]
-        for one in numbers_of("one, open, one force")["surfaces"]["my_coating"]["limits"]
-    ]
-    assert "open_edge" in codes
 
 
 def test_fits_and_pooled_bands_are_among_the_numbers():

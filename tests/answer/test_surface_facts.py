@@ -20,6 +20,7 @@ from answer_inputs import (
     without_interval,
 )  # fmt: skip
 
+from hardcontact.answer import force_facts
 from hardcontact.answer import surface_facts as facts
 from hardcontact.answer.artificial import parts_of_change, place_of_edge
 from hardcontact.numbers.number import Number, plain
@@ -55,6 +56,7 @@ def test_rows_hold_edges_and_forces_in_their_order():
         (with_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
         (with_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
         (with_edge(120.0, np.nan, np.nan), ("measured", None, None)),
+        (with_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
     ],
 )
 def test_ends_of_intervals_among_artificial_wavelengths_are_not_told(data, source):
@@ -112,7 +114,7 @@ def test_a_force_at_its_bound_is_told():
 def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_beyond():
     of = datasets().of_surface(SURFACES[0])
     assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
-    between, beyond = facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
+    between, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
     assert between.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
     assert between.about["share"].value == 0.58 and between.about["range"].value == 10.0
     assert beyond.fact.status == "not_computed" and np.isnan(beyond.fact.value)
@@ -214,7 +216,7 @@ def test_scans_that_are_alike_are_counted_together():
 
 
 def fit_status(data):
-    return facts.fit_facts(facts.of_answer(data))
+    return force_facts.fit_facts(force_facts.of_answer(data))
 
 
 def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():

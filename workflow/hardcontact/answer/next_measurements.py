@@ -14,8 +14,9 @@ from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan
 from hardcontact.answer.artificial import artificial_bands, place_of_edge
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.facts import between
+from hardcontact.answer.force_facts import differing_sides
 from hardcontact.answer.limits import FEW_PIXELS, scans_without_tip
-from hardcontact.answer.surface_facts import differing_sides, resolves_nothing
+from hardcontact.answer.surface_facts import resolves_nothing
 from hardcontact.numbers.number import Number
 
 #: What a measurement settles, in the order of what it is worth.
@@ -24,10 +25,10 @@ WORTH = ("edge", "force", "input")
 
 def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
     """Return what to measure next on one surface, each with what it `settles`, of `WORTH`."""
-    larger = [*_longer_waves(of), *_larger_scans(of)]
     found = [
         *_shorter_waves(of),
-        *([] if resolves_nothing(of.edges) else larger),
+        *_longer_waves(of),
+        *_larger_scans(of),
         *_finer_pixels(of.force),
         *_more_places(of.force),
         *([{"code": "tips", "settles": "input"}] if scans_without_tip(of.spectra) else []),
@@ -82,7 +83,7 @@ def _larger_scans(of: Datasets) -> list[dict[str, Any]]:
     """Return how wide a map must be to hold the peaks of a contact."""
     size, height = (of.topography[name].item() for name in ("scan_size", "all_scales_rms_height"))
     needed = LARGE_ENOUGH * finite_scan(size, height, of.force.attrs["sphere_radius"]).draw_size
-    if size >= needed:
+    if size >= needed or resolves_nothing(of.edges):
         return []
     return [{"code": "larger_map", "settles": "force", "size": Number("size", needed, "nm")}]
 
