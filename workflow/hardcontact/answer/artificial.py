@@ -45,20 +45,9 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
     return [*bands, (float(of_surface["longest_measured"]), np.inf)]
 
 
-def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) -> float:
-    """Return how much of an interval of wavelengths lies in any of the bands, in the logarithm.
-
-    Ends (nm) are above zero, bands (nm) disjoint. It is from 0 to 1, of a single wavelength 0 or 1.
-    """
-    bands = list(bands)
-    if low == high:
-        return float(any(first < low < last for first, last in bands))
-    overlaps = (
-        np.log(min(high, last) / max(low, first))
-        for first, last in bands
-        if min(high, last) > max(low, first)
-    )
-    return float(sum(overlaps) / np.log(high / low))
+def reaches(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
+    """Return whether wavelengths from low to high (nm) lie in any band; no number lies in none."""
+    return any(first < high and low < last for first, last in bands)
 
 
 def parts_of_change(
@@ -106,12 +95,12 @@ def place_of_edge(of: Datasets, side: str) -> str:
     """
     of_side, bands = of.edges.sel(side=side), artificial_bands(of.spectra)
     edge, share = float(of_side["edge"].fillna(of_side["edge_bound"])), share_at_edge(of, side)
-    if share_inside(edge, edge, bands) or share < 1 - NEARLY_ALL:
+    if reaches(edge, edge, bands) or share < 1 - NEARLY_ALL:
         return "inside"
     if share < NEARLY_ALL:
         return "partly"
     low, high = of_side["edge_interval"].fillna(edge).values
-    return "interval" if share_inside(low, high, bands) else "outside"
+    return "interval" if reaches(low, high, bands) else "outside"
 
 
 def measurement_name(one: xr.Dataset) -> str:

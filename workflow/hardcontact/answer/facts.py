@@ -57,14 +57,14 @@ def number_of(
     return found._replace(low=low, high=high, status="no_interval" if without else "")
 
 
-def with_reason(fact: Number, source: str) -> Number:
-    """Return a number whose interval has no ends with the reason for that as its status.
+def with_reason(fact: Number, source: xr.DataArray) -> Number:
+    """Return a number of which no end of the interval is known with the reason as its status.
 
-    The source of the interval is that of the dataset: "none" if every contact feels all of a scan.
+    The source of intervals is that of the dataset: "none" if every contact feels all of a scan.
     """
     if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
         return fact
-    return fact._replace(status="whole_scan" if source == "none" else "few_parts")
+    return fact._replace(status="whole_scan" if source.item() == "none" else "few_parts")
 
 
 def printed(number: Number, digits: int = 3, end: str = "") -> str:

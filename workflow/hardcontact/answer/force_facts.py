@@ -52,21 +52,17 @@ def force_rows(of: Datasets) -> list[Row]:
     )
     radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     smooth = 2 * np.pi * 1e-9 * radius * work
+    sources = force["continued_source"]
     continued = [
-        Row(
-            with_reason(
-                continued_fact(force, side), str(force["continued_source"].sel(side=side).item())
-            ),
-            continuation(force, side),
-        )
-        for side in differing_sides(force)
+        Row(with_reason(continued_fact(force, side), sources.sel(side=side)), about)
+        for side, about in ((side, continuation(force, side)) for side in differing_sides(force))
     ]
     share = Number("share", float(np.ptp(quantiles["quantile"].values)))
     mean = number_of(here, "force", name="force_mean", strict=False)
     bounded = np.nanmax([mean.value, mean.high]) >= here["smooth_bound"].item()
     about = {"model": model_of(force), "bounded": bool(bounded)} | _origin_of_force(of)
     return [
-        Row(with_reason(mean, str(force["interval_source"].item())), about),
+        Row(with_reason(mean, force["interval_source"]), about),
         Row(Number("force_median", median, "N"), {}),
         *continued,
         Row(between("force_middle", least, most, "N"), {"share": share}),

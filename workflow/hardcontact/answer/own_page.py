@@ -35,7 +35,7 @@ def own_page(answer: OwnAnswer) -> str:
         tolerance=float(given.edges.attrs["tolerance"]),
         confidence=float(given.edges.attrs["confidence"]),
         surfaces=[_shown(name, one) for name, one in surfaces.items()],
-        pooled=pooled_rows(given.edges),
+        pooled=pooled_rows(given.edges, [one.rows for one in surfaces.values()]),
         quartiles=quartile_spans(given),
         contact=contact_inputs(setting),
         forces=_drawn(curves.force_curve(given.force, labels)),

@@ -11,8 +11,8 @@ from hardcontact.answer.artificial import (
     artificial_bands,
     measurements,
     place_of_edge,
+    reaches,
     share_at_edge,
-    share_inside,
     single,
 )
 from hardcontact.answer.datasets import Datasets, Setting, at_range
@@ -63,16 +63,15 @@ def edge_rows(of: Datasets) -> list[Row]:
     if resolves_nothing(of.edges):
         return [Row(Number(name, np.nan, "nm", status="no_edge"), {}) for name in EDGES.values()]
     rows, bands = [], artificial_bands(of.spectra)
-    source = str(of.edges["interval_source"].item())
     for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
         edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of, side)])
         low, high = (
-            np.nan if edge.source == "artificial" or share_inside(end, end, bands) else end
+            np.nan if edge.source == "artificial" or reaches(end, end, bands) else end
             for end in (edge.low, edge.high)
         )
         if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
             edge = edge._replace(status=edge.status or "no_interval")
-        edge = with_reason(edge._replace(low=low, high=high), source)
+        edge = with_reason(edge._replace(low=low, high=high), of.edges["interval_source"])
         change = Number("change", share_at_edge(of, side))
         rows.append(Row(edge, {"reason": str(of_side["edge_status"].item()), "change": change}))
     return rows
@@ -90,14 +89,23 @@ def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[R
     return [*edge_rows(of), *force_rows(of), *pair_rows(of.force, pairs), *own]
 
 
-def pooled_rows(edges: xr.Dataset) -> list[Row]:
-    """Return the edges of the mean change over several surfaces, none of a single one."""
+def pooled_rows(edges: xr.Dataset, of_surfaces: Sequence[Sequence[Row]]) -> list[Row]:
+    """Return the edges of the mean change over several surfaces, none of a single one.
+
+    An edge rests on artificial roughness as far as that of any surface, of which rows are given.
+    """
     if "pooled_edge" not in edges:
         return []
-    return [
-        Row(edge_fact(edges.sel(side=side), f"pooled_{EDGES[side]}", prefix="pooled_"), {})
-        for side in SIDES
-    ]
+    found, worst_first = [], list(SOURCES.values())
+    for side, name in EDGES.items():
+        facts = (row.fact for rows in of_surfaces for row in rows)
+        sources = [one.source for one in facts if one.name == name and one.source in worst_first]
+        source = min(sources, key=worst_first.index, default="computed")
+        edge = edge_fact(edges.sel(side=side), f"pooled_{name}", source, "pooled_")
+        if source == "artificial":
+            edge = edge._replace(low=np.nan, high=np.nan, status=edge.status or "no_interval")
+        found.append(Row(edge, {}))
+    return found
 
 
 def _by_value(numbers: Sequence[Number]) -> list[Number]:

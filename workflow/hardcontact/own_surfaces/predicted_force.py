@@ -210,12 +210,11 @@ def with_smooth_bound(force: xr.Dataset, load: Load) -> xr.Dataset:
     rho = force.attrs["range_of_adhesion"]
     of_masters = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
     limits = {"force": bound, "continued_force": of_masters.drop_vars("rho")}
-    values = {f"{name}{end}": (force[f"{name}{end}"], limit)
-              for name, limit in limits.items() for end in ("", "_interval")}  # fmt: skip
+    values = {f"{name}{end}": limit for name, limit in limits.items() for end in ("", "_interval")}
     bounded = {
         # An interval without ends stays one.
-        name: value.where((value <= limit) | ~np.isfinite(value), limit)
-        for name, (value, limit) in values.items()
+        name: force[name].where((force[name] <= limit) | ~np.isfinite(force[name]), limit)
+        for name, limit in values.items()
     }
     return force.assign(bounded | {"smooth_bound": bound.assign_attrs(units="N")})
 
