@@ -61,7 +61,7 @@ def resolves_nothing(edges: xr.Dataset) -> bool:
 def edge_rows(of: Datasets) -> list[Row]:
     """Return the edges of one surface, with those ends of intervals that scans are reliable at."""
     if resolves_nothing(of.edges):
-        return [Row(Number(name, np.nan, "nm", status="no_edge"), {}) for name in EDGES.values()]
+        return [Row(Number(name, np.nan, "nm", status="no_band"), {}) for name in EDGES.values()]
     rows, bands = [], artificial_bands(of.spectra)
     for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
         edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of, side)])
