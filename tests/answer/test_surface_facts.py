@@ -196,6 +196,10 @@ def test_pooled_edges_are_of_several_surfaces_and_as_sure_as_the_least_sure():
     assert (short.fact.name, short.fact.source) == ("pooled_short_edge", "artificial")
     assert (short.fact.status, plain(short.fact.low)) == ("no_interval", None)
     assert (long.fact.value, long.fact.low, long.fact.high) == (1500.0, 1200.0, 1875.0)
+    unresolved = edges(2).assign(
+        pooled_edge=("side", [np.nan] * 2), pooled_edge_at_least=("side", [1, 0])
+    )
+    assert facts.pooled_rows(unresolved, [of_first, of_first]) == []
 
 
 def test_inputs_tell_where_they_come_from():

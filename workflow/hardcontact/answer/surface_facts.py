@@ -49,13 +49,13 @@ def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: 
     return Number(name, edge, "nm", low, high, "not_bounded" if endless else "", source)
 
 
-def resolves_nothing(edges: xr.Dataset) -> bool:
-    """Return whether the force of a surface changes at no cutoff, from either side.
+def resolves_nothing(edges: xr.Dataset, prefix: str = "") -> bool:
+    """Return whether the force changes at no cutoff, from either side: both edges are bounds then.
 
-    It is that on a smooth sphere then, and both edges are open the wrong way.
+    It is the force on a smooth sphere. Edges are of one surface or, as in `edge_fact`, of all.
     """
-    codes = [edge_fact(edges.sel(side=side), name).status for side, name in EDGES.items()]
-    return codes == ["open_above", "open_below"]
+    facts = (edge_fact(edges.sel(side=side), name, prefix=prefix) for side, name in EDGES.items())
+    return [one.status for one in facts] == ["open_above", "open_below"]
 
 
 def edge_rows(of: Datasets) -> list[Row]:
@@ -90,11 +90,11 @@ def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[R
 
 
 def pooled_rows(edges: xr.Dataset, of_surfaces: Sequence[Sequence[Row]]) -> list[Row]:
-    """Return the edges of the mean change over several surfaces, none of a single one.
+    """Return the edges of the mean change over several surfaces, none of one or without a change.
 
     An edge rests on artificial roughness as far as that of any surface, of which rows are given.
     """
-    if "pooled_edge" not in edges:
+    if "pooled_edge" not in edges or resolves_nothing(edges, "pooled_"):
         return []
     found, worst_first = [], list(SOURCES.values())
     for side, name in EDGES.items():
