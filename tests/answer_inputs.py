@@ -174,6 +174,33 @@ def edges(count=1):
     )
 
 
+def with_edge(edge, low, high, side="small"):
+    """Return edges of which one lies elsewhere, beyond which the change grows fast."""
+    data = edges()
+    data["edge"].loc[{"side": side}] = edge
+    data["edge_interval"].loc[{"side": side}] = [low, high]
+    share = (
+        data["cutoff_wavelength"] / edge if side == "small" else edge / data["cutoff_wavelength"]
+    )
+    known = data["scale_ratio"].sel(side=side).notnull()
+    data["scale_ratio"].loc[{"side": side}] = (1 + 0.1 * share**4).where(known)
+    return data
+
+
+def unresolved_edges():
+    """Return edges of which neither is found, as the force changes at no cutoff."""
+    data = edges()
+    data["scale_ratio"] = data["scale_ratio"] * 0 + 1.01
+    data["edge"] *= np.nan
+    data["edge_interval"] *= np.nan
+    return data.assign(
+        edge_bound=(("surface", "side"), [[CUTOFFS["small"][-1], CUTOFFS["large"][0]]]),
+        edge_at_least=(("surface", "side"), [[1, 0]]),
+        edge_status=(("surface", "side"), [["beyond the cutoffs"] * 2]),
+        interval_status=(("surface", "side", "bound"), [[["open"] * 2] * 2]),
+    )
+
+
 def open_edges(count=1):
     """Return edges of which the long one lies beyond the cell; intervals of one scan's parts."""
     data = edges(count)
@@ -217,6 +244,8 @@ def force(count=1):
     data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
     data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
+    smooth = np.full((len(MODELS), RHOS.size), 2 * np.pi * 250e-6 * WORK)
+    data["smooth_bound"] = axes[1:], smooth
     return data.assign_attrs(
         work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
         contact_area=400.0, sphere_radius=250e3,
@@ -312,6 +341,16 @@ def datasets(count=1, **others):
     return Datasets(**made | others)
 
 
+PAIRS = [
+    {"pair": "published", "range_of_adhesion_nm": RANGE, "work_of_adhesion_J_m2": WORK,
+     "share_of_sets": np.nan},
+    {"pair": "long_range", "range_of_adhesion_nm": 10.0, "work_of_adhesion_J_m2": WORK / 2,
+     "share_of_sets": 0.58},
+    {"pair": "short_range", "range_of_adhesion_nm": 0.5, "work_of_adhesion_J_m2": 2 * WORK,
+     "share_of_sets": 0.42},
+]  # fmt: skip
+
+
 def setting(left_out=(), effort="full"):
     """Return the setting of a study."""
     contact = {
@@ -319,4 +358,5 @@ def setting(left_out=(), effort="full"):
         "preload": "10 µN",
     }  # fmt: skip
     citation = {"title": "Which scales of roughness matter?", "version": "4.0.0"}
-    return Setting("my-coating", effort, contact, ["hardness"], list(left_out), citation)
+    of_paper = ["hardness", "work of adhesion"]
+    return Setting("my-coating", effort, contact, of_paper, list(left_out), citation, PAIRS)

@@ -5,6 +5,7 @@ import sys
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import pytest
 
 from hardcontact.records import published
@@ -18,6 +19,14 @@ def test_constants_by_quantity():
     assert constants.value["critical_wavelength_small"] == 43
     assert np.isnan(constants.uncertainty["critical_wavelength_small"])
     assert constants.index.is_unique
+
+
+def test_pairs_of_range_and_work_are_the_published_one_and_those_of_all_sets():
+    pairs = pd.read_csv(PAPER.parent / "adhesion/pairs.csv", index_col="pair")
+    constants = published.constants(PAPER / "parameters.csv").value
+    assert pairs.range_of_adhesion_nm["published"] == constants["range_of_adhesion"]
+    assert pairs.work_of_adhesion_J_m2["published"] == constants["work_of_adhesion"]
+    assert pairs.share_of_sets.sum() == pytest.approx(1)
 
 
 def test_pull_off_by_surface():

@@ -20,8 +20,10 @@ def named(paths):
     inputs = Namedlist(str(path) for path in paths.values())
     for place, name in enumerate(paths):
         inputs._set_name(name, place)
+    inputs.append(str(ROOT / "resources/adhesion/pairs.csv"))
+    inputs._set_name("pairs", len(paths))
     if "fit" not in paths:
-        inputs._set_name("fit", len(paths), end=len(paths))
+        inputs._set_name("fit", len(inputs), end=len(inputs))
     return inputs
 
 
@@ -34,10 +36,12 @@ def run(folder, given):
         "page": folder / "answer.html", "json": folder / "answer.json",
         "record": folder / "answer.record.json",
     }  # fmt: skip
+    given_setting = setting([("part", "why")])._asdict()
+    del given_setting["pairs"]
     job = SimpleNamespace(
         input=named(inputs),
         output=Namedlist(fromdict={name: str(path) for name, path in outputs.items()}),
-        params=SimpleNamespace(canonical=canonical(setting([("part", "why")])._asdict())),
+        params=SimpleNamespace(canonical=canonical(given_setting)),
         log=[str(folder / "answer.log")],
         threads=1,
     )
@@ -54,5 +58,7 @@ def test_files_become_a_page_and_the_same_numbers(tmp_path, monkeypatch, of_forc
     sections = [one["id"] for one in Page(made["page"]).attributes["section"]]
     assert ("forces" in sections) == (of_forces is not None)
     assert (numbers["fit"] is None) == (of_forces is None)
+    names = [row["name"] for row in numbers["surfaces"]["my_coating"]["answer"]]
+    assert names.count("force_of_pair") == 2  # the pair asked for is that of the paper
     assert numbers["left_out"] == [{"part": "part", "reason": "why"}]
     assert "output_digests" in json.loads(made["record"])

@@ -7,8 +7,8 @@ from answer_inputs import MEASUREMENTS, SURFACES, spectra
 from hardcontact.answer.artificial import (
     artificial_bands,
     measurements,
+    reaches,
     reliable_measurements,
-    share_inside,
 )
 
 
@@ -43,9 +43,8 @@ def test_padding_is_no_measurement():
 
 
 @pytest.mark.parametrize(
-    ("low", "high", "share"),
-    [(1, 5, 1), (5, 20, 0.5), (10, 20, 0), (10, 1000, 0.5), (50, 50, 0), (5, 5, 1), (500, 500, 1)],
+    ("low", "high", "inside"),
+    [(1, 5, 1), (5, 20, 1), (10, 20, 0), (10, 1000, 1), (50, 50, 0), (5, 5, 1), (np.nan, 5, 0)],
 )
-def test_share_of_an_interval_is_one_of_its_logarithm(low, high, share):
-    bands = [(0.0, 10.0), (100.0, np.inf)]
-    assert share_inside(low, high, bands) == pytest.approx(share)
+def test_wavelengths_reach_artificial_bands(low, high, inside):
+    assert reaches(low, high, [(0.0, 10.0), (100.0, np.inf)]) == inside

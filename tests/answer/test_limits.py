@@ -12,7 +12,8 @@ from answer_inputs import (
     open_edges,
     spectra,
     topography,
-    without_interval,
+    unresolved_edges,
+    with_edge,
 )  # fmt: skip
 
 from hardcontact.answer.artificial import measurement_name
@@ -32,22 +33,8 @@ def grave(**others):
     return [one["code"] for one in grave_limits(of_first(**others))]
 
 
-def with_edge(edge, low, high, side="small"):
-    data = edges()
-    data["edge"].loc[{"side": side}] = edge
-    data["edge_interval"].loc[{"side": side}] = [low, high]
-    return data
-
-
 def test_substitutes_are_named():
     assert named("substitute", topography=topography(1, "substitute")) and not named("substitute")
-
-
-def test_open_edges_are_named_with_their_bound():
-    (found,) = named("open_edge", edges=open_edges())
-    assert (found["side"], found["reason"]) == ("large", "beyond the cell")
-    assert (found["edge"].value, found["edge"].status) == (2560.0, "open_above")
-    assert not named("open_edge")
 
 
 @pytest.mark.parametrize(("low", "high", "end"), [(np.nan, 50, "low"), (30, np.nan, "high")])
@@ -56,19 +43,12 @@ def test_open_ends_of_intervals_are_named(low, high, end):
     assert (found["side"], found["end"]) == ("small", end)
 
 
+def test_edges_where_nothing_matters_are_no_bounds():
+    assert named("nothing_resolved", edges=unresolved_edges()) and not named("nothing_resolved")
+
+
 def test_an_edge_without_any_interval_has_no_open_ends():
     assert not named("open_interval", edges=with_edge(37.0, np.nan, np.nan))
-
-
-def test_edges_in_artificial_roughness_are_named():
-    (inside,) = named("artificial_edge")
-    assert (inside["side"], inside["place"]) == ("small", "inside")
-    assert not named("artificial_edge", edges=with_edge(100.0, 80.0, 130.0))
-    (partly,) = named("artificial_edge", edges=with_edge(70.0, 40.0, 90.0))
-    assert partly["place"] == "partly"
-    fine = spectra(measured={"fine.spm": MEASUREMENTS["fine.spm"]})  # reliable up to 320 nm
-    both = named("artificial_edge", spectra=fine)
-    assert [one["side"] for one in both] == ["small", "large"]
 
 
 def test_finite_scans_have_their_numbers():
@@ -144,11 +124,6 @@ def test_intervals_of_few_scans_are_conditional():
     quarters = force().assign(conditional=("surface", [1]), correlation_of_parts=("surface", [0.2]))
     (found,) = named("conditional", force=quarters)
     assert found["correlation"].value == 0.2 and found["scans"] == 3
-
-
-def test_a_force_without_interval_is_named():
-    (found,) = named("no_interval", force=without_interval(force()))
-    assert (found["of"], found["source"]) == ("force", "none")
 
 
 def test_ends_of_the_reliable_wavelengths_have_their_reason():

@@ -2,7 +2,17 @@
 
 import numpy as np
 import pytest
-from answer_inputs import SURFACES, continued, datasets, edges, fit, force, open_edges, spectra
+from answer_inputs import (
+    SURFACES,
+    continued,
+    datasets,
+    edges,
+    fit,
+    force,
+    open_edges,
+    spectra,
+    unresolved_edges,
+)
 
 from hardcontact.adhesion.finite_scan import finite_scan
 from hardcontact.answer.next_measurements import WORTH, next_measurements
@@ -49,6 +59,14 @@ def test_a_long_edge_that_is_open_or_artificial_asks_for_longer_waves():
     data["edge_interval"].loc[{"side": "large", "bound": "high"}] = 60e3  # the scans end at 25 µm
     assert "longer_waves" in proposed(edges=data) and "longer_waves" in proposed(edges=open_edges())
     assert "longer_waves" not in proposed()
+
+
+def test_where_nothing_matters_a_finer_map_is_asked_for_and_no_larger_one():
+    found = proposed(edges=unresolved_edges())
+    assert next(iter(found)) == "shorter_waves"
+    (band,) = found["shorter_waves"]["bands"]
+    assert (band.status, band.high) == ("at_most", 55.0)
+    assert not {"longer_waves", "larger_map"} & set(found)
 
 
 def test_a_map_is_to_be_as_large_as_contacts_need():

@@ -21,6 +21,7 @@ from answer_inputs import (
     setting,
     spectra,
     topography,
+    unresolved_edges,
 )  # fmt: skip
 from html_page import Page
 from jsonschema import Draft202012Validator, ValidationError
@@ -202,16 +203,26 @@ def test_numbers_are_those_of_the_datasets():
     assert numbers["fit"] is None and numbers["pooled_band"] is None
 
 
+@pytest.mark.parametrize(("of_paper", "count"), [(["work of adhesion"], 2), (["hardness"], 0)])
+def test_who_gives_range_and_work_is_told_of_no_other_pairs(of_paper, count):
+    answered = own_answer(datasets(), setting()._replace(of_paper=of_paper))
+    rows = as_plain(answered)["surfaces"]["my_coating"]["answer"]
+    assert [row["name"] for row in rows].count("force_of_pair") == count
+
+
+def test_a_verdict_without_a_band_has_no_edges():
+    unresolved = own_answer(datasets(edges=unresolved_edges()), setting())
+    answer = re.search(r'<div class="answer">(.*?)</div>', own_page(unresolved), re.DOTALL)[1]
+    assert "Nothing" in answer and "at least" not in answer and len(words(answer)) <= 25
+    schema = json.loads((ROOT / "workflow/schemas/answer_surfaces.schema.json").read_text())
+    Draft202012Validator(schema).validate(as_plain(unresolved))
+
+
 def test_open_edges_are_no_numbers():
     edge = numbers_of("one, open, one force")["surfaces"]["my_coating"]["band"]["large"]
     assert edge["edge"]["value"] is None and edge["bound"]["value"] == 2560.0
     assert edge["edge"]["interval"] == [None, None] and edge["status"] == "beyond the cell"
     assert edge["conditional"] is True and edge["edge_at_least"] is True
-    codes = [
-        one["code"]
-        for one in numbers_of("one, open, one force")["surfaces"]["my_coating"]["limits"]
-    ]
-    assert "open_edge" in codes
 
 
 def test_fits_and_pooled_bands_are_among_the_numbers():

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from answer_inputs import (
     MEASUREMENTS,
+    PAIRS,
     SURFACES,
     WORK,
     continued,
@@ -14,10 +15,14 @@ from answer_inputs import (
     open_edges,
     setting,
     spectra,
+    unresolved_edges,
+    with_edge,
+    without_interval,
 )  # fmt: skip
 
+from hardcontact.answer import force_facts
 from hardcontact.answer import surface_facts as facts
-from hardcontact.answer.artificial import place_of_edge
+from hardcontact.answer.artificial import parts_of_change, place_of_edge
 from hardcontact.numbers.number import Number, plain
 
 
@@ -27,21 +32,14 @@ def rows(own=None, **others):
     return {row.fact.name: row for row in facts.answer_rows(of._replace(fit=own))}
 
 
-def with_edge(edge, low, high, side="small"):
-    data = edges()
-    data["edge"].loc[{"side": side}] = edge
-    data["edge_interval"].loc[{"side": side}] = [low, high]
-    return data
-
-
 def test_rows_hold_edges_and_forces_in_their_order():
     found = rows()
     assert list(found) == [
         "short_edge", "long_edge", "force_mean", "force_median", "force_middle", "smooth_sphere",
+        "range_sensitivity",
     ]  # fmt: skip
-    short = found["short_edge"].fact
-    assert short[1:] == (37.0, "nm", 29.6, 46.25, "", "artificial")
-    assert found["long_edge"].fact.source == "measured"
+    long = found["long_edge"].fact
+    assert long[1:] == (1700.0, "nm", 1360.0, 2125.0, "", "measured")
     mean = found["force_mean"].fact
     assert (mean.value, mean.low, mean.high) == pytest.approx((0.64e-6, 0.512e-6, 0.8e-6))
     assert found["force_median"].fact.value == pytest.approx(0.95 * 0.64e-6)
@@ -54,13 +52,29 @@ def test_rows_hold_edges_and_forces_in_their_order():
 @pytest.mark.parametrize(
     ("data", "source"),
     [
-        (with_edge(100.0, 80.0, 130.0), "measured"),
-        (with_edge(70.0, 40.0, 90.0), "partly_artificial"),
-        (with_edge(100.0, np.nan, np.nan), "measured"),
+        (with_edge(120.0, 90.0, 150.0), ("measured", 90.0, 150.0)),
+        (with_edge(70.0, 40.0, 90.0), ("partly_artificial", None, 90.0)),
+        (with_edge(37.0, 20.0, 90.0), ("artificial", None, None)),
+        (with_edge(120.0, np.nan, np.nan), ("measured", None, None)),
+        (with_edge(120.0, 40.0, 150.0), ("interval_artificial", None, 150.0)),
     ],
 )
-def test_edges_have_their_place_among_artificial_wavelengths(data, source):
-    assert rows(edges=data)["short_edge"].fact.source == source
+def test_ends_of_intervals_among_artificial_wavelengths_are_not_told(data, source):
+    fact = plain(rows(edges=data)["short_edge"].fact)
+    assert (fact["source"], fact["low"], fact["high"]) == source
+
+
+def test_the_change_at_an_edge_is_parted_where_scans_begin_to_be_reliable():
+    # ln F is linear in ln c between 40 and 80 nm, and the scans begin at 55 nm.
+    data = with_edge(80.0, 70.0, 90.0)
+    low, high = np.log(data["scale_ratio"].sel(side="small", cutoff_wavelength=[40, 80]))[0].values
+    unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
+    of = datasets(edges=data).of_surface(SURFACES[0])
+    np.testing.assert_allclose(parts_of_change(of, "small", 0, 80), [high - unseen, unseen], 1e-4)
+    assert rows(edges=data)["short_edge"].about["change"].value == pytest.approx(
+        1 - unseen / high, rel=1e-4
+    )
+    assert sum(parts_of_change(of, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)
 
 
 def test_open_edges_are_bounds():
@@ -72,24 +86,70 @@ def test_open_edges_are_bounds():
     below["edge_at_least"].loc[{"side": "large"}] = 0
     assert rows(edges=below)["long_edge"].fact.status == "open_below"
     below["edge_bound"].loc[{"side": "large"}] = 30_000.0
-    assert place_of_edge(below.isel(surface=0).sel(side="large"), [(25e3, np.inf)]) == "inside"
+    assert place_of_edge(datasets(edges=below).of_surface(SURFACES[0]), "large") == "inside"
 
 
-def test_an_edge_without_ends_is_not_bounded_only_where_ratios_have_intervals():
-    data = with_edge(100.0, np.nan, np.nan)
-    assert rows(edges=data)["short_edge"].fact.status == "not_bounded"
-    bare = data.assign(scale_ratio_interval=data["scale_ratio_interval"] * np.nan)
-    assert rows(edges=bare)["short_edge"].fact.status == ""
-    half = rows(edges=with_edge(100.0, 80.0, np.nan))["short_edge"].fact
-    assert (half.low, plain(half.high), half.status) == (80.0, None, "")
-
-
-def test_forces_without_bounds_are_not_bounded():
+def test_what_has_no_interval_says_why():
+    data = with_edge(120.0, np.nan, np.nan)
+    assert rows(edges=data)["short_edge"].fact.status == "few_parts"
+    whole = data.assign(interval_source=("surface", ["none"]))
+    assert rows(edges=whole)["short_edge"].fact.status == "whole_scan"
+    half = rows(edges=with_edge(120.0, 90.0, np.nan))["short_edge"].fact
+    assert (half.low, plain(half.high), half.status) == (90.0, None, "")
+    assert rows(force=without_interval(force()))["force_mean"].fact.status == "whole_scan"
     endless = force()
     endless["force_interval"].loc[{"bound": "low"}] = 0
     endless["force_interval"].loc[{"bound": "high"}] = np.inf
     fact = rows(force=endless)["force_mean"].fact
-    assert np.isnan([fact.low, fact.high]).all() and fact.status == "not_bounded"
+    assert np.isnan([fact.low, fact.high]).all() and fact.status == "few_parts"
+
+
+def test_a_force_at_its_bound_is_told():
+    assert rows()["force_mean"].about["bounded"] is False
+    smooth = force()
+    smooth["smooth_bound"] = smooth["force"].isel(surface=0)
+    assert rows(force=smooth)["force_mean"].about["bounded"] is True
+
+
+def test_the_force_at_other_pairs_is_a_power_law_between_ranges_and_not_known_beyond():
+    of = datasets().of_surface(SURFACES[0])
+    assert rows()["range_sensitivity"].fact.value == pytest.approx(-0.5)  # F ~ rho^-0.5
+    between, beyond = force_facts.pair_rows(of.force, PAIRS)  # the one asked for has no row
+    assert between.fact.value == pytest.approx(0.32e-6 * (10 / 5.6) ** -0.5)
+    assert between.about["share"].value == 0.58 and between.about["range"].value == 10.0
+    assert beyond.fact.status == "not_computed" and np.isnan(beyond.fact.value)
+    one_range = force().sel(rho=[5.6])
+    assert np.isnan(rows(force=one_range)["range_sensitivity"].fact.value)
+
+
+def answer_of(data, measured, of_force=None):
+    """The verdict on edges with scans of these reliable wavelengths (nm)."""
+    scan = ("map", 2 * measured[1], 1, *measured, "pixels", np.nan)
+    found = rows(
+        edges=data, spectra=spectra(measured={"scan.spm": scan}), force=of_force or force()
+    )
+    told = facts.verdict(list(found.values()))
+    return told["answer"], told["band"]
+
+
+@pytest.mark.parametrize(
+    ("data", "measured", "expected"),
+    [
+        (edges(), (6, 25e3), ("yes", "found")),
+        (edges(), (55, 25e3), ("partly", "found")),
+        (edges(), (400, 1000), ("no", "found")),
+        (open_edges(), (6, 25e3), ("partly", "found")),
+        (with_edge(3000.0, 2000.0, 4000.0), (6, 25e3), ("yes", "overlapping")),
+        (unresolved_edges(), (6, 25e3), ("no", "none")),
+    ],
+)
+def test_the_verdict_says_whether_scans_can_answer(data, measured, expected):
+    assert answer_of(data, measured) == expected
+
+
+def test_scans_that_lack_roughness_answer_in_part_at_most():
+    assert answer_of(edges(), (6, 25e3), continued(force(), small=0.25))[0] == "partly"
+    assert answer_of(edges(), (400, 1000), continued(force(), small=0.25))[0] == "no"
 
 
 def test_continued_roughness_has_its_own_force_and_the_verdict_both():
@@ -129,11 +189,17 @@ def test_a_work_beyond_that_of_any_solids_is_told(work, told):
     assert rows(data)["measured_work"].about["beyond_solids"] is told
 
 
-def test_pooled_edges_are_of_several_surfaces():
-    assert facts.pooled_rows(edges()) == []
-    short, long = facts.pooled_rows(edges(2))
-    assert short.fact.name == "pooled_short_edge"
+def test_pooled_edges_are_of_several_surfaces_and_as_sure_as_the_least_sure():
+    of_first = list(rows().values())
+    assert facts.pooled_rows(edges(), [of_first]) == []
+    short, long = facts.pooled_rows(edges(2), [of_first, of_first])
+    assert (short.fact.name, short.fact.source) == ("pooled_short_edge", "artificial")
+    assert (short.fact.status, plain(short.fact.low)) == ("no_interval", None)
     assert (long.fact.value, long.fact.low, long.fact.high) == (1500.0, 1200.0, 1875.0)
+    unresolved = edges(2).assign(
+        pooled_edge=("side", [np.nan] * 2), pooled_edge_at_least=("side", [1, 0])
+    )
+    assert facts.pooled_rows(unresolved, [of_first, of_first]) == []
 
 
 def test_inputs_tell_where_they_come_from():
@@ -156,7 +222,7 @@ def test_scans_that_are_alike_are_counted_together():
 
 
 def fit_status(data):
-    return facts.fit_facts(facts.of_answer(data))
+    return force_facts.fit_facts(force_facts.of_answer(data))
 
 
 def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():

@@ -1,12 +1,14 @@
 """Forces that follow from a work and a range of adhesion."""
 
 import numpy as np
+import pytest
 import xarray as xr
+from direct_sum import direct_total
 from known_forces import FORCE_DIMS
 from refusals import assert_says, refusal
 
 from hardcontact.numbers.statistics import student_interval
-from hardcontact.own_surfaces.predicted_force import predicted_force
+from hardcontact.own_surfaces.predicted_force import predicted_force, with_smooth_bound
 
 RHOS = [1.0, 5.0, 20.0]
 PREDICTION = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
@@ -73,3 +75,44 @@ def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
 def test_a_range_that_was_not_computed_is_refused():
     message = refusal(lambda: predicted_force(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
+
+
+@pytest.mark.parametrize("pixels", [1, 8])
+def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
+    size, reach = 48, 4.0  # sqrt(R rho) in pixels; heights are in rho
+    waves = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.fftfreq(size)) * size
+    noise = np.random.default_rng(1).normal(size=(size, size))
+    heights = np.fft.ifft2(np.where((waves >= 1) & (waves <= 2), np.fft.fft2(noise), 0)).real
+    heights *= 0.2 / heights.std()
+    away = np.arange(-24, 25)
+    sphere = (away[:, None] ** 2 + away**2) / (2 * reach**2)
+    around = np.lib.stride_tricks.sliding_window_view(np.pad(heights, 24, "wrap"), sphere.shape)
+    totals = [
+        direct_total(sphere - around[y, x], pixels, 1.0)
+        for y in range(0, size, 2)
+        for x in range(0, size, 2)
+    ]
+    smooth = 2 * np.pi * reach**2
+    touching = pixels if pixels > 1 else 0  # a single pixel is in contact in rigid contact too
+    assert max(totals) > 1.09 * (smooth + touching)
+    assert np.mean(totals) < smooth * (1 + 1 / (12 * reach**2)) + touching
+
+
+def test_no_mean_exceeds_the_bound():
+    load = {"preload": 1e-5, "hardness": 25e9}
+    given = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
+    continued = xr.Dataset(
+        {"continued_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
+    ).assign(continued_force_interval=("side", [1e-9, 1.0]))
+    found = with_smooth_bound(given.merge(continued), load)
+    rigid = 2 * np.pi * 5e-6 * 0.05
+    bound = xr.DataArray(
+        [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
+        dims=("contact_model", "rho"),
+    )
+    np.testing.assert_allclose(found.smooth_bound, bound)
+    np.testing.assert_allclose(found.force, bound.expand_dims(surface=2))
+    assert (found.force_interval <= found.smooth_bound).all()
+    np.testing.assert_allclose(found.continued_force, [1e-9, bound[1, 1]])
+    endless = given.assign(force_interval=given.force_interval * 0 + np.inf).merge(continued)
+    assert np.isinf(with_smooth_bound(endless, load).force_interval).all()

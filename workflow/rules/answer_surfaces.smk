@@ -11,6 +11,7 @@ rule answer_surfaces:
         code=code_inputs("answer_surfaces.py"),
         templates=template_inputs("own.html", "own_words.html"),
         citation="CITATION.cff",
+        pairs="resources/adhesion/pairs.csv",
     output:
         page=report(
             PATTERNS.result("answer.html"),

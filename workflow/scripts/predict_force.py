@@ -10,6 +10,7 @@ from hardcontact.own_surfaces.predicted_force import (
     continued_force,
     predicted_force,
     with_continued_force,
+    with_smooth_bound,
 )
 from hardcontact.records import dataset
 from hardcontact.records.job import job
@@ -31,6 +32,7 @@ with job(snakemake) as this:
         given["confidence"],
     )
     force = with_continued_force(force, continued, given["tolerance"])
+    force = with_smooth_bound(force, given["contact"])
     force = with_finite_scans(force, topography, given["radius"])
     force = with_window_share(force, given["contact"]["window"], given["radius"])
     this.write(

@@ -1,13 +1,18 @@
-"""Wavelengths at which no scan is reliable: roughness there is artificial."""
+"""Wavelengths at which no scan is reliable: roughness there is artificial, and what rests on it."""
 
 from collections.abc import Iterable
 
 import numpy as np
 import xarray as xr
 
+from hardcontact.answer.datasets import Datasets
+from hardcontact.scales.critical_band import computed_cutoffs
+
 #: Kinds of measurement, and the description of a substitute in the place of one; where a surface
 #: has fewer than another its datasets are padded.
 KINDS = ("map", "profile", "description")
+#: Share of a change from which on it counts as measured, or the rest of it as artificial.
+NEARLY_ALL = 0.9
 #: What is known of each measurement in nm.
 LENGTHS = ("size", "pixel_size", "shortest_reliable", "longest_reliable", "tip_radius")
 
@@ -40,29 +45,62 @@ def artificial_bands(of_surface: xr.Dataset) -> list[tuple[float, float]]:
     return [*bands, (float(of_surface["longest_measured"]), np.inf)]
 
 
-def share_inside(low: float, high: float, bands: Iterable[tuple[float, float]]) -> float:
-    """Return how much of an interval of wavelengths lies in any of the bands, in the logarithm.
+def reaches(low: float, high: float, bands: Iterable[tuple[float, float]]) -> bool:
+    """Return whether wavelengths from low to high (nm) lie in any band; no number lies in none."""
+    return any(first < high and low < last for first, last in bands)
 
-    Ends (nm) are above zero, bands (nm) disjoint. It is from 0 to 1, of a single wavelength 0 or 1.
+
+def parts_of_change(
+    of: Datasets, side: str, shortest: float = 0.0, longest: float = np.inf
+) -> tuple[float, float]:
+    """Return by how much reliable and artificial wavelengths of one surface change the force.
+
+    Both are sums of |d ln F| over the wavelengths (nm) between the ends, as roughness is removed
+    from the `side` on, where F is linear between cutoffs in logarithms.
     """
-    bands = list(bands)
-    if low == high:
-        return float(any(first < low < last for first, last in bands))
-    overlaps = (
-        np.log(min(high, last) / max(low, first))
-        for first, last in bands
-        if min(high, last) > max(low, first)
-    )
-    return float(sum(overlaps) / np.log(high / low))
+    at_side = of.edges.sel(side=side)
+    cutoffs = computed_cutoffs(at_side["scale_ratio"])
+    logarithm = np.log(at_side["scale_ratio"].sel(cutoff_wavelength=cutoffs).values)
+    none_removed = 0 if side == "small" else len(cutoffs)
+    end = of.force["continued_end"].sel(side=side).item()
+    wavelength = np.insert(cutoffs, none_removed, end)
+    logarithm = np.insert(logarithm, none_removed, 0.0)
+    bands = artificial_bands(of.spectra)
+    inside = max(shortest, wavelength[0]), min(longest, wavelength[-1])
+    ends = np.unique(np.clip([*wavelength, *inside, *np.ravel(bands)], *inside))
+    change = np.abs(np.diff(np.interp(np.log(ends), np.log(wavelength), logarithm)))
+    middle = np.sqrt(ends[1:] * ends[:-1])
+    artificial = np.any([(low < middle) & (middle < high) for low, high in bands], axis=0)
+    return float(change[~artificial].sum()), float(change[artificial].sum())
 
 
-def place_of_edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> str:
-    """Return whether an edge or its bound lies inside artificial bands, its interval partly."""
-    edge = float(of_side["edge"].fillna(of_side["edge_bound"]))
-    if share_inside(edge, edge, bands):
+def reliable_share(parts: tuple[float, float]) -> float:
+    """Return the share of a change that `parts_of_change` finds reliable, NaN if there is none."""
+    return parts[0] / sum(parts) if sum(parts) > 0 else np.nan
+
+
+def share_at_edge(of: Datasets, side: str) -> float:
+    """Return which share of the change at an edge is reliable; NaN of an open one."""
+    edge = of.edges["edge"].sel(side=side).item()
+    ends = (0.0, edge) if side == "small" else (edge, np.inf)
+    return np.nan if np.isnan(edge) else reliable_share(parts_of_change(of, side, *ends))
+
+
+def place_of_edge(of: Datasets, side: str) -> str:
+    """Return whether an edge rests on artificial roughness.
+
+    "inside" is an edge, or its bound, at an artificial wavelength, and one of whose change as good
+    as all comes from such, "partly" one of whose change some does, "interval" one whose interval
+    alone reaches such wavelengths, "outside" any other.
+    """
+    of_side, bands = of.edges.sel(side=side), artificial_bands(of.spectra)
+    edge, share = float(of_side["edge"].fillna(of_side["edge_bound"])), share_at_edge(of, side)
+    if reaches(edge, edge, bands) or share < 1 - NEARLY_ALL:
         return "inside"
+    if share < NEARLY_ALL:
+        return "partly"
     low, high = of_side["edge_interval"].fillna(edge).values
-    return "partly" if share_inside(low, high, bands) else "outside"
+    return "interval" if reaches(low, high, bands) else "outside"
 
 
 def measurement_name(one: xr.Dataset) -> str:

@@ -1,7 +1,7 @@
 """What an answer is drawn from: the final datasets of a study, and what they do not say of it."""
 
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import xarray as xr
 
@@ -47,6 +47,8 @@ class Setting(NamedTuple):
     of_paper: Sequence[str]
     left_out: Sequence[tuple[str, str]]  #: Parts that these data do not allow, and why.
     citation: Mapping[str, str]  #: Title and version of the software, as in CITATION.cff.
+    #: Pairs of range and work of adhesion, rows of resources/adhesion/pairs.csv.
+    pairs: Sequence[Mapping[str, Any]]
 
 
 def model_of(force: xr.Dataset) -> str:

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -14,6 +14,18 @@ from hardcontact.numbers.statistics import bounds
 
 #: Of a table: a number, a code or a label by the name of the column.
 Cells = dict[str, Any]
+
+
+class Row(NamedTuple):
+    """A row of the table of an answer: a number whose name and source are codes.
+
+    What else is known of it is `reason` of an open edge, `change`, the share of an edge or a force
+    that comes from reliable wavelengths, `side`, `start` and `end` of continued roughness, `tests`
+    of a measured force.
+    """
+
+    fact: Number
+    about: dict[str, Any]
 
 
 def number_of(
@@ -43,6 +55,16 @@ def number_of(
         return found._replace(status="not_bounded")
     without = strict and not (math.isfinite(low) or math.isfinite(high))
     return found._replace(low=low, high=high, status="no_interval" if without else "")
+
+
+def with_reason(fact: Number, source: xr.DataArray) -> Number:
+    """Return a number of which no end of the interval is known with the reason as its status.
+
+    The source of intervals is that of the dataset: "none" if every contact feels all of a scan.
+    """
+    if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
+        return fact
+    return fact._replace(status="whole_scan" if source.item() == "none" else "few_parts")
 
 
 def printed(number: Number, digits: int = 3, end: str = "") -> str:

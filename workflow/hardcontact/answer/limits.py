@@ -11,22 +11,15 @@ import xarray as xr
 
 from hardcontact.adhesion.finite_scan import LEAST_TRIED
 from hardcontact.answer.artificial import (
-    artificial_bands,
     measurement_name,
     measurements,
-    place_of_edge,
     reliable_measurements,
     single,
 )
 from hardcontact.answer.datasets import Datasets, at_range
 from hardcontact.answer.facts import between, number_of
-from hardcontact.answer.surface_facts import (
-    EDGES,
-    continuation,
-    continued_fact,
-    differing_sides,
-    edge_fact,
-)
+from hardcontact.answer.force_facts import continuation, continued_fact, differing_sides
+from hardcontact.answer.surface_facts import EDGES, edge_fact, resolves_nothing
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs
 
@@ -47,14 +40,13 @@ def limits(of: Datasets) -> list[Limit]:
     substitute = of.topography["basis"].item() == "substitute"
     return [
         *([{"code": "substitute"}] if substitute else []),
-        *(limit for side in EDGES for limit in _of_edge(side, of.edges.sel(side=side))),
-        *_artificial_edges(of),
+        *_of_edges(of.edges),
         *_of_blind_scans(of),
         *_of_window(of.force),
         *_of_scan_size(of),
         *_of_continued_roughness(of.force),
         *_of_pixels(of.force),
-        *_of_intervals(of.edges, of.force),
+        *_of_intervals(of.force),
         *_sparse_cutoffs(of.edges),
         *_of_spectrum(of.spectra, of.topography),
     ]
@@ -78,28 +70,20 @@ def grave_limits(of: Datasets) -> list[Limit]:
     ]
 
 
-def _of_edge(side: str, of_side: xr.Dataset) -> list[Limit]:
-    """Return that an edge, or an end of its interval, lies beyond what was computed."""
-    edge = edge_fact(of_side, EDGES[side])
-    if edge.status in ("open_above", "open_below"):
-        reason = str(of_side["edge_status"].item())
-        return [{"code": "open_edge", "side": side, "edge": edge, "reason": reason}]
-    ends = {"low": edge.low, "high": edge.high}
-    unknown = [end for end, value in ends.items() if not np.isfinite(value)]
-    if len(unknown) == len(ends):
-        return []
-    return [{"code": "open_interval", "side": side, "end": end} for end in unknown]
+def _of_edges(edges: xr.Dataset) -> list[Limit]:
+    """Return that there are no edges, or which end of an interval lies beyond what was computed.
 
-
-def _artificial_edges(of: Datasets) -> list[Limit]:
-    """Return which edges of a surface, or their intervals, lie where no scan reaches."""
-    bands = artificial_bands(of.spectra)
-    places = {side: place_of_edge(of.edges.sel(side=side), bands) for side in EDGES}
-    return [
-        {"code": "artificial_edge", "side": side, "place": place}
-        for side, place in places.items()
-        if place != "outside"
-    ]
+    What an edge rests on and why one is open its row tells.
+    """
+    if resolves_nothing(edges):
+        return [{"code": "nothing_resolved"}]
+    found: list[Limit] = []
+    for side, name in EDGES.items():
+        edge = edge_fact(edges.sel(side=side), name)
+        unknown = [end for end in ("low", "high") if not np.isfinite(getattr(edge, end))]
+        if len(unknown) == 1:
+            found.append({"code": "open_interval", "side": side, "end": unknown[0]})
+    return found
 
 
 def _of_blind_scans(of: Datasets) -> list[Limit]:
@@ -175,19 +159,13 @@ def _of_pixels(force: xr.Dataset) -> list[Limit]:
     ]
 
 
-def _of_intervals(edges: xr.Dataset, force: xr.Dataset) -> list[Limit]:
-    """Return that intervals are conditional on the scans at hand, or that there are none."""
-    parts = {"band": (edges, "scale_ratio_interval"), "force": (force, "force_interval")}
-    missing: list[Limit] = [
-        {"code": "no_interval", "of": name, "source": str(part["interval_source"].item())}
-        for name, (part, interval) in parts.items()
-        if not (part[interval] >= 0).any()
-    ]
-    if not force["conditional"].item() or len(missing) == len(parts):
-        return missing
+def _of_intervals(force: xr.Dataset) -> list[Limit]:
+    """Return that intervals are conditional on the scans at hand; why some miss their rows tell."""
+    if not force["conditional"].item() or force["interval_source"].item() == "none":
+        return []
     shared = number_of(force, "correlation_of_parts", name="correlation", strict=False)
     scans = int(force["interval_scans"].item())
-    return [*missing, {"code": "conditional", "scans": scans, "correlation": shared}]
+    return [{"code": "conditional", "scans": scans, "correlation": shared}]
 
 
 def _sparse_cutoffs(edges: xr.Dataset) -> list[Limit]:

@@ -14,8 +14,9 @@ from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan
 from hardcontact.answer.artificial import artificial_bands, place_of_edge
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.facts import between
+from hardcontact.answer.force_facts import differing_sides
 from hardcontact.answer.limits import FEW_PIXELS, scans_without_tip
-from hardcontact.answer.surface_facts import differing_sides
+from hardcontact.answer.surface_facts import resolves_nothing
 from hardcontact.numbers.number import Number
 
 #: What a measurement settles, in the order of what it is worth.
@@ -51,6 +52,9 @@ def _shorter_waves(of: Datasets) -> list[dict[str, Any]]:
         for low, high in artificial_bands(of.spectra)
         if max(low, shortest) < min(high, longest)
     ]
+    nothing_resolved = resolves_nothing(of.edges)
+    if nothing_resolved:  # what decides is shorter than all that is measured
+        gaps = [(np.nan, float(of.spectra["shortest_measured"]))]
     if not gaps:
         return []
     bands = [between("band", *gap, "nm")._replace(source="artificial") for gap in gaps]
@@ -59,16 +63,18 @@ def _shorter_waves(of: Datasets) -> list[dict[str, Any]]:
             "code": "shorter_waves",
             "settles": "edge",
             "bands": bands,
-            "and_below": bool(open_below),
-            "settles_force": "small" in differing_sides(of.force),
+            "and_below": bool(open_below) and not nothing_resolved,
+            "settles_force": nothing_resolved or "small" in differing_sides(of.force),
         }
     ]
 
 
 def _longer_waves(of: Datasets) -> list[dict[str, Any]]:
     """Return that a larger map or a line scan tells where the long edge lies."""
-    place = place_of_edge(of.edges.sel(side="large"), artificial_bands(of.spectra))
-    if not _is_open(of.edges, "large") and place == "outside":
+    at_large = of.edges.sel(side="large")
+    shorter = _is_open(of.edges, "large") and not at_large["edge_at_least"].item()
+    known = not _is_open(of.edges, "large") and place_of_edge(of, "large") == "outside"
+    if shorter or known:
         return []
     return [{"code": "longer_waves", "settles": "edge"}]
 
@@ -77,7 +83,7 @@ def _larger_scans(of: Datasets) -> list[dict[str, Any]]:
     """Return how wide a map must be to hold the peaks of a contact."""
     size, height = (of.topography[name].item() for name in ("scan_size", "all_scales_rms_height"))
     needed = LARGE_ENOUGH * finite_scan(size, height, of.force.attrs["sphere_radius"]).draw_size
-    if size >= needed:
+    if size >= needed or resolves_nothing(of.edges):
         return []
     return [{"code": "larger_map", "settles": "force", "size": Number("size", needed, "nm")}]
 

@@ -13,9 +13,10 @@ from hardcontact.answer.artificial import (
     single,
 )
 from hardcontact.answer.datasets import Datasets, Setting, at_range
+from hardcontact.answer.facts import Row
 from hardcontact.answer.limits import Limit, limits, tail
 from hardcontact.answer.next_measurements import next_measurements
-from hardcontact.answer.surface_facts import SOURCES, Row, answer_rows
+from hardcontact.answer.surface_facts import SOURCES, answer_rows, verdict
 from hardcontact.numbers.number import plain
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import computed_cutoffs
@@ -65,10 +66,13 @@ class OwnAnswer(NamedTuple):
 
 def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
     """Return what the datasets answer."""
-    surfaces = {}
+    surfaces, adhesion = {}, {"range of adhesion", "work of adhesion"}
+    # A user who gave both knows them.
+    pairs = setting.pairs if adhesion & set(setting.of_paper) else ()
     for name, label in given.labels().items():
         of = given.of_surface(name)
-        surfaces[name] = OwnSurface(label, of, answer_rows(of), limits(of), next_measurements(of))
+        rows = answer_rows(of, pairs)
+        surfaces[name] = OwnSurface(label, of, rows, limits(of), next_measurements(of))
     return OwnAnswer(given, setting, surfaces)
 
 
@@ -95,8 +99,9 @@ def as_plain(answer: OwnAnswer) -> dict[str, Any]:
 def _of_surface(surface: OwnSurface) -> dict[str, Any]:
     """Return the numbers of one surface."""
     of = surface.of
-    bands = artificial_bands(of.spectra)
+    found = verdict(surface.rows)
     return {
+        "verdict": {name: found[name] for name in ("answer", "band")},
         "answer": [plain(row.fact) | {"about": row.about} for row in surface.rows],
         "label": str(of.topography["label"].item()),
         "basis": surface.basis,
@@ -107,15 +112,15 @@ def _of_surface(surface: OwnSurface) -> dict[str, Any]:
             | {name: _of(scan, name, unit) for name, unit in METRICS.items()}
             for scan in surface.scans
         ],
-        "spectrum": _spectrum(of.spectra, bands),
-        "band": {side: _edge(of.edges.sel(side=side), bands) for side in SIDES},
+        "spectrum": _spectrum(of.spectra),
+        "band": {side: _edge(of, side) for side in SIDES},
         "force": _force(of.force),
         "limits": surface.limits,
         "next_measurements": surface.next,
     }
 
 
-def _spectrum(of_surface: xr.Dataset, bands: list[tuple[float, float]]) -> dict[str, Any]:
+def _spectrum(of_surface: xr.Dataset) -> dict[str, Any]:
     """Return the joined spectrum, its measurements, and the wavelengths that are artificial."""
     joined = of_surface["joined"].dropna("bin_wavevector")
     return {
@@ -125,19 +130,20 @@ def _spectrum(of_surface: xr.Dataset, bands: list[tuple[float, float]]) -> dict[
             for one in single(measurements(of_surface))
         ],
         "artificial": [{"from": _number(low, "nm"), "to": _number(high, "nm")}
-                       for low, high in bands],
+                       for low, high in artificial_bands(of_surface)],
         "tail": tail(of_surface),
         "wavevector": _numbers(joined["bin_wavevector"], "rad nm-1"),
         "joined_psd": _numbers(joined, "nm4"),
     }  # fmt: skip
 
 
-def _edge(of_side: xr.Dataset, bands: list[tuple[float, float]]) -> dict[str, Any]:
+def _edge(of: Datasets, side: str) -> dict[str, Any]:
     """Return one edge of a band, and the ratio curve that it follows from."""
+    of_side = of.edges.sel(side=side)
     ends = (of_side["interval_status"].sel(bound=bound).item() for bound in ("low", "high"))
     curve = of_side.sel(cutoff_wavelength=computed_cutoffs(of_side["scale_ratio"]))
     return {
-        "source": SOURCES[place_of_edge(of_side, bands)],
+        "source": SOURCES[place_of_edge(of, side)],
         "status": str(of_side["edge_status"].item()),
         "edge": _of(of_side, "edge", "nm"),
         "bound": _of(of_side, "edge_bound", "nm"),

@@ -9,12 +9,11 @@ import xarray as xr
 from hardcontact.answer import curves, pictures
 from hardcontact.answer.artificial import LENGTHS, measurement_name, measurements, single
 from hardcontact.answer.facts import number_of
+from hardcontact.answer.force_facts import fit_facts, of_answer
 from hardcontact.answer.limits import grave_limits
 from hardcontact.answer.own_answer import MEASUREMENT_TEXTS, METRICS, OwnAnswer, OwnSurface
 from hardcontact.answer.surface_facts import (
     contact_inputs,
-    fit_facts,
-    of_answer,
     pooled_rows,
     quartile_spans,
     scan_inputs,
@@ -36,7 +35,7 @@ def own_page(answer: OwnAnswer) -> str:
         tolerance=float(given.edges.attrs["tolerance"]),
         confidence=float(given.edges.attrs["confidence"]),
         surfaces=[_shown(name, one) for name, one in surfaces.items()],
-        pooled=pooled_rows(given.edges),
+        pooled=pooled_rows(given.edges, [one.rows for one in surfaces.values()]),
         quartiles=quartile_spans(given),
         contact=contact_inputs(setting),
         forces=_drawn(curves.force_curve(given.force, labels)),

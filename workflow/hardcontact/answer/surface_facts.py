@@ -1,40 +1,36 @@
-"""The facts of the answer of own surfaces: its edges, its forces, and what they were made from."""
+"""The facts of the answer of own surfaces: verdict, edges, and what they were made from."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.answer.artificial import artificial_bands, measurements, place_of_edge, single
-from hardcontact.answer.datasets import Datasets, Setting, at_range, model_of
-from hardcontact.answer.facts import bare, between, ends, number_of
+from hardcontact.answer.artificial import (
+    artificial_bands,
+    measurements,
+    place_of_edge,
+    reaches,
+    share_at_edge,
+    single,
+)
+from hardcontact.answer.datasets import Datasets, Setting, at_range
+from hardcontact.answer.facts import Row, bare, between, ends, number_of, with_reason
+from hardcontact.answer.force_facts import force_rows, measured_rows, of_answer, pair_rows
 from hardcontact.numbers.number import Number
 from hardcontact.surfaces.synthesis import SIDES
 
 EDGES = dict(zip(SIDES, ("short_edge", "long_edge"), strict=True))
 #: What an edge comes from, by its place among artificial wavelengths.
-SOURCES = {"inside": "artificial", "partly": "partly_artificial", "outside": "measured"}
-#: The upper end of an interval is called open where it lies this many times farther, in the
-#: logarithm, than the lower one: the scatter of few tests may be much larger than it appears.
-LOPSIDED = 2.0
-#: J/m², to part diamond along (111): no known solids adhere more strongly. Source: J. E. Field, The
-#: Properties of Diamond (Academic Press, 1979).
-STRONGEST = 10.6
+SOURCES = {
+    "inside": "artificial",
+    "partly": "partly_artificial",
+    "interval": "interval_artificial",
+    "outside": "measured",
+}
 #: Endings of the names of surfaces that are described by the quartiles of a source.
 QUARTILES = ("_lower", "_upper")
-
-
-class Row(NamedTuple):
-    """A row of the table of an answer: a number whose name and source are codes.
-
-    What else is known of it is `reason` of an open edge, `side`, `start` and `end` of continued
-    roughness, `tests` of a measured force.
-    """
-
-    fact: Number
-    about: dict[str, Any]
 
 
 def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: str = "") -> Number:
@@ -53,98 +49,63 @@ def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: 
     return Number(name, edge, "nm", low, high, "not_bounded" if endless else "", source)
 
 
-def differing_sides(data: xr.Dataset) -> list[str]:
-    """Return the sides on which continued roughness changes the force beyond its interval."""
-    return [side for side in SIDES if data["continued_differs"].sel(side=side).item() == 1]
+def resolves_nothing(edges: xr.Dataset, prefix: str = "") -> bool:
+    """Return whether the force changes at no cutoff, from either side: both edges are bounds then.
+
+    It is the force on a smooth sphere. Edges are of one surface or, as in `edge_fact`, of all.
+    """
+    facts = (edge_fact(edges.sel(side=side), name, prefix=prefix) for side, name in EDGES.items())
+    return [one.status for one in facts] == ["open_above", "open_below"]
 
 
-def continuation(force: xr.Dataset, side: str) -> dict[str, Any]:
-    """Return between which wavelengths roughness continues that of the scans at one side."""
-    of_side = force.sel(side=side)
-    start, end = (
-        number_of(of_side, variable, "nm", name=name, strict=False)
-        for name, variable in (("start", "transition"), ("end", "continued_end"))
-    )
-    return {"side": side, "start": start, "end": end}
-
-
-def continued_fact(
-    data: xr.Dataset, side: str, variable: str = "continued_force", name: str = "force_continued"
-) -> Number:
-    """Return the force, or the work of adhesion, with roughness continued at one side."""
-    of_side = data.sel(side=side)
-    return number_of(of_side, variable, name=name, source="extrapolated", strict=False)
-
-
-def force_rows(force: xr.Dataset) -> list[Row]:
-    """Return the predicted forces of one surface at the range asked for, and the smooth limit."""
-    here = at_range(force)
-    quantiles = here["force_quantile"]
-    least, median, most = (
-        quantiles.sel(quantile=share, method="nearest").item() for share in (0, 0.5, 1)
-    )
-    radius, work = (force.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
-    smooth = 2 * np.pi * 1e-9 * radius * work
-    continued = [
-        Row(continued_fact(force, side), continuation(force, side))
-        for side in differing_sides(force)
-    ]
-    share = Number("share", float(np.ptp(quantiles["quantile"].values)))
-    mean = number_of(here, "force", name="force_mean", strict=False)
-    return [
-        Row(mean, {"model": model_of(force)}),
-        *continued,
-        Row(Number("force_median", median, "N"), {}),
-        Row(between("force_middle", least, most, "N"), {"share": share}),
-        Row(Number("smooth_sphere", float(smooth), "N"), {}),
-    ]
-
-
-def of_answer(fit: xr.Dataset) -> xr.Dataset:
-    """Return the fit of the contact model of the answer."""
-    return fit.sel(contact_model=model_of(fit))
-
-
-def measured_rows(fit: xr.Dataset) -> list[Row]:
-    """Return the force measured on one surface, and what works of adhesion it means."""
-    here = fit.sel(rho=fit.attrs["range_of_adhesion"], method="nearest")
-    force = number_of(fit, "measured_force", source="measured", strict=False)
-    lopsided = np.log(force.high / force.value) > LOPSIDED * np.log(force.value / force.low)
-    work = number_of(
-        here, "work_of_adhesion", name="measured_work", source="from_measured", strict=False
-    )
-    rows = [
-        Row(force, {"tests": int(fit["tests"].item()), "lopsided": bool(lopsided)}),
-        Row(work, {"beyond_solids": work.value > STRONGEST}),
-    ]
-    for side in differing_sides(fit):
-        start = number_of(fit.sel(side=side), "transition", name="start")
-        continued = continued_fact(fit, side, "continued_work", "continued_work")
-        rows.append(Row(continued, {"side": side, "start": start}))
+def edge_rows(of: Datasets) -> list[Row]:
+    """Return the edges of one surface, with those ends of intervals that scans are reliable at."""
+    if resolves_nothing(of.edges):
+        return [Row(Number(name, np.nan, "nm", status="no_band"), {}) for name in EDGES.values()]
+    rows, bands = [], artificial_bands(of.spectra)
+    for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
+        edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of, side)])
+        low, high = (
+            np.nan if edge.source == "artificial" or reaches(end, end, bands) else end
+            for end in (edge.low, edge.high)
+        )
+        if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
+            edge = edge._replace(status=edge.status or "no_interval")
+        edge = with_reason(edge._replace(low=low, high=high), of.edges["interval_source"])
+        change = Number("change", share_at_edge(of, side))
+        rows.append(Row(edge, {"reason": str(of_side["edge_status"].item()), "change": change}))
     return rows
 
 
-def answer_rows(of: Datasets) -> list[Row]:
-    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces."""
-    bands, edges = artificial_bands(of.spectra), []
-    for side, of_side in ((side, of.edges.sel(side=side)) for side in SIDES):
-        edge = edge_fact(of_side, EDGES[side], SOURCES[place_of_edge(of_side, bands)])
-        edges.append(Row(edge, {"reason": str(of_side["edge_status"].item())}))
+def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[Row]:
+    """Return the rows of one surface: its edges, its forces and, if it has any, its own forces.
+
+    Forces are told at the `pairs` of range and work of adhesion too, as in `pair_rows`.
+    """
     surface = str(of.edges["surface"].item())
     own = []
     if of.fit is not None and surface in of.fit["surface"].values:
         own = measured_rows(of_answer(of.fit).sel(surface=surface))
-    return [*edges, *force_rows(of.force), *own]
+    return [*edge_rows(of), *force_rows(of), *pair_rows(of.force, pairs), *own]
 
 
-def pooled_rows(edges: xr.Dataset) -> list[Row]:
-    """Return the edges of the mean change over several surfaces, none of a single one."""
-    if "pooled_edge" not in edges:
+def pooled_rows(edges: xr.Dataset, of_surfaces: Sequence[Sequence[Row]]) -> list[Row]:
+    """Return the edges of the mean change over several surfaces, none of one or without a change.
+
+    An edge rests on artificial roughness as far as that of any surface, of which rows are given.
+    """
+    if "pooled_edge" not in edges or resolves_nothing(edges, "pooled_"):
         return []
-    return [
-        Row(edge_fact(edges.sel(side=side), f"pooled_{EDGES[side]}", prefix="pooled_"), {})
-        for side in SIDES
-    ]
+    found, worst_first = [], list(SOURCES.values())
+    for side, name in EDGES.items():
+        facts = (row.fact for rows in of_surfaces for row in rows)
+        sources = [one.source for one in facts if one.name == name and one.source in worst_first]
+        source = min(sources, key=worst_first.index, default="computed")
+        edge = edge_fact(edges.sel(side=side), f"pooled_{name}", source, "pooled_")
+        if source == "artificial":
+            edge = edge._replace(low=np.nan, high=np.nan, status=edge.status or "no_interval")
+        found.append(Row(edge, {}))
+    return found
 
 
 def _by_value(numbers: Sequence[Number]) -> list[Number]:
@@ -152,16 +113,30 @@ def _by_value(numbers: Sequence[Number]) -> list[Number]:
     return sorted(numbers, key=lambda one: np.nan_to_num(one.value))
 
 
-def verdict(rows: Sequence[Row]) -> dict[str, list[Number]]:
+def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     """Return the answer of one surface at a glance, without intervals.
 
+    `answer` is whether its scans can answer: "yes" if both edges, which are no bounds, and the fall
+    of the one force from that of a smooth sphere come from wavelengths at which a scan is reliable,
+    "no" if none does or there is no band, else "partly". `band` is "none" if nothing that they
+    resolve changes the force, "overlapping" if the short edge is the longer one, else "found".
     `edges` are the short and the long one, `forces` the least and the greatest, the same where the
     scans say all.
     """
     facts = [bare(row.fact) for row in rows]
     forces = _by_value([one for one in facts if one.name in ("force_mean", "force_continued")])
     edges = [one for one in facts if one.name in EDGES.values()]
-    return {"edges": edges, "forces": [forces[0], forces[-1]]}
+    short, long = edges
+    origins = {row.about["origin"] for row in rows if "origin" in row.about}
+    origins |= {one.source for one in edges}
+    settled = not any(one.status for one in edges) and len(forces) == 1
+    band = "overlapping" if short.value >= long.value else "found"
+    answer = "yes" if origins == {"measured"} and settled else "partly"
+    if np.isnan(short.value):
+        band = "none"
+    if band == "none" or origins == {"artificial"}:
+        answer = "no"
+    return {"answer": answer, "band": band, "edges": edges, "forces": [forces[0], forces[-1]]}
 
 
 class Span(NamedTuple):
@@ -243,33 +218,3 @@ def scan_inputs(spectra: xr.Dataset) -> list[dict[str, Any]]:
         }
         for (kind, *values), count in alike.items()
     ]
-
-
-def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
-    """Return what the forces measured on several surfaces allow together, as a status and facts.
-
-    The fit is a part of fit.nc of one contact model. `status` is "one_surface", "no_interval" (of a
-    surface, so that there is no region), "none" (no pair agrees with all forces) or "region";
-    `best_range`, `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps`
-    pairs of ranges (nm) between which the region has none.
-    """
-    allowed = np.isfinite(fit["region"].values).all(axis=-1)
-    status = "region" if allowed.any() else "none"
-    if fit["work_of_adhesion_interval"].isnull().any():
-        status = "no_interval"
-    if fit.sizes["surface"] == 1:
-        status = "one_surface"
-    units = {"best_range": "nm", "best_work": "J m-2", "best_error": "1"}
-    found = {name: Number(name, fit[name].item(), unit) for name, unit in units.items()}
-    for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
-        low, high = fit[name].values.tolist()
-        found[name] = between(name, low, high, unit)
-    return {"status": status, "gaps": _gaps(fit["rho"].values, allowed)} | found
-
-
-def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:
-    """Return the pairs of ranges between which a region has gaps."""
-    change = np.diff(allowed.astype(int))
-    ends, begins = np.flatnonzero(change == -1), np.flatnonzero(change == 1) + 1
-    begins = begins[begins > ends[0]] if len(ends) else begins[:0]
-    return [[float(rho[end]), float(rho[begin])] for end, begin in zip(ends, begins, strict=False)]

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.contact.bearing_area import Load
 from hardcontact.numbers.statistics import bounds, with_interval
 from hardcontact.own_surfaces.master_forces import (
     MasterForces,
@@ -187,6 +188,37 @@ def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: fl
     changed = np.abs(other / of_scans.force - 1) > tolerance
     differs = (changed & ~inside).drop_vars("contact_model").astype(int)
     return force.merge(continued).assign(continued_differs=differs.transpose("surface", "side"))
+
+
+def with_smooth_bound(force: xr.Dataset, load: Load) -> xr.Dataset:
+    """Return predicted forces of which no mean, nor its interval, exceeds that of a smooth sphere.
+
+    A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. Where long
+    waves alone bend the surface, this is 2 pi R W/sqrt(D), D = det(1 - R Hess h) at the point of
+    contact: more than 2 pi R W in a dale. As the apex moves by D times what the point of contact
+    does, the mean over places of the apex is that of 2 pi R W sqrt(D) over the surface, and
+    sqrt(D) is at most 1 - R lap(h)/2, whose mean is one. Short waves, whose peaks keep the rest
+    apart, lower the force; pixels raise it, by 1 + A_pix/(12 R rho), as the highest of them is not
+    the highest point. So the mean is at most 2 pi R W, and in plastic contact W/rho times the area
+    F/H more, which touches at gap zero. Single contacts (`force_quantile`) have no such bound.
+
+    Forces are those of `with_continued_force`, the load is in N and Pa. They gain ``smooth_bound``
+    (contact_model, rho) in N, which replaces what is greater.
+    """
+    radius, work = force.attrs["sphere_radius"], force.attrs["work_of_adhesion"]
+    touching = load["preload"] / load["hardness"] / (1e-9 * force["rho"])
+    yields = force["contact_model"] == PLASTIC
+    bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)
+    rho = force.attrs["range_of_adhesion"]
+    of_masters = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
+    limits = {"force": bound, "continued_force": of_masters.drop_vars("rho")}
+    values = {f"{name}{end}": limit for name, limit in limits.items() for end in ("", "_interval")}
+    bounded = {
+        # An interval without ends stays one.
+        name: force[name].where((force[name] <= limit) | ~np.isfinite(force[name]), limit)
+        for name, limit in values.items()
+    }
+    return force.assign(bounded | {"smooth_bound": bound.assign_attrs(units="N")})
 
 
 def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
