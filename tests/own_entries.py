@@ -1,5 +1,6 @@
 """Entries of an inventory, as scans of any size would give them, and a proposal's configuration."""
 
+import numpy as np
 from repository import PAPER, SCHEMAS
 
 from hardcontact.commands.inventory import Entry
@@ -10,6 +11,7 @@ from hardcontact.commands.request import Source
 from hardcontact.config.configuration import configuration
 from hardcontact.config.limits import check_grids
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 
 def entry(size=2500.0, pixels=512, rms=17.0, **others):
@@ -21,7 +23,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, **others):
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
         "band": ReliableBand(4 * pixel, size / 3, "pixels"),
-        "undefined": 0, "notes": (),
+        "density": np.full(BIN_CENTRES.shape, np.nan), "undefined": 0, "notes": (),
     }  # fmt: skip
     return Entry(
         source=Source(name, name, path, path), pixels=pixels, pixel_size=pixel, rms_height=rms,

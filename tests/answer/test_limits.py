@@ -98,6 +98,16 @@ def test_edges_between_cutoffs_far_apart_are_named():
     assert not named("sparse_cutoffs") and not named("sparse_cutoffs", edges=open_edges())
 
 
+def test_measurements_that_contradict_each_other_are_named():
+    data = spectra()
+    data["psd"][0, 2] *= 100  # of the line scan, which shares wavelengths with coarse.spm alone
+    (found,) = named("contradiction", spectra=data)
+    assert [name.split("/")[-1] for name in found["measurements"]] == ["line.txt", "coarse.spm"]
+    assert found["factor"].value == pytest.approx(100, rel=0.2) and found["others"] == 0
+    assert 790 < found["band"].low < found["band"].high < 5100
+    assert not named("contradiction")
+
+
 def test_what_changes_the_force_is_grave():
     mild = force().assign(window_share=("rho", [1, 1, 0.95, 0.8, 0.7]))
     assert grave() == grave(force=mild) == []

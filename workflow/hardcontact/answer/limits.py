@@ -22,6 +22,8 @@ from hardcontact.answer.force_facts import continuation, continued_fact, differi
 from hardcontact.answer.surface_facts import EDGES, edge_fact, resolves_nothing
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs
+from hardcontact.surfaces.contradictions import contradictions
+from hardcontact.surfaces.measured_spectrum import waves_in_bins
 
 Limit = Mapping[str, Any]
 
@@ -228,7 +230,31 @@ def _of_spectrum(spectra: xr.Dataset, topography: xr.Dataset) -> list[Limit]:
     ]
     unknown = [measurement_name(one) for one in scans_without_tip(spectra)]
     codes = {"blind_measurements": blind, "unknown_tips": unknown}
-    return found + [{"code": code, "measurements": names} for code, names in codes.items() if names]
+    listed = [{"code": code, "measurements": names} for code, names in codes.items() if names]
+    return [*found, *_contradictions(spectra), *listed]
+
+
+def _contradictions(spectra: xr.Dataset) -> list[Limit]:
+    """Return the two measurements of a surface that contradict each other most, if any do."""
+    all_scans = measurements(spectra)
+    found = contradictions(
+        all_scans["psd"].values,
+        all_scans["reliable"].values == 1,
+        np.array(list(map(waves_in_bins, all_scans["kind"].values, all_scans["size"].values))),
+    )
+    return [
+        {
+            "code": "contradiction",
+            "measurements": [
+                measurement_name(all_scans.isel(measurement=place))
+                for place in (first.higher, first.lower)
+            ],
+            "band": between("band", first.shortest, first.longest, "nm"),
+            "factor": Number("factor", first.factor),
+            "others": len(found) - 1,
+        }
+        for first in found[:1]
+    ]
 
 
 def scans_without_tip(spectra: xr.Dataset) -> list[xr.Dataset]:

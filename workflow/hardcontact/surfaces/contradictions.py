@@ -1,0 +1,71 @@
+"""Measurements of one surface that contradict each other at the wavelengths they share.
+
+A joined spectrum is the mean of its measurements, whatever these say: of two that differ by two
+decades, for a wrong unit or another specimen, it is a spectrum that neither has.
+"""
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from hardcontact.numbers.printing import print_length
+from hardcontact.surfaces.joined_spectrum import CALIBRATION
+from hardcontact.surfaces.measured_spectrum import bias_of_log, variance_of_log
+from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
+
+#: Standard errors by which the mean logarithms of two measurements differ before they contradict
+#: each other: a factor of 3.1 in C_iso, 1.8 in heights, of measurements of many waves.
+ERRORS = 4
+
+
+class Contradiction(NamedTuple):
+    """Two measurements, by their place, the first of which has the higher spectrum."""
+
+    higher: int
+    lower: int
+    factor: float  #: C_iso of the first over that of the other, the mean of the logarithm.
+    shortest: float  #: Wavelengths (nm) at which both are reliable.
+    longest: float
+
+
+def told_contradictions(found: Sequence[Contradiction], names: Sequence[str]) -> Iterator[str]:
+    """Yield a line on the measurements, called by these names, that contradict each other most."""
+    for pair in found[:1]:
+        more = f"; so do {len(found) - 1} more pairs" if found[1:] else ""
+        yield (
+            f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
+            f"from {print_length(pair.shortest)} to {print_length(pair.longest)} the power "
+            f"spectral density of the first is {pair.factor:.2g} times that of the other{more}"
+        )
+
+
+def contradictions(
+    density: Floats, reliable: NDArray[np.bool_], waves: Floats
+) -> list[Contradiction]:
+    """Return which measurements contradict each other, the largest factor first.
+
+    The arrays (measurement, bins) are C_iso in nm⁴, whether it is reliable, and numbers of
+    independent waves. Bins count by the inverse variance of their difference, as in the joined
+    spectrum. The calibration of a microscope is wrong at all its wavelengths alike: no number of
+    bins averages it out.
+    """
+    usable = np.asarray(reliable, bool) & np.isfinite(density)
+    logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
+    scatter = variance_of_log(waves)
+    found = []
+    for one, other in combinations(range(len(logs)), 2):
+        (bins,) = np.nonzero(usable[one] & usable[other])
+        if not bins.size:
+            continue
+        variance = (scatter[one] + scatter[other])[bins]
+        weight = 1 / (variance + 2 * CALIBRATION**2)
+        weight /= weight.sum()
+        difference = float(weight @ (logs[one] - logs[other])[bins])
+        if abs(difference) > ERRORS * np.sqrt(weight**2 @ variance + 2 * CALIBRATION**2):
+            pair = (one, other) if difference > 0 else (other, one)
+            ends = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
+            found.append(Contradiction(*pair, float(np.exp(abs(difference))), *map(float, ends)))
+    return sorted(found, key=lambda pair: -pair.factor)
