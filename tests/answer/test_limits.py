@@ -16,6 +16,7 @@ from answer_inputs import (
     with_edge,
 )  # fmt: skip
 
+from hardcontact.adhesion.finite_scan import LEAST_TRIED
 from hardcontact.answer.artificial import measurement_name
 from hardcontact.answer.limits import grave_limits, limits
 
@@ -59,7 +60,7 @@ def test_finite_scans_have_their_numbers():
     assert found["share"].value == 0.25 and found["tried"] is None
     assert (found["ratio"].low, found["ratio"].high) == (2.0, 4.0)
     tiny = small.assign(draw_size=("surface", [64e3]))
-    assert named("small_scan", force=tiny)[0]["tried"].value == 0.125
+    assert named("small_scan", force=tiny)[0]["tried"].value == LEAST_TRIED
     assert not named("small_scan")
 
 

@@ -133,7 +133,7 @@ def _of_scan_size(of: Datasets) -> list[Limit]:
             "draw_size": Number("draw_size", draw_size, "nm"),
             "share": Number("share", share),
             "ratio": between("ratio", least, most),
-            "tried": Number("tried", LEAST_TRIED) if share < LEAST_TRIED / 2 else None,
+            "tried": Number("tried", LEAST_TRIED) if share < LEAST_TRIED else None,
         }
     ]
 

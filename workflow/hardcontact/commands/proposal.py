@@ -14,6 +14,7 @@ from hardcontact.commands.proposed_contact import (
     Probe,
     contact_cautions,
     contact_scans,
+    draw_sizes,
     proposed_contact,
     proposed_tiles,
 )
@@ -96,7 +97,8 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     A ValueError tells in one line a problem: no height map, surfaces with scans too different for
     one study, a range of adhesion that is too short, a preload that is too high.
     """
-    scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
+    drawn = draw_sizes(entries, sphere, probe)
+    scans, reasons = contact_scans(entries, sphere, probe, drawn)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
@@ -129,7 +131,12 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
         full,
         [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
         reasons,
-        [*contact_cautions(substrates, probe, contact), *blind, *contradicting(entries), *filled],
+        [
+            *contact_cautions(substrates, probe, contact, drawn),
+            *blind,
+            *contradicting(entries),
+            *filled,
+        ],
     )
 
 
