@@ -8,7 +8,9 @@ its scans, `index.json` or, of older ones, `meta.yml`; the format is described b
 
 import io
 import json
+import math
 import zipfile
+from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
@@ -143,6 +145,10 @@ def _height_channel(reader: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]
     number = entry.get("data_source")
     known = number in range(len(channels))
     wanted = channels[number] if known else reader.default_channel
+    if not known and number is not None:
+        raise RefusedScan(
+            f"expected a data_source from 0 to {len(channels) - 1} in the container, found {number}"
+        )
     for channel in (wanted, *channels):
         if channel.is_height_channel and not isinstance(channel.unit, tuple):
             chosen = f"channel {channel.name} read: {wanted.name} holds no heights"
@@ -160,6 +166,7 @@ def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(entry.get("size") or ()) or None
     check_points(channel.nb_grid_pts)
+    _check_stated(size, entry.get("height_scale"), channel.dim)
     if channel.physical_sizes is None and size is None and not has_positions:
         raise RefusedScan(
             "expected a file that states the physical size of the scan, found none: "
@@ -175,6 +182,16 @@ def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
     said = ", ".join(f"{STATED[argument]} {value}" for argument, value in stated.items())
     notes = [f"{said.replace('_', ' ')} as the container states"] if said else []
     return _with_positions(channel, channel.topography(**stated), stated), notes
+
+
+def _check_stated(size: tuple[float, ...] | None, scale: float | None, dimensions: int) -> None:
+    """Refuse a size or a height scale in a container that no scan of these dimensions has."""
+    if size is not None and not (len(size) == dimensions and all(0 < x < math.inf for x in size)):
+        raise RefusedScan(
+            f"expected a size of {dimensions} positive numbers in the container, found {size}"
+        )
+    if scale is not None and not 0 < scale < math.inf:
+        raise RefusedScan(f"expected a positive height scale in the container, found {scale}")
 
 
 def _with_positions(channel: Any, topography: Any, stated: dict[str, Any]) -> Any:
@@ -233,12 +250,18 @@ def _members(path: Path) -> list[dict[str, Any]] | None:
         text = archive.read(name)
     try:
         surfaces = LISTS[name](text)["surfaces"]
-        return [_member(entry) for surface in surfaces for entry in surface["topographies"]]
+        found = [_member(entry) for surface in surfaces for entry in surface["topographies"]]
     except LIST_ERRORS as error:
         raise RefusedScan(
             f"expected {name} that lists surfaces, their topographies and the data file of "
             f"each, found: {type(error).__name__}: {error}"
         ) from None
+    (file, count), *_ = Counter(map(_data_file, found)).most_common(1) or [("", 0)]
+    if count > 1:
+        raise RefusedScan(
+            f"expected {name} that lists each data file once, found {file} {count} times"
+        )
+    return found
 
 
 def _member(entry: dict[str, Any]) -> dict[str, Any]:
