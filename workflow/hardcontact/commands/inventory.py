@@ -92,10 +92,16 @@ class Found(NamedTuple):
     problems: list[str]
 
 
-def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
+def inventory(
+    sources: Sequence[Source],
+    tip_radius: float | None,
+    channel: str = "",
+    unit: str = "none",
+) -> Found:
     """Read all topographies of files, containers with all of theirs.
 
-    A tip radius (nm) is that of scans whose files do not state it, None if it is not known. A
+    A tip radius (nm) is that of scans whose files do not state it, None if it is not known; so is
+    the unit of length, "none" if it is not. A channel is read of every file that is no container. A
     member of a container that cannot be used stops nothing: it cannot be taken out by hand.
     """
     found = Found([], [], [])
@@ -104,7 +110,7 @@ def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
         try:
             for dataset in list_measurements(source.file):
                 try:
-                    entries.append(_entry(source, dataset, tip_radius))
+                    entries.append(_entry(source, dataset or channel, tip_radius, unit))
                 except ValueError as error:
                     file = f"{source.file}: "
                     refusals += [
@@ -145,8 +151,8 @@ def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
         yield from told_contradictions(found, [scan.name for scan in scans])
 
 
-def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
-    measurement = read_measurement(source.file, dataset, FILLING)
+def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) -> Entry:
+    measurement = read_measurement(source.file, dataset, FILLING, unit)
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")

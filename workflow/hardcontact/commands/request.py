@@ -88,12 +88,28 @@ def parsed(arguments: Sequence[str]) -> Namespace:
         help="scans of the sphere where it touches; without them it is smooth",
     )  # fmt: skip
     add_quantities(parser)
-    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    add_reading(parser)
+    parser.add_argument(
+        "--channel",
+        default="",
+        metavar="NAME",
+        help="of all files but containers (the first of heights)",
+    )
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
         "--overwrite", action="store_true", help="replace the files of a study of this name"
     )
     return parser.parse_intermixed_args(arguments)
+
+
+def add_reading(parser: ArgumentParser) -> None:
+    """Add to a command line what files of scans may not state."""
+    units = read_yaml("workflow/schemas/config.schema.yaml")["properties"]["scan"]["properties"]
+    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    parser.add_argument(
+        "--unit", choices=units["unit"]["enum"], default="none",
+        help="unit of length, for the files that do not state it",
+    )  # fmt: skip
 
 
 def add_quantities(parser: ArgumentParser) -> None:
