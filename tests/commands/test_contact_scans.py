@@ -50,7 +50,7 @@ def test_line_scans_make_no_contacts():
     line = entry(1e5, 3000, kind="profile")
     assert sizes([line, entry()]) == {"a": [2500]}
     message = refusal(scans_and_reasons, [line])
-    assert_says(message, "surface a: expected a height map", "found none")
+    assert_says(message, "surface a: expected a height map", "found none", "hardcontact predict")
     fine = entry(0.5, 512)  # pixels of 1 pm
     assert_says(refusal(scans_and_reasons, [fine]), "0.05 to 10000 nm")
 

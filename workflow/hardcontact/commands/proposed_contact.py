@@ -245,7 +245,8 @@ def _groups_by_surface(entries: Sequence["Entry"]) -> dict[str, list[Group]]:
             same.append(entry)
     refuse_lines(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
-        f"{least:g} to {most:g} nm, found none"
+        f"{least:g} to {most:g} nm, found none; of line scans alone `hardcontact predict` tells "
+        "force and band"
         for surface, of_it in groups.items()
         if not of_it
     )

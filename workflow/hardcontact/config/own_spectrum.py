@@ -124,7 +124,9 @@ def _is_table(path: Path) -> bool:
             first = file.readline(1024).decode("utf-8-sig", "replace")
     except OSError:
         return False
-    return not {*WAVES, *DENSITIES}.isdisjoint(cell.strip(' "\r\n') for cell in first.split(","))
+    return not {*WAVES, *DENSITIES}.isdisjoint(
+        cell.strip(' "\r\n') for cell in re.split("[,;]", first)
+    )
 
 
 def table_spectrum(path: str | Path) -> Spectrum:

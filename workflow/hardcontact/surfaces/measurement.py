@@ -7,6 +7,7 @@ is used.
 
 import re
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -147,9 +148,7 @@ def _square_pixels(
     for axis, edge in enumerate(edges):
         given = np.arange(values.shape[axis]) * edge
         wanted = np.arange(int(values.shape[axis] * edge / longer * (1 + 1e-9))) * longer
-        values = np.apply_along_axis(
-            lambda line, given=given, wanted=wanted: np.interp(wanted, given, line), axis, values
-        )
+        values = np.apply_along_axis(partial(np.interp, wanted, given), axis, values)
     check_points(values.shape)
     note = f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"
     return _masked(values), longer, [note]

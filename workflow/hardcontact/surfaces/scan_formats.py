@@ -158,9 +158,12 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
     wanted = reader.default_channel if number is None else channels[number]
     names = ", ".join(channel.name for channel in channels)
     if name:
-        channels = [channel for channel in channels if channel.name == name]
+        places = enumerate(channels, 1)
+        channels = [channel for place, channel in places if name in (channel.name, str(place))]
         if not channels:
-            raise RefusedScan(f"expected one of the channels {names}; found {name!r}")
+            raise RefusedScan(
+                f"expected one of the channels {names}, or its number from 1; found {name!r}"
+            )
         wanted = channels[0]
     for channel in (wanted, *channels):
         if channel.is_height_channel and not isinstance(channel.unit, tuple):
