@@ -225,6 +225,16 @@ def test_open_edges_are_no_numbers():
     assert edge["conditional"] is True and edge["edge_at_least"] is True
 
 
+@pytest.mark.parametrize("exact", [0, 1, 2])
+def test_a_fit_that_is_exact_by_construction_tells_no_error(exact):
+    of_two = fit(2)
+    of_two["exact_pairs"][:] = exact
+    page = own_page(own_answer(datasets(2, fit=of_two), setting()))
+    text = re.search('<p id="fit">(.*?)</p>', page, re.DOTALL)[1]
+    assert ("error" in text) == (exact == 0) and ("tests nothing" in text) == (exact > 0)
+    assert ("2 pairs" in text) == (exact == 2)
+
+
 def test_fits_and_pooled_bands_are_among_the_numbers():
     numbers = numbers_of("two substitutes, forces")
     assert numbers["fit"]["origin"] == "measured"
