@@ -87,13 +87,12 @@ def test_what_files_do_not_state_is_given_and_kept(folder, monkeypatch, capsys):
     done = run(monkeypatch, capsys, NAME, "bare.nc")
     assert done.code == 1 and len(done.errors) == 1 and "--unit" in done.errors[0]
     nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
-    options = ("--unit", "um", "--channel", "Sensor")
-    assert "channels Default" in run(monkeypatch, capsys, NAME, "bare.nc", *options).errors[0]
     scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
-    assert run(monkeypatch, capsys, NAME, "bare.nc", *options[:2]).code == 0
-    assert accepted(folder, NAME)[0]["scan"]["unit"] == "um"
-    assert run(monkeypatch, capsys, "other", "a.001", *options[2:]).code == 0
-    assert accepted(folder, "other")[1].dataset.tolist() == ["Sensor"]
+    options = ("--unit", "um", "--channel", "Sensor")
+    done = run(monkeypatch, capsys, NAME, "bare.nc", "a.001", *options)
+    assert done.code == 0, done.errors
+    config, table = accepted(folder, NAME)
+    assert config["scan"]["unit"] == "um" and set(table.dataset) == {"", "Sensor"}
 
 
 def test_everything_that_is_found_is_used(folder, monkeypatch, capsys):

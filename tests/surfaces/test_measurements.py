@@ -248,7 +248,7 @@ def test_the_channel_of_heights_is_read(tmp_path):
     chosen = read_measurement(path, "Height Sensor")
     assert (chosen.channel, chosen.notes) == ("Height Sensor", ())
     assert read_measurement(path, "2").channel == "Height Sensor"
-    assert_says(refusal(read_measurement, path, "Phase"), "heights, found only Phase")
+    assert_says(refusal(read_measurement, path, "Phase"), "a channel of heights, found only")
     message = refusal(read_measurement, path, "Error")
     assert_says(message, "one of the channels Height, Height Sensor, Phase", "'Error'")
     nanoscope(path, counts, (400.0, 400.0), ["Phase"])

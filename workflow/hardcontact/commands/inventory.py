@@ -166,7 +166,7 @@ def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) ->
     radius = tip_radius if stated is None else stated
     return Entry(
         source=source,
-        dataset=dataset,
+        dataset=measurement.dataset,
         channel=measurement.channel,
         file_unit=measurement.file_unit,
         kind=measurement.kind,

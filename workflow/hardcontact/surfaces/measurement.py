@@ -23,7 +23,7 @@ class Measurement:
     """One topography of a file: a map or a line scan."""
 
     path: str
-    dataset: str  #: The data file in a container; empty for any other file.
+    dataset: str  #: The data file in a container, the channel of any other file, or empty.
     channel: str  #: Name of the channel that was read.
     file_unit: str  #: Unit of length that the file, or its container, states.
     kind: str  #: ``"map"`` or ``"profile"``.

@@ -105,7 +105,7 @@ def measurement_of(path: Path, dataset: str, undefined_pixels: str, unit: str) -
     tip_radius, tip = stated_tip_radius(topography.info, entry)
     return {
         "path": str(path),
-        "dataset": dataset,
+        "dataset": dataset if entry or len(reader.channels) > 1 else "",
         "channel": channel.name,
         "file_unit": topography.unit,
         "kind": "map" if is_map else "profile",
@@ -144,8 +144,9 @@ def _opened(path: Path, dataset: str) -> tuple[Any, dict[str, Any]]:
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
     """Return the channel of a name or that the container names, or the reader's own, if of heights.
 
-    Without a name it is otherwise the first that holds some, and a note says so. Of Nanoscope files
-    phases and voltages are channels of heights too, with a pair of units: of pixels and of values.
+    A name counts where there are several. Without a name it is otherwise the first that holds some,
+    and a note says so. Of Nanoscope files phases and voltages are channels of heights too, with a
+    pair of units: of pixels and of values.
     """
     channels = reader.channels
     if not channels:
@@ -157,7 +158,7 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
         )
     wanted = reader.default_channel if number is None else channels[number]
     names = ", ".join(channel.name for channel in channels)
-    if name:
+    if name and len(channels) > 1:  # Else there is nothing to choose.
         places = enumerate(channels, 1)
         channels = [channel for place, channel in places if name in (channel.name, str(place))]
         if not channels:
@@ -169,7 +170,7 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
         if channel.is_height_channel and not isinstance(channel.unit, tuple):
             chosen = f"channel {channel.name} read: {wanted.name} holds no heights"
             return channel, [] if channel.index == wanted.index else [chosen]
-    raise RefusedScan(f"expected a channel of heights, found only {name or names}")
+    raise RefusedScan(f"expected a channel of heights, found only {names}")
 
 
 def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
