@@ -12,8 +12,19 @@ from hardcontact.numbers.random import generator
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import independent_waves
+from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 NAMES = ["large.spm", "small.spm", "line.txt"]
+
+
+def test_a_half_decade_in_which_two_scans_differ_is_named():
+    density = np.tile(uncd(BIN_CENTRES), (2, 1))
+    wavelength = 2 * np.pi / BIN_CENTRES
+    reliable = (wavelength > 50) & (wavelength < 5000) & np.ones((2, 1), bool)  # 20 bins
+    density[1, (wavelength > 50) & (wavelength < 150)] *= 0.01  # a blunt tip
+    (pair,) = contradictions(density, reliable, np.full(density.shape, 100.0))
+    assert pair[:2] == (0, 1) and pair.factor == pytest.approx(100, rel=0.05)
+    assert pair.longest < 160
 
 
 def found(seed, heights=1.0):

@@ -20,6 +20,9 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, of measurements of many waves.
 ERRORS = 4
 
+#: Bins in half a decade.
+HALF_DECADE = 5
+
 
 class Contradiction(NamedTuple):
     """Two measurements, by their place, the first of which has the higher spectrum."""
@@ -48,9 +51,8 @@ def contradictions(
     """Return which measurements contradict each other, the largest factor first.
 
     The arrays (measurement, bins) are C_iso in nm⁴, whether it is reliable, and numbers of
-    independent waves. Bins count by the inverse variance of their difference, as in the joined
-    spectrum. The calibration of a microscope is wrong at all its wavelengths alike: no number of
-    bins averages it out.
+    independent waves. Compared are all bins that two measurements share, and each half decade of
+    them; what is told is the part in which they differ by most standard errors.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
@@ -58,14 +60,24 @@ def contradictions(
     found = []
     for one, other in combinations(range(len(logs)), 2):
         (bins,) = np.nonzero(usable[one] & usable[other])
-        if not bins.size:
-            continue
-        variance = (scatter[one] + scatter[other])[bins]
-        weight = 1 / (variance + 2 * CALIBRATION**2)
-        weight /= weight.sum()
-        difference = float(weight @ (logs[one] - logs[other])[bins])
-        if abs(difference) > ERRORS * np.sqrt(weight**2 @ variance + 2 * CALIBRATION**2):
-            pair = (one, other) if difference > 0 else (other, one)
-            ends = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
-            found.append(Contradiction(*pair, float(np.exp(abs(difference))), *map(float, ends)))
+        difference, variance = logs[one] - logs[other], scatter[one] + scatter[other]
+        parts = [bins, *(bins[k : k + HALF_DECADE] for k in range(len(bins) - HALF_DECADE + 1))]
+        compared = [(*_mean(difference[part], variance[part]), part) for part in parts if part.size]
+        for mean, error, part in sorted(compared, key=lambda one: -abs(one[0]) / one[1])[:1]:
+            if abs(mean) > ERRORS * error:
+                pair = (one, other) if mean > 0 else (other, one)
+                ends = 2 * np.pi / BIN_CENTRES[part[[-1, 0]]]
+                found.append(Contradiction(*pair, float(np.exp(abs(mean))), *map(float, ends)))
     return sorted(found, key=lambda pair: -pair.factor)
+
+
+def _mean(difference: Floats, variance: Floats) -> tuple[float, float]:
+    """Return the mean difference of ln C over bins, of these variances, and its standard error.
+
+    Bins count as in the joined spectrum. The calibration of a microscope is wrong at all its
+    wavelengths alike: no number of bins averages it out.
+    """
+    weight = 1 / (variance + 2 * CALIBRATION**2)
+    weight /= weight.sum()
+    error = np.sqrt(weight**2 @ variance + 2 * CALIBRATION**2)
+    return float(weight @ difference), float(error)
