@@ -218,6 +218,15 @@ def test_a_verdict_without_a_band_has_no_edges():
     Draft202012Validator(schema).validate(as_plain(unresolved))
 
 
+def test_measurements_that_contradict_each_other_are_told():
+    data = spectra()
+    data["psd"][0, 2] *= 100
+    odd = own_answer(datasets(spectra=data), setting())
+    assert "contradict" in own_page(odd) and "contradict" not in html("one")
+    schema = json.loads((ROOT / "workflow/schemas/answer_surfaces.schema.json").read_text())
+    Draft202012Validator(schema).validate(as_plain(odd))
+
+
 def test_open_edges_are_no_numbers():
     edge = numbers_of("one, open, one force")["surfaces"]["my_coating"]["band"]["large"]
     assert edge["edge"]["value"] is None and edge["bound"]["value"] == 2560.0

@@ -97,6 +97,12 @@ def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
     turned = scan(tmp_path / "b.nc", values[:, ::2][:, :24], (480.0, 720.0))  # 10 nm x 30 nm
     measured = read_measurement(turned, "", "harmonic")
     assert (measured.pixel_size, measured.heights.shape) == (pytest.approx(30.0), (16, 16))
+    # A text that was cut short looks alike, so that texts must have square pixels.
+    whole = map_of(heights(64, 64))
+    whole.to_matrix(str(tmp_path / "a.asc"))
+    lines = (tmp_path / "a.asc").read_text().splitlines()
+    (tmp_path / "a.asc").write_text("\n".join(lines[: len(lines) // 2]))
+    assert_says(refusal(read_measurement, tmp_path / "a.asc"), "square pixels", "lost lines")
     flat = scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
     assert_says(refusal(read_measurement, flat), "16 to 8192 pixels", "found 3 x 32")
 

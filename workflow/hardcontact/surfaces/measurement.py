@@ -43,6 +43,8 @@ FILE_LIMIT = 2**30
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTHS = (1e-3, 1e7)
+#: By what share edges of a square pixel may differ.
+OBLONG = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MOST_UNDEFINED = 0.5
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
@@ -142,7 +144,7 @@ def _square_pixels(
     if not 0 < edges.min() <= longer < np.inf:
         found = " nm x ".join(f"{edge:.6g}" for edge in edges)
         raise RefusedScan(f"expected pixels of positive edges, found {found} nm")
-    if longer <= 1.001 * edges.min():
+    if longer <= (1 + OBLONG) * edges.min():
         return heights, float(edges.mean()), []
     values = heights.filled(np.nan)
     for axis, edge in enumerate(edges):

@@ -16,13 +16,15 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import yaml
 from SurfaceTopography import open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
-from SurfaceTopography.IO import XYZReader
+from SurfaceTopography.IO import AscReader, XYZReader
 
 from hardcontact.surfaces.measurement import (
     FILE_LIMIT,
+    OBLONG,
     RefusedScan,
     check_points,
     map_values,
@@ -101,6 +103,8 @@ def measurement_of(path: Path, dataset: str, undefined_pixels: str, unit: str) -
     stated = [f"{', '.join(stated)} as {origin}".replace("_", " ")] if stated else []
     factor = unit_in_nm(topography.unit)
     is_map = topography.dim == 2
+    if is_map and isinstance(reader, AscReader):
+        _check_lines(topography)
     values = (map_values if is_map else profile_values)(topography, factor, undefined_pixels)
     tip_radius, tip = stated_tip_radius(topography.info, entry)
     return {
@@ -197,6 +201,16 @@ def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
                 stated[argument] = value
     said = [f"{STATED[argument]} {value}" for argument, value in stated.items()]
     return _with_positions(channel, channel.topography(**stated), stated), said
+
+
+def _check_lines(matrix: Any) -> None:
+    """Refuse a text whose pixels are not square: it has no count of lines, and may be cut short."""
+    along_x, along_y = np.divide(matrix.physical_sizes, matrix.nb_grid_pts)
+    if abs(along_x / along_y - 1) > OBLONG:
+        raise RefusedScan(
+            f"expected square pixels of a text, which has lost lines else, found {along_x:.6g} "
+            f"{matrix.unit} x {along_y:.6g} {matrix.unit}"
+        )
 
 
 def _check_stated(size: tuple[float, ...] | None, scale: float | None, dimensions: int) -> None:
