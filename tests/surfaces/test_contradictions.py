@@ -11,7 +11,6 @@ from refusals import assert_says
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.measured_spectrum import independent_waves
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
 NAMES = ["large.spm", "small.spm", "line.txt"]
@@ -22,7 +21,7 @@ def test_a_half_decade_in_which_two_scans_differ_is_named():
     wavelength = 2 * np.pi / BIN_CENTRES
     reliable = (wavelength > 50) & (wavelength < 5000) & np.ones((2, 1), bool)  # 20 bins
     density[1, (wavelength > 50) & (wavelength < 150)] *= 0.01  # a blunt tip
-    (pair,) = contradictions(density, reliable, np.full(density.shape, 100.0))
+    (pair,) = contradictions(density, reliable, ["map", "map"], [50e3, 50e3])
     assert pair[:2] == (0, 1) and pair.factor == pytest.approx(100, rel=0.05)
     assert pair.longest < 160
 
@@ -36,8 +35,7 @@ def found(seed, heights=1.0):
     ]
     scans[1] = replace(scans[1], heights=heights * scans[1].heights)
     joined = joined_spectrum(scans, [None] * 3)
-    waves = np.array(list(map(independent_waves, scans)))
-    return contradictions(joined["psd"].values, joined["reliable"].values == 1, waves)
+    return contradictions(*(joined[name].values for name in ("psd", "reliable", "kind", "size")))
 
 
 def test_scans_of_one_surface_agree_within_their_scatter_and_calibration():

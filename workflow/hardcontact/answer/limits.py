@@ -23,7 +23,6 @@ from hardcontact.answer.surface_facts import EDGES, edge_fact, resolves_nothing
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs
 from hardcontact.surfaces.contradictions import contradictions
-from hardcontact.surfaces.measured_spectrum import waves_in_bins
 
 Limit = Mapping[str, Any]
 
@@ -238,9 +237,7 @@ def _contradictions(spectra: xr.Dataset) -> list[Limit]:
     """Return the two measurements of a surface that contradict each other most, if any do."""
     all_scans = measurements(spectra)
     found = contradictions(
-        all_scans["psd"].values,
-        all_scans["reliable"].values == 1,
-        np.array(list(map(waves_in_bins, all_scans["kind"].values, all_scans["size"].values))),
+        *(all_scans[name].values for name in ("psd", "reliable", "kind", "size"))
     )
     return [
         {

@@ -14,7 +14,7 @@ from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
-from hardcontact.surfaces.measured_spectrum import measured_psd, waves_in_bins
+from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
@@ -145,8 +145,9 @@ def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
         scans = [entry for entry in entries if entry.source.surface == surface]
         found = contradictions(
             np.array([scan.density for scan in scans]),
-            np.array([scan.reliable for scan in scans]),
-            np.array([waves_in_bins(scan.kind, scan.size) for scan in scans]),
+            [scan.reliable for scan in scans],
+            [scan.kind for scan in scans],
+            [scan.size for scan in scans],
         )
         yield from told_contradictions(found, [scan.name for scan in scans])
 

@@ -16,11 +16,7 @@ from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
-from hardcontact.surfaces.measured_spectrum import (
-    isotropic_from_profile,
-    size_of,
-    waves_in_bins,
-)
+from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scans import flat_measurement, list_measurements
@@ -102,11 +98,7 @@ def own_spectrum(
             *(joined[name].values for name in OF_MEASUREMENT), strict=True
         )
     ]
-    found = contradictions(
-        joined.psd.values,
-        joined.reliable.values == 1,
-        np.array([waves_in_bins(one.kind, size_of(one)) for one in measurements]),
-    )
+    found = contradictions(*(joined[name].values for name in ("psd", "reliable", "kind", "size")))
     names = [f"{one.path} {one.dataset}".strip() for one in measurements]
     notes += [f"take care: {line}" for line in told_contradictions(found, names)]
     return OwnSpectrum(spectrum_from(joined) if continued else reliable, tuple(notes))

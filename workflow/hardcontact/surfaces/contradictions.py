@@ -4,16 +4,16 @@ A joined spectrum is the mean of its measurements, whatever these say: of two th
 decades, for a wrong unit or another specimen, it is a spectrum that neither has.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike
 
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import CALIBRATION
-from hardcontact.surfaces.measured_spectrum import bias_of_log, variance_of_log
+from hardcontact.surfaces.measured_spectrum import bias_of_log, variance_of_log, waves_in_bins
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
 
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
@@ -46,15 +46,17 @@ def told_contradictions(found: Sequence[Contradiction], names: Sequence[str]) ->
 
 
 def contradictions(
-    density: Floats, reliable: NDArray[np.bool_], waves: Floats
+    density: Floats, reliable: ArrayLike, kinds: Iterable[str], sizes: Iterable[float]
 ) -> list[Contradiction]:
     """Return which measurements contradict each other, the largest factor first.
 
-    The arrays (measurement, bins) are C_iso in nm⁴, whether it is reliable, and numbers of
-    independent waves. Compared are all bins that two measurements share, and each half decade of
-    them; what is told is the part in which they differ by most standard errors.
+    The arrays (measurement, bins) are C_iso in nm⁴ and whether it is reliable; kinds and sizes (nm)
+    are those of the measurements, as of `waves_in_bins`. Compared are all bins that two of them
+    share, and each half decade of these; what is told is the part in which they differ by most
+    standard errors.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
+    waves = np.array(list(map(waves_in_bins, kinds, sizes)))
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
     scatter = variance_of_log(waves)
     found = []
@@ -63,7 +65,7 @@ def contradictions(
         difference, variance = logs[one] - logs[other], scatter[one] + scatter[other]
         parts = [bins, *(bins[k : k + HALF_DECADE] for k in range(len(bins) - HALF_DECADE + 1))]
         compared = [(*_mean(difference[part], variance[part]), part) for part in parts if part.size]
-        for mean, error, part in sorted(compared, key=lambda one: -abs(one[0]) / one[1])[:1]:
+        for mean, error, part in sorted(compared, key=lambda part: -abs(part[0]) / part[1])[:1]:
             if abs(mean) > ERRORS * error:
                 pair = (one, other) if mean > 0 else (other, one)
                 ends = 2 * np.pi / BIN_CENTRES[part[[-1, 0]]]
