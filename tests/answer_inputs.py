@@ -309,6 +309,7 @@ def fit(count=1):
             best_range=("contact_model", RANGE * best * np.ones(2), {"units": "nm"}),
             best_work=("contact_model", WORK * best * np.array([0.5, 1]), {"units": "J m-2"}),
             best_error=("contact_model", 0.05 * best * np.ones(2)),
+            exact_pairs=("contact_model", [0, 0]),
             region_range=(("contact_model", "bound"), [[3.2, np.nan]] * 2),
             region_work=(("contact_model", "bound"), np.full((2, 2), np.nan)),
             region_status=(("contact_model", "bound"), [["found", "open"]] * 2),

@@ -1,5 +1,7 @@
 """Entries of an inventory, as scans of any size would give them, and a proposal's configuration."""
 
+import numpy as np
+from random_scans import uncd
 from repository import PAPER, SCHEMAS
 
 from hardcontact.commands.inventory import Entry
@@ -10,6 +12,18 @@ from hardcontact.commands.request import Source
 from hardcontact.config.configuration import configuration
 from hardcontact.config.limits import check_grids
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.spectrum import BIN_CENTRES
+
+#: Width of a bin in ln q.
+BIN = np.log(10) / 10
+
+
+def density(size, pixel, rms):
+    """C_iso (bins,) in nm4 of an rms height, between two pixels and the size of a scan."""
+    wavelength = 2 * np.pi / BIN_CENTRES
+    values = uncd(BIN_CENTRES)
+    values[(wavelength < 2 * pixel) | (wavelength > size)] = np.nan
+    return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
 
 
 def entry(size=2500.0, pixels=512, rms=17.0, **others):
@@ -21,7 +35,7 @@ def entry(size=2500.0, pixels=512, rms=17.0, **others):
         "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
         "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
         "band": ReliableBand(4 * pixel, size / 3, "pixels"),
-        "undefined": 0, "notes": (),
+        "density": density(size, pixel, rms), "undefined": 0, "notes": (),
     }  # fmt: skip
     return Entry(
         source=Source(name, name, path, path), pixels=pixels, pixel_size=pixel, rms_height=rms,

@@ -177,7 +177,12 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 
 def test_scripts_give_the_same_numbers(script):
-    how = {"undefined_pixels": "refuse", "levelling": "plane", "sphere_radius": None}
+    how = {
+        "undefined_pixels": "refuse",
+        "unit": "none",
+        "levelling": "plane",
+        "sphere_radius": None,
+    }
     outputs = {"scan": "levelled.nc", "stitched": "stitched.nc"}
     script("prepare_scan", how | {"dataset": ""}, {"scan": "scan.nc"}, **outputs)
     scan, levelled = hc.read_scan("scan.nc"), read_height_map("levelled.nc")

@@ -7,16 +7,19 @@ import pytest
 import xarray as xr
 
 from hardcontact.adhesion.finite_scan import (
+    LARGE_ENOUGH,
     RATIOS,
-    finite_scan,
+    finite_scan_ratio,
     with_contact_area,
     with_finite_scans,
     with_window_share,
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.geometry import bodies
+from hardcontact.insight.summits import banded, draw_size, moment
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
@@ -46,25 +49,25 @@ def force_ratio(rms_height, pixels):
 
 @pytest.mark.parametrize("rms_height, pixels", [(17.0, 32), (17.0, 64), (2.0, 64), (0.3, 64)])
 def test_forces_on_windows_exceed_those_on_large_surfaces_as_measured(rms_height, pixels):
-    least, greatest = finite_scan(pixels * PIXEL, rms_height, RADIUS).ratio
+    spectrum = Spectrum(WAVEVECTORS, smooth_rolloff(WAVEVECTORS, 1.0, 930.0, 0.84))
+    known = banded(spectrum, 2 * np.pi / 10e3, np.pi / PIXEL)
+    scaled = Spectrum(known.wavevector, known.density * rms_height**2 / moment(known, 0))
+    least, greatest = finite_scan_ratio(pixels * PIXEL, draw_size(scaled, RADIUS, 400.0))
     # Twenty windows, whose forces scatter by a factor of two about their mean.
     assert 0.75 * least < force_ratio(rms_height, pixels) < 1.25 * greatest
 
 
 def test_a_large_scan_is_large_enough():
-    found = finite_scan(12e3, 17.0, RADIUS)
-    assert found.draw_size == pytest.approx(2 * np.sqrt(2 * 250e3 * 17))
-    assert found.share > max(RATIOS) and found.ratio == (1.0, 1.0)
+    assert finite_scan_ratio(LARGE_ENOUGH * 3e3, 3e3) == finite_scan_ratio(100.0, 0) == (1, 1)
+    assert finite_scan_ratio(0.9 * LARGE_ENOUGH * 3e3, 3e3) == RATIOS[LARGE_ENOUGH]
 
 
 def test_every_surface_has_its_draw_size_and_its_ratios():
-    sizes = xr.Dataset(
-        {"scan_size": ("surface", [1000.0, 12e3]), "rms_height_mean": ("surface", [17.0, 17.0])},
-        {"surface": ["a", "b"]},
-    )
-    found = with_finite_scans(xr.Dataset(coords={"surface": ["b", "a"]}), sizes, RADIUS)
-    np.testing.assert_allclose(found.draw_size, 2 * np.sqrt(2 * RADIUS * 17))
-    np.testing.assert_array_equal(found.finite_scan_ratio, [[1, 1], [2, 4]])
+    sizes = xr.Dataset({"scan_size": ("surface", [1000.0, 12e3])}, {"surface": ["a", "b"]})
+    drawn = {"a": 3000.0, "b": 4000.0}
+    found = with_finite_scans(xr.Dataset(coords={"surface": ["b", "a"]}), sizes, drawn)
+    assert found.draw_size.values.tolist() == [4000, 3000]
+    np.testing.assert_array_equal(found.finite_scan_ratio, [[1, 1], RATIOS[0.5]])
 
 
 def test_a_window_holds_what_a_sum_over_its_pixels_finds():

@@ -16,6 +16,7 @@ from answer_inputs import (
     with_edge,
 )  # fmt: skip
 
+from hardcontact.adhesion.finite_scan import LEAST_TRIED
 from hardcontact.answer.artificial import measurement_name
 from hardcontact.answer.limits import grave_limits, limits
 
@@ -59,7 +60,7 @@ def test_finite_scans_have_their_numbers():
     assert found["share"].value == 0.25 and found["tried"] is None
     assert (found["ratio"].low, found["ratio"].high) == (2.0, 4.0)
     tiny = small.assign(draw_size=("surface", [64e3]))
-    assert named("small_scan", force=tiny)[0]["tried"].value == 0.125
+    assert named("small_scan", force=tiny)[0]["tried"].value == LEAST_TRIED
     assert not named("small_scan")
 
 
@@ -96,6 +97,16 @@ def test_edges_between_cutoffs_far_apart_are_named():
     assert found["side"] == "small"
     assert (found["between"].low, found["between"].high) == (20.0, 80.0)
     assert not named("sparse_cutoffs") and not named("sparse_cutoffs", edges=open_edges())
+
+
+def test_measurements_that_contradict_each_other_are_named():
+    data = spectra()
+    data["psd"][0, 2] *= 100  # of the line scan, which shares wavelengths with coarse.spm alone
+    (found,) = named("contradiction", spectra=data)
+    assert [name.split("/")[-1] for name in found["measurements"]] == ["line.txt", "coarse.spm"]
+    assert found["factor"].value == pytest.approx(100, rel=0.2) and found["others"] == 0
+    assert 790 < found["band"].low < found["band"].high < 5100
+    assert not named("contradiction")
 
 
 def test_what_changes_the_force_is_grave():

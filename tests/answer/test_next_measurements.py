@@ -14,10 +14,8 @@ from answer_inputs import (
     unresolved_edges,
 )
 
-from hardcontact.adhesion.finite_scan import finite_scan
+from hardcontact.adhesion.finite_scan import LARGE_ENOUGH
 from hardcontact.answer.next_measurements import WORTH, next_measurements
-
-RADIUS, RMS_HEIGHT = 250e3, 6.2
 
 
 def proposed(own=None, **others):
@@ -70,11 +68,11 @@ def test_where_nothing_matters_a_finer_map_is_asked_for_and_no_larger_one():
 
 
 def test_a_map_is_to_be_as_large_as_contacts_need():
-    needed = 2 * 2 * np.sqrt(2 * RADIUS * RMS_HEIGHT)  # two draw sizes: 7 µm
-    assert needed == pytest.approx(2 * finite_scan(1.0, RMS_HEIGHT, RADIUS).draw_size)
-    assert proposed()["larger_map"]["size"].value == pytest.approx(needed)
-    large = datasets().topography.assign(scan_size=("surface", [8e3]))
-    assert "larger_map" not in proposed(topography=large)
+    drawn = force().assign(draw_size=("surface", [4000.0]))
+    found = proposed(force=drawn)["larger_map"]
+    assert found["size"].value == 4000 * LARGE_ENOUGH
+    large = datasets().topography.assign(scan_size=("surface", [4001 * LARGE_ENOUGH]))
+    assert "larger_map" not in proposed(force=drawn, topography=large)
 
 
 def test_pixels_are_to_resolve_the_contact():

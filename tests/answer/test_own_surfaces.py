@@ -218,11 +218,30 @@ def test_a_verdict_without_a_band_has_no_edges():
     Draft202012Validator(schema).validate(as_plain(unresolved))
 
 
+def test_measurements_that_contradict_each_other_are_told():
+    data = spectra()
+    data["psd"][0, 2] *= 100
+    odd = own_answer(datasets(spectra=data), setting())
+    assert "contradict" in own_page(odd) and "contradict" not in html("one")
+    schema = json.loads((ROOT / "workflow/schemas/answer_surfaces.schema.json").read_text())
+    Draft202012Validator(schema).validate(as_plain(odd))
+
+
 def test_open_edges_are_no_numbers():
     edge = numbers_of("one, open, one force")["surfaces"]["my_coating"]["band"]["large"]
     assert edge["edge"]["value"] is None and edge["bound"]["value"] == 2560.0
     assert edge["edge"]["interval"] == [None, None] and edge["status"] == "beyond the cell"
     assert edge["conditional"] is True and edge["edge_at_least"] is True
+
+
+@pytest.mark.parametrize("exact", [0, 1, 2])
+def test_a_fit_that_is_exact_by_construction_tells_no_error(exact):
+    of_two = fit(2)
+    of_two["exact_pairs"][:] = exact
+    page = own_page(own_answer(datasets(2, fit=of_two), setting()))
+    text = re.search('<p id="fit">(.*?)</p>', page, re.DOTALL)[1]
+    assert ("error" in text) == (exact == 0) and ("tests nothing" in text) == (exact > 0)
+    assert ("2 pairs" in text) == (exact == 2)
 
 
 def test_fits_and_pooled_bands_are_among_the_numbers():

@@ -1,17 +1,23 @@
 """Which scans make contacts: on what is known of several sizes."""
 
-from own_entries import entry
+from own_entries import entry, probe
 from refusals import assert_says, refusal
 
-from hardcontact.commands.proposed_contact import contact_scans
+from hardcontact.commands.proposed_contact import contact_scans, draw_sizes
 from hardcontact.surfaces.reliable_band import ReliableBand
 
 RADIUS, RHO = 250e3, 5.6
 
 
+def scans_and_reasons(entries, sphere=None, radius=RADIUS):
+    """Return what `contact_scans` does for the draw sizes of these scans."""
+    asked = probe(radius, rho=RHO)
+    return contact_scans(entries, sphere, asked, draw_sizes(entries, sphere, asked))
+
+
 def sizes(entries, sphere=None, radius=RADIUS):
     """Return the sizes of the scans chosen, by surface."""
-    chosen, _ = contact_scans(entries, sphere, radius, RHO)
+    chosen, _ = scans_and_reasons(entries, sphere, radius)
     return {
         name: [round(one.size) for one in chosen if one.source.surface == name]
         for name in dict.fromkeys(one.source.surface for one in entries)
@@ -43,10 +49,10 @@ def test_scans_without_a_reliable_wavelength_come_last():
 def test_line_scans_make_no_contacts():
     line = entry(1e5, 3000, kind="profile")
     assert sizes([line, entry()]) == {"a": [2500]}
-    message = refusal(contact_scans, [line], None, RADIUS, RHO)
-    assert_says(message, "surface a: expected a height map", "found none")
+    message = refusal(scans_and_reasons, [line])
+    assert_says(message, "surface a: expected a height map", "found none", "hardcontact predict")
     fine = entry(0.5, 512)  # pixels of 1 pm
-    assert_says(refusal(contact_scans, [fine], None, RADIUS, RHO), "0.05 to 10000 nm")
+    assert_says(refusal(scans_and_reasons, [fine]), "0.05 to 10000 nm")
 
 
 def test_surfaces_are_compared_on_one_grid():
@@ -70,7 +76,7 @@ def test_the_sphere_follows_the_substrates():
 
 
 def test_the_reason_is_said():
-    _, (reason,) = contact_scans([entry(5000, rms=4.0), entry(500)], None, RADIUS, RHO)
+    _, (reason,) = scans_and_reasons([entry(5000, rms=4.0), entry(500)])
     assert_says(reason, "a: the scan of 5 µm", "512 pixels")
-    _, (reason,) = contact_scans([entry(), entry()], None, RADIUS, RHO)
+    _, (reason,) = scans_and_reasons([entry(), entry()])
     assert_says(reason, "the 2 scans of 2.5 µm", "no others")

@@ -8,7 +8,7 @@ import pytest
 import yaml
 from refusals import assert_says
 from repository import PAPER, ROOT, SCHEMAS, merged
-from scan_files import container, scan
+from scan_files import container, nanoscope, scan
 
 from hardcontact.commands import new, request
 from hardcontact.config import checks, configuration
@@ -80,6 +80,19 @@ def test_one_scan(folder, monkeypatch, capsys):
     assert quick["study"] == f"{NAME}-quick" and quick["store"] == f"{config['store']}-quick"
     # Reading the written files again makes the same study.
     assert accepted(folder, NAME)[0] == config
+
+
+def test_what_files_do_not_state_is_given_and_kept(folder, monkeypatch, capsys):
+    scan(folder / "bare.nc", rough(), (2.5, 2.5), unit=None)
+    done = run(monkeypatch, capsys, NAME, "bare.nc")
+    assert done.code == 1 and len(done.errors) == 1 and "--unit" in done.errors[0]
+    nanoscope(folder / "a.001", 10 * rough(), (2500.0, 2500.0), ["Height", "Sensor"])
+    scan(folder / "bare.nc", 1e-3 * rough(seed=2), (2.5, 2.5), unit=None)
+    options = ("--unit", "um", "--channel", "Sensor")
+    done = run(monkeypatch, capsys, NAME, "bare.nc", "a.001", *options)
+    assert done.code == 0, done.errors
+    config, table = accepted(folder, NAME)
+    assert config["scan"]["unit"] == "um" and set(table.dataset) == {"", "Sensor"}
 
 
 def test_everything_that_is_found_is_used(folder, monkeypatch, capsys):
@@ -195,6 +208,9 @@ def test_a_study_is_replaced_only_when_told(folder, monkeypatch, capsys):
     assert (folder / f"config/{NAME}.yaml").read_text() == "mine"
     assert run(monkeypatch, capsys, NAME, "one.nc", "--overwrite").code == 0
     accepted(folder, NAME)
+    (folder / "results/kept-quick").mkdir(parents=True)
+    done = run(monkeypatch, capsys, "kept", "one.nc")
+    assert len(done.errors) == 1 and "results/kept-quick: expected none" in done.errors[0]
     done = run(monkeypatch, capsys, "config", "one.nc", "--overwrite")
     assert done.code == 1 and "the project's" in done.errors[0]
 

@@ -161,7 +161,7 @@ def test_too_small_a_scan_is_said_with_numbers():
     said = " ".join(propose([entry(100, 512, 4.7)], None, probe()).cautions)
     # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
     assert f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force" in said
-    assert "within some 3.07 µm" in said  # 2 sqrt(2 R 4.7 nm)
+    assert "the scans are 100 nm wide" in said and "8 to 17 times too high" in said
     assert not propose([entry(10000, 512, 14)], None, probe()).cautions
 
 

@@ -49,6 +49,15 @@ def test_a_spreadsheet_s_mark_and_line_ends_do_not_matter(tmp_path):
     assert measured_forces(path, SURFACES)["mean"].tolist() == [1e-9]
 
 
+def test_semicolons_may_stand_between_decimal_commas(table):
+    commas = table("surface;mean;median;count;unit", "bare;11,749;1,0591e1;40;uN")
+    assert measured_forces(commas, SURFACES).iloc[0].tolist() == ["bare", 1.1749e-5, 1.0591e-5, 40]
+    points = table("surface;value;unit", "bare;11.5;uN")
+    assert measured_forces(points, SURFACES)["mean"].tolist() == [1.15e-5]
+    (said,) = problems(table("surface,value,unit", "bare,11,749,uN"))
+    assert_says(said, "line 2", "expected 3 cells, found 4", "semicolons")
+
+
 def test_all_problems_are_told_at_once_each_with_its_line(table):
     path = table(
         "surface,value,unit",

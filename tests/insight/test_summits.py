@@ -1,13 +1,16 @@
 """The highest summits: densities of smooth surfaces, Gumbel's law, the bearing area."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from known_spectra import rough, rounded
 from scipy import integrate, stats
 
 from hardcontact.insight import summits
-from hardcontact.insight.summits import banded, moment
+from hardcontact.insight.summits import banded, draw_size, moment
 from hardcontact.numbers.random import generator
+from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
@@ -97,3 +100,22 @@ def test_a_sphere_follows_flat_waves():
 def test_mean_is_weighted():
     approaches = summits.Approaches(np.array([1.0, 3.0]), np.array([0.25, 0.75]), 5.0)
     assert approaches.mean() == 2.5 and approaches.mean([0, 4]) == 3
+
+
+@pytest.mark.parametrize(("rms_height", "radius"), [(4.0, 50e3), (8.0, 20e3), (2.0, 100e3)])
+def test_the_highest_points_lie_within_the_draw_size_of_the_apex(rms_height, radius):
+    pixels, pixel = 256, 40.0
+    q = np.geomspace(2 * np.pi / (pixels * pixel), np.pi / pixel, 300)
+    known = Spectrum(q, smooth_rolloff(q, 1.0, 930.0, 0.84))
+    known = Spectrum(q, known.density * rms_height**2 / moment(known, 0))
+    place = pixel * (np.arange(pixels) - pixels // 2)
+    squares = place[:, None] ** 2 + place**2
+    distances = []
+    for draw in range(60):
+        heights = random_surface(generator(3, draw), pixels, pixel, known).heights
+        heights = rms_height / heights.std() * heights
+        for shift in product((0, 85, 170), repeat=2):  # the surface is periodic
+            above = np.roll(heights, shift, (0, 1)) - squares / (2 * radius)
+            distances.append(squares.flat[above.argmax()])
+    reach = draw_size(known, radius, 0.0) / 2
+    assert np.sqrt(np.mean(distances)) == pytest.approx(reach, rel=0.15)

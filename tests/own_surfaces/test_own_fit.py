@@ -73,6 +73,16 @@ def test_without_scatter_range_and_work_are_recovered():
         assert 0.97 * known < low < 1.01 * known and 0.99 * known < high < 1.03 * known
 
 
+def test_two_forces_fit_two_unknowns_by_construction():
+    rng = np.random.default_rng(0)
+    forces = drawn_tests(rng)
+    fit = fitted(0)
+    assert fit.exact_pairs == 1 and fit.best_error.isnull() and fit.best_range.notnull()
+    beyond = forces.assign(mean=forces["mean"] * np.where(forces.surface == "a", 1e4, 1))
+    fit = fit_measured(adhesion(rng), beyond, SIZES, SAMPLING).sel(contact_model="plastic")
+    assert fit.exact_pairs == 0 and fit.best_error > 0.1  # no range has this ratio of forces
+
+
 def test_the_region_holds_the_truth_in_nineteen_of_twenty_draws():
     assert sum(holds(fitted(seed)) for seed in range(20)) >= 19
 

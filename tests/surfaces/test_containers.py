@@ -139,6 +139,13 @@ def test_archives_are_held_against_limits_before_they_are_read(tmp_path, member)
     assert_says(refusal(scans.read_scan, path, member), "each file once")
 
 
+def repeated(member, count):
+    """A meta.yml in which many scans have one data file."""
+    (entry,) = yaml.safe_load(meta(member))["surfaces"][0]["topographies"]
+    entries = [entry | {"name": f"scan {number}"} for number in range(count)]
+    return json.dumps({"surfaces": [{"topographies": entries}]})
+
+
 ALIASES = "a0: &a0 [x]\n" + "".join(
     f"a{k}: &a{k} [{', '.join([f'*a{k - 1}'] * 9)}]\n" for k in range(1, 12)
 )
@@ -161,9 +168,14 @@ def aliased(key):
         ("surfaces: [{topographies: [{name: &n one}]}]\n---\nb: *n", "lists surfaces"),
         ("", "lists surfaces"),
         (b"\xff\xfe\x00", "lists surfaces"),
-        (meta("a.txt", size=[float("inf")] * 2), "pixels and differences of height"),
+        (meta("a.txt", size=[float("inf")] * 2), "2 positive numbers"),
+        (meta("a.txt", size=[320.0]), "2 positive numbers"),
         (meta("a.txt", size=[1e30] * 2), "pixels and differences of height"),
-        (meta("a.txt", size=[-1, -1]), "square pixels"),
+        (meta("a.txt", size=[-1, -1]), "2 positive numbers"),
+        (meta("a.txt", height_scale=-1), "a positive height scale"),
+        (meta("a.txt", height_scale=float("nan")), "a positive height scale"),
+        (meta("a.txt", data_source=99), "a data_source from 0 to 0"),
+        (repeated("a.txt", 3000), "a.txt 3000 times"),
         (meta("a.txt", height_scale=1e30), "pixels and differences of height"),
         (meta("a.txt", height_scale=1e6), "a mean slope of at most 10"),
         (meta("b\n\033[31m.txt"), "the data file b [31m.txt"),

@@ -84,6 +84,54 @@ def test_gaps_of_a_map_are_filled_harmonically(tmp_path, form):
     assert "21 undefined pixels of 1024 filled" in measured.notes
 
 
+def test_pixels_that_are_not_square_are_resampled_on_the_longer_edge(tmp_path):
+    x, y = np.mgrid[:48, :64]
+    values = np.ma.masked_array(0.3 * x - 0.2 * y, False)  # linear: interpolation is exact
+    values[20, 31] = np.ma.masked
+    file = scan(tmp_path / "a.nc", values, (960.0, 640.0))  # 20 nm x 10 nm
+    measured = read_measurement(file, "", "harmonic")
+    assert measured.pixel_size == pytest.approx(20.0) and measured.undefined == 0
+    expected = (0.3 * x - 0.2 * y)[8:40, ::2].T
+    np.testing.assert_allclose(measured.heights, expected, atol=1e-9)
+    assert measured.notes[0] == "resampled from pixels of 20 nm x 10 nm to 20 nm"
+    turned = scan(tmp_path / "b.nc", values[:, ::2][:, :24], (480.0, 720.0))  # 10 nm x 30 nm
+    measured = read_measurement(turned, "", "harmonic")
+    assert (measured.pixel_size, measured.heights.shape) == (pytest.approx(30.0), (16, 16))
+    # A text that was cut short looks alike, so that texts must have square pixels.
+    whole = map_of(heights(64, 64))
+    whole.to_matrix(str(tmp_path / "a.asc"))
+    lines = (tmp_path / "a.asc").read_text().splitlines()
+    (tmp_path / "a.asc").write_text("\n".join(lines[: len(lines) // 2]))
+    assert_says(refusal(read_measurement, tmp_path / "a.asc"), "square pixels", "lost lines")
+    flat = scan(tmp_path / "c.nc", sizes=(320.0, 3200.0))
+    assert_says(refusal(read_measurement, flat), "16 to 8192 pixels", "found 3 x 32")
+
+
+def test_an_offset_is_subtracted_before_heights_are_judged(tmp_path):
+    values = heights(32, 32)
+    measured = read_measurement(scan(tmp_path / "a.nc", values + 1e8))  # 10 cm
+    np.testing.assert_allclose(measured.heights - measured.heights.mean(),
+                               values.T - values.mean(), atol=1e-6)  # fmt: skip
+    assert measured.notes == ("offset of 100 mm subtracted",)
+    positions = np.arange(100) * 10.0
+    line_scan = read_measurement(coordinates(tmp_path / "a.xyz", positions, 1e8 + positions / 10))
+    assert np.ptp(line_scan.heights) == pytest.approx(99)
+    for lost in (1e14, np.inf):  # no digits of a height are left
+        message = refusal(read_measurement, scan(tmp_path / "b.nc", values + lost), "", "harmonic")
+        assert_says(message, "b.nc: expected")
+
+
+def test_a_unit_counts_for_files_that_state_none(tmp_path):
+    positions, values = np.arange(100) * 0.01, 1e-3 * heights(100)
+    np.savetxt(tmp_path / "a.txt", np.column_stack([positions, values]))
+    assert_says(refusal(read_measurement, tmp_path / "a.txt"), "unit", "found none", "--unit")
+    measured = read_measurement(tmp_path / "a.txt", unit="um")
+    assert measured.pixel_size == pytest.approx(10.0) and measured.notes == ("unit um as given",)
+    np.testing.assert_allclose(measured.heights, 1e3 * values)
+    stated = read_measurement(scan(tmp_path / "a.nc"), unit="um")
+    assert stated.pixel_size == pytest.approx(10.0) and not stated.notes
+
+
 def test_gaps_beside_the_square_do_not_count(tmp_path):
     values = np.ma.masked_array(heights(48, 32), False)
     values[:8] = values[40:] = np.ma.masked
@@ -201,6 +249,14 @@ def test_the_channel_of_heights_is_read(tmp_path):
     measured = read_measurement(path)
     assert measured.channel == "Height Sensor"
     assert measured.notes == ("channel Height Sensor read: Phase holds no heights",)
+    nanoscope(path, counts, (400.0, 400.0), ["Height", "Height Sensor", "Phase"])
+    assert read_measurement(path).channel == "Height"
+    chosen = read_measurement(path, "Height Sensor")
+    assert (chosen.channel, chosen.notes) == ("Height Sensor", ())
+    assert read_measurement(path, "2").channel == "Height Sensor"
+    assert_says(refusal(read_measurement, path, "Phase"), "a channel of heights, found only")
+    message = refusal(read_measurement, path, "Error")
+    assert_says(message, "one of the channels Height, Height Sensor, Phase", "'Error'")
     nanoscope(path, counts, (400.0, 400.0), ["Phase"])
     message = refusal(read_measurement, path)
     assert_says(message, "a.001: expected a channel of heights, found only Phase")

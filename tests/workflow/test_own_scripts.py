@@ -8,8 +8,10 @@ import pandas as pd
 import pytest
 import xarray as xr
 from known_masters import LARGE, SMALL, scales
+from known_spectra import rough
 from repository import ROOT
 
+from hardcontact.insight.summits import draw_size
 from hardcontact.records import dataset
 from hardcontact.records.origin import canonical
 from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
@@ -71,12 +73,15 @@ def topography():
 
 @pytest.fixture
 def force(run):
-    """Return the forces predicted from adhesion.nc, scales.nc and topography.nc, which it makes."""
+    """Return the forces predicted from datasets, which it makes."""
     masters = scales([[SMALL, LARGE]] * 2).assign(transition=("side", [20.0, 4e3]))
     files = {
         "adhesion": adhesion(),
         "scales": masters.assign_attrs(rho=2.0),
         "topography": topography(),
+        "spectra": xr.concat(
+            [spectrum_dataset(rough().density)] * 2, pd.Index(["a", "b"], name="surface")
+        ),
     }
     for name, data in files.items():
         dataset.write(data, f"{name}.nc")
@@ -91,6 +96,7 @@ def force(run):
 def test_forces_are_predicted(force):
     assert force.force.sel(surface="a", rho=2.0).values == pytest.approx(1e-7, rel=0.2)
     assert force.attrs["work_of_adhesion"] == 0.05
+    np.testing.assert_allclose(force.draw_size, draw_size(rough(), 5e3, 400.0))
 
 
 def test_own_forces_are_fitted(run, force, tmp_path):

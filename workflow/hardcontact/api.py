@@ -53,7 +53,7 @@ def read_scan(
     path : str or Path
         Any format that SurfaceTopography reads, or a container of scans.
     dataset : str
-        The member of a container; empty for any other file.
+        The member of a container; of any other file the channel, or empty for its own choice.
     undefined_pixels : str
         ``"refuse"`` or ``"harmonic"``, which fills them.
     levelling : str

@@ -93,6 +93,7 @@ rule predict_force:
         adhesion=rules.aggregate_adhesion.output[0],
         scales=rules.aggregate_scales.output[0],
         topography=rules.aggregate_topography.output[0],
+        spectra=rules.aggregate_spectra.output[0],
         code=code_inputs("predict_force.py"),
     output:
         PATTERNS.dataset("force"),

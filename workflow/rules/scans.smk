@@ -133,6 +133,7 @@ rule prepare_scan:
             {
                 "dataset": SELECTION.dataset(w.surface, int(w.scan)),
                 "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "unit": STUDY["scan"]["unit"],
                 "levelling": STUDY["scan"]["levelling"],
                 "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
             }

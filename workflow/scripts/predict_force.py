@@ -5,6 +5,8 @@ from hardcontact.adhesion.finite_scan import (
     with_finite_scans,
     with_window_share,
 )
+from hardcontact.insight.closed_form import contact_area
+from hardcontact.insight.summits import draw_size
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.predicted_force import (
     continued_force,
@@ -14,6 +16,7 @@ from hardcontact.own_surfaces.predicted_force import (
 )
 from hardcontact.records import dataset
 from hardcontact.records.job import job
+from hardcontact.surfaces.spectrum import spectrum_from
 
 with job(snakemake) as this:
     given, topography = this.parameters, dataset.read(this.input.topography)
@@ -33,7 +36,12 @@ with job(snakemake) as this:
     )
     force = with_continued_force(force, continued, given["tolerance"])
     force = with_smooth_bound(force, given["contact"])
-    force = with_finite_scans(force, topography, given["radius"])
+    spectra, area = dataset.read(this.input.spectra), contact_area(given["contact"])
+    draw_sizes = {
+        name: draw_size(spectrum_from(spectra.sel(surface=name)), given["radius"], area)
+        for name in force["surface"].values.tolist()
+    }
+    force = with_finite_scans(force, topography, draw_sizes)
     force = with_window_share(force, given["contact"]["window"], given["radius"])
     this.write(
         with_contact_area(force, topography, given["contact"]),

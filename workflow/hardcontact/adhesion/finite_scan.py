@@ -1,12 +1,12 @@
 """Whether scans and windows are large enough for the force, and pixels small enough.
 
-The sphere touches where a peak rises above its paraboloid: peaks of the height sigma count up to
-the distance sqrt(2 R sigma) from the apex. A smaller scan, mirrored, shows the same peaks
-everywhere, and the force on it is too large. A window that ends before the forces do makes them too
-small. A pixel larger than the area that carries the preload touches alone.
+A sphere finds the summits that it touches within the draw size 2 sqrt(2 R sigma/t), where it comes
+to rest t rms heights sigma above the mean plane (`insight.summits`). A smaller scan, mirrored,
+shows the same summits everywhere, and the force on it is too large. A window that ends before the
+forces do makes them too small. A pixel larger than the area that carries the preload touches alone.
 """
 
-from typing import NamedTuple
+from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
@@ -15,52 +15,41 @@ from hardcontact.contact.bearing_area import Load
 
 #: Mean force on mirrored windows over that on the random surfaces of 20 µm they were cut out of, by
 #: the size of the window over the draw size: the least and the greatest ratio up to that size.
-#: Measured on Gaussian surfaces of rms height 2 to 50 nm (roll-off 930 nm, H = 0.84), R = 20 and
-#: 250 µm, rho = 2 to 10 nm, windows of 1.25 to 5 µm, each ratio within 2 to 10 %; a second code
-#: found the same on four spectra, and up to 4 below 0.25.
-RATIOS = {0.125: (2.0, 6.4), 0.25: (2.0, 4.0), 0.5: (1.1, 2.3), 1.0: (1.0, 1.5), 2.0: (1.0, 1.2)}
-#: Size over the draw size from which a scan is large enough, and the smallest that was tried:
-#: 1.25 µm under the larger sphere, of the greatest rms height.
-LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.125
+#: Measured on ten Gaussian surfaces of rms height 2 to 50 nm (roll-off 300 to 2000 nm, H = 0.5 to
+#: 0.84), 24 each, R = 20 to 250 µm, rho = 2 and 5.6 nm, windows of 0.6 to 10 µm, each ratio within
+#: 1 to 10 %. Larger windows had 0.95 to 1.14.
+RATIOS = {0.125: (8.0, 17.0), 0.25: (3.0, 9.0), 0.5: (1.5, 3.6), 1.0: (1.1, 2.0), 2.0: (1.0, 1.5)}
+#: Size over the draw size from which a scan is large enough, and the smallest that was tried.
+LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.12
 
 
-class FiniteScan(NamedTuple):
-    """A scan against the contacts that are made on it."""
+def finite_scan_ratio(size: float, draw_size: float) -> tuple[float, float]:
+    """Return the least and greatest of the force on a scan over that on a large one, of RATIOS.
 
-    #: Edge in nm of the area within which a contact finds its peaks, 2 sqrt(2 R sigma).
-    draw_size: float
-    share: float  #: The size of the scan over it.
-    #: Least and greatest of the force on such a scan over that on a large one, of RATIOS; 1 and 1
-    #: where the scan is large enough.
-    ratio: tuple[float, float]
-
-
-def finite_scan(size: float, rms_height: float, radius: float) -> FiniteScan:
-    """Return how the size of a scan compares with that from which a contact draws; all in nm.
-
-    The range of adhesion hardly matters for the ratio.
+    Both sizes are in nm. It is 1 and 1 where the scan is large enough.
     """
-    draw_size = 2 * float(np.sqrt(2 * radius * rms_height))
-    share = size / draw_size
-    ratio = next((found for limit, found in RATIOS.items() if share < limit), (1.0, 1.0))
-    return FiniteScan(draw_size, share, ratio)
+    near = (found for limit, found in RATIOS.items() if size < limit * draw_size)
+    return next(near, (1.0, 1.0))
 
 
-def with_finite_scans(force: xr.Dataset, topography: xr.Dataset, radius: float) -> xr.Dataset:
+def with_finite_scans(
+    force: xr.Dataset, topography: xr.Dataset, draw_sizes: Mapping[str, float]
+) -> xr.Dataset:
     """Return predicted forces (surface) with how the scans of each surface compare with contacts.
 
-    The topography has ``scan_size`` and ``rms_height_mean`` (surface) in nm; so is the radius of
-    the sphere. The forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface,
-    bound), the least and greatest ratio of `finite_scan`.
+    The topography has ``scan_size`` (surface) in nm; draw sizes (nm) are given by surface. The
+    forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface, bound), the least
+    and greatest ratio of `finite_scan_ratio`.
     """
-    of_surfaces = topography.sel(surface=force["surface"])
-    sizes, heights = (
-        of_surfaces[name].values.tolist() for name in ("scan_size", "rms_height_mean")
-    )
-    found = [finite_scan(*one, radius) for one in zip(sizes, heights, strict=True)]
+    sizes = topography["scan_size"].sel(surface=force["surface"]).values.tolist()
+    drawn = [draw_sizes[name] for name in force["surface"].values.tolist()]
     return force.assign(
-        draw_size=("surface", [one.draw_size for one in found], {"units": "nm"}),
-        finite_scan_ratio=(("surface", "bound"), [one.ratio for one in found], {"units": "1"}),
+        draw_size=("surface", drawn, {"units": "nm"}),
+        finite_scan_ratio=(
+            ("surface", "bound"),
+            list(map(finite_scan_ratio, sizes, drawn)),
+            {"units": "1"},
+        ),
     )
 
 

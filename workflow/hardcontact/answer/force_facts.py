@@ -149,8 +149,9 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
 
     The fit is a part of fit.nc of one contact model. `status` is "one_surface", "no_interval" (of a
     surface, so that there is no region), "none" (no pair agrees with all forces) or "region";
-    `best_range`, `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps`
-    pairs of ranges (nm) between which the region has none.
+    `exact_pairs` is how many pairs give the forces of two surfaces by construction; `best_range`,
+    `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps` pairs of ranges
+    (nm) between which the region has none.
     """
     allowed = np.isfinite(fit["region"].values).all(axis=-1)
     status = "region" if allowed.any() else "none"
@@ -163,7 +164,8 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
         low, high = fit[name].values.tolist()
         found[name] = between(name, low, high, unit)
-    return {"status": status, "gaps": _gaps(fit["rho"].values, allowed)} | found
+    exact, gaps = int(fit["exact_pairs"].item()), _gaps(fit["rho"].values, allowed)
+    return {"status": status, "exact_pairs": exact, "gaps": gaps} | found
 
 
 def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:

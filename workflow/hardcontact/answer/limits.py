@@ -22,6 +22,7 @@ from hardcontact.answer.force_facts import continuation, continued_fact, differi
 from hardcontact.answer.surface_facts import EDGES, edge_fact, resolves_nothing
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs
+from hardcontact.surfaces.contradictions import contradictions
 
 Limit = Mapping[str, Any]
 
@@ -131,7 +132,7 @@ def _of_scan_size(of: Datasets) -> list[Limit]:
             "draw_size": Number("draw_size", draw_size, "nm"),
             "share": Number("share", share),
             "ratio": between("ratio", least, most),
-            "tried": Number("tried", LEAST_TRIED) if share < LEAST_TRIED / 2 else None,
+            "tried": Number("tried", LEAST_TRIED) if share < LEAST_TRIED else None,
         }
     ]
 
@@ -228,7 +229,29 @@ def _of_spectrum(spectra: xr.Dataset, topography: xr.Dataset) -> list[Limit]:
     ]
     unknown = [measurement_name(one) for one in scans_without_tip(spectra)]
     codes = {"blind_measurements": blind, "unknown_tips": unknown}
-    return found + [{"code": code, "measurements": names} for code, names in codes.items() if names]
+    listed = [{"code": code, "measurements": names} for code, names in codes.items() if names]
+    return [*found, *_contradictions(spectra), *listed]
+
+
+def _contradictions(spectra: xr.Dataset) -> list[Limit]:
+    """Return the two measurements of a surface that contradict each other most, if any do."""
+    all_scans = measurements(spectra)
+    found = contradictions(
+        *(all_scans[name].values for name in ("psd", "reliable", "kind", "size"))
+    )
+    return [
+        {
+            "code": "contradiction",
+            "measurements": [
+                measurement_name(all_scans.isel(measurement=place))
+                for place in (first.higher, first.lower)
+            ],
+            "band": between("band", first.shortest, first.longest, "nm"),
+            "factor": Number("factor", first.factor),
+            "others": len(found) - 1,
+        }
+        for first in found[:1]
+    ]
 
 
 def scans_without_tip(spectra: xr.Dataset) -> list[xr.Dataset]:

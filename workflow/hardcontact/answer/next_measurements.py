@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan
+from hardcontact.adhesion.finite_scan import LARGE_ENOUGH
 from hardcontact.answer.artificial import artificial_bands, place_of_edge
 from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.facts import between
@@ -81,9 +81,8 @@ def _longer_waves(of: Datasets) -> list[dict[str, Any]]:
 
 def _larger_scans(of: Datasets) -> list[dict[str, Any]]:
     """Return how wide a map must be to hold the peaks of a contact."""
-    size, height = (of.topography[name].item() for name in ("scan_size", "all_scales_rms_height"))
-    needed = LARGE_ENOUGH * finite_scan(size, height, of.force.attrs["sphere_radius"]).draw_size
-    if size >= needed or resolves_nothing(of.edges):
+    needed = LARGE_ENOUGH * of.force["draw_size"].item()
+    if of.topography["scan_size"].item() >= needed or resolves_nothing(of.edges):
         return []
     return [{"code": "larger_map", "settles": "force", "size": Number("size", needed, "nm")}]
 

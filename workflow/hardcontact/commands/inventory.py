@@ -7,13 +7,17 @@ from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
 from hardcontact.config.selection import CONTACT
 from hardcontact.numbers.printing import print_length
+from hardcontact.surfaces.contradictions import contradictions, told_contradictions
+from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
+from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"
@@ -26,9 +30,10 @@ class Entry:
     """One topography: what its file says of it, and what was measured on it.
 
     Pixels are along an edge of a map, or points of a line scan. Heights in nm are levelled, of the
-    sphere less its paraboloid, but `relief` is the largest difference levelled or not. A tip radius
-    (nm) that nothing states is None; `tip_given` says that the user gave it, as the file does not
-    state it. Undefined pixels were filled, and notes say in words what was done in reading.
+    sphere less its paraboloid, but `relief` is the largest difference levelled or not. The density
+    (bins,) is C_iso in nm⁴. A tip radius (nm) that nothing states is None; `tip_given` says that
+    the user gave it, as the file does not state it. Undefined pixels were filled, and notes say
+    in words what was done in reading.
     """
 
     source: Source
@@ -44,6 +49,7 @@ class Entry:
     tip_radius: float | None
     tip_given: bool
     band: ReliableBand
+    density: Floats
     undefined: int
     notes: tuple[str, ...]
 
@@ -63,6 +69,12 @@ class Entry:
         return Grid(self.pixels, self.pixel_size, self.size, self.relief)
 
     @property
+    def reliable(self) -> NDArray[np.bool_]:
+        """Bins of wavelengths at which the scan is reliable."""
+        wavelength = 2 * np.pi / BIN_CENTRES
+        return (self.band.shortest <= wavelength) & (wavelength <= self.band.longest)
+
+    @property
     def name(self) -> str:
         """The file, without its folder, and of a container the data file in it."""
         file = PurePath(self.source.path).name
@@ -80,10 +92,16 @@ class Found(NamedTuple):
     problems: list[str]
 
 
-def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
+def inventory(
+    sources: Sequence[Source],
+    tip_radius: float | None,
+    channel: str = "",
+    unit: str = "none",
+) -> Found:
     """Read all topographies of files, containers with all of theirs.
 
-    A tip radius (nm) is that of scans whose files do not state it, None if it is not known. A
+    A tip radius (nm) is that of scans whose files do not state it, None if it is not known; so is
+    the unit of length, "none" if it is not. A channel is read of every file that is no container. A
     member of a container that cannot be used stops nothing: it cannot be taken out by hand.
     """
     found = Found([], [], [])
@@ -92,7 +110,7 @@ def inventory(sources: Sequence[Source], tip_radius: float | None) -> Found:
         try:
             for dataset in list_measurements(source.file):
                 try:
-                    entries.append(_entry(source, dataset, tip_radius))
+                    entries.append(_entry(source, dataset or channel, tip_radius, unit))
                 except ValueError as error:
                     file = f"{source.file}: "
                     refusals += [
@@ -121,8 +139,21 @@ def _twins(entries: Sequence[Entry]) -> Iterator[str]:
             yield f"{other.name}: expected each scan once, found that of {one.name} again"
 
 
-def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
-    measurement = read_measurement(source.file, dataset, FILLING)
+def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
+    """Yield a line for each surface whose scans contradict each other."""
+    for surface in dict.fromkeys(entry.source.surface for entry in entries):
+        scans = [entry for entry in entries if entry.source.surface == surface]
+        found = contradictions(
+            np.array([scan.density for scan in scans]),
+            [scan.reliable for scan in scans],
+            [scan.kind for scan in scans],
+            [scan.size for scan in scans],
+        )
+        yield from told_contradictions(found, [scan.name for scan in scans])
+
+
+def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) -> Entry:
+    measurement = read_measurement(source.file, dataset, FILLING, unit)
     relief = np.ptp(measurement.heights)
     if relief == 0:
         raise ValueError(f"{source.file}: expected a rough surface, found constant height")
@@ -131,11 +162,12 @@ def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
     if flat.kind != "map":  # A line scan is levelled by its mean line.
         place = np.arange(len(levelled))
         levelled = levelled - np.polynomial.Polynomial.fit(place, levelled, 1)(place)
+    _, density = measured_psd(flat)
     stated = measurement.tip_radius
     radius = tip_radius if stated is None else stated
     return Entry(
         source=source,
-        dataset=dataset,
+        dataset=measurement.dataset,
         channel=measurement.channel,
         file_unit=measurement.file_unit,
         kind=measurement.kind,
@@ -146,7 +178,8 @@ def _entry(source: Source, dataset: str, tip_radius: float | None) -> Entry:
         relief=float(max(relief, np.ptp(levelled))),
         tip_radius=radius,
         tip_given=radius is not stated,
-        band=reliable_band(flat, radius),
+        band=reliable_band(flat, radius, density),
+        density=density,
         undefined=measurement.undefined,
         notes=measurement.notes,
     )

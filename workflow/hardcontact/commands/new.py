@@ -79,7 +79,8 @@ def new_study(arguments: Namespace) -> str:
     given, option_faults = options(arguments)
     files, file_faults = sources(arguments, given["radius"].number)
     tip = given["tip"].text if "tip" in given else ""
-    found = inventory(files, given["tip"].number if tip else None)
+    radius = given["tip"].number if tip else None
+    found = inventory(files, radius, arguments.channel, arguments.unit)
     faults = [*option_faults, *file_faults, *found.problems]
     surfaces = list(dict.fromkeys(file.surface for file in files if file.surface != SPHERE))
     checks: list[Callable[[], Any]] = [
@@ -162,6 +163,8 @@ def _named_choices(arguments: Namespace, given: Mapping[str, Option]) -> Iterato
     yield Choice("store", f"results/store-{name}", "intermediates")
     yield Choice("published", NONE, "nothing of the paper is needed or judged")
     yield Choice("surfaces", f"config/{name}.tsv", "one row a scan")
+    if arguments.unit != NONE:
+        yield Choice("scan.unit", arguments.unit, "as given, of files that state none")
     if arguments.forces is not None:
         yield Choice("forces", path_from_root(arguments.forces), "own pull-off forces")
     surface, reason = (SPHERE, "its scans") if arguments.sphere else (SMOOTH, "no scans of it")

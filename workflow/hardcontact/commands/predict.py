@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from hardcontact.commands.request import QUANTITIES, Option, add_quantities, options
+from hardcontact.commands.request import QUANTITIES, Option, add_quantities, add_reading, options
 from hardcontact.config.configuration import read_yaml, refuse_all
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
@@ -72,8 +72,11 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     )
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_quantities(parser)
-    parser.add_argument("--tip", help="radius of the tip, if the file of a scan does not state it")
-    parser.add_argument("--dataset", default="", help="the only scan of a container that counts")
+    add_reading(parser)
+    parser.add_argument(
+        "--dataset", "--channel", default="", metavar="NAME",
+        help="the only scan of a container that counts, or the channel of another file",
+    )  # fmt: skip
     for name in WRITERS:
         parser.add_argument(f"--{name}", metavar="FILE", help="write the numbers; - for stdout")
     return parser.parse_args(arguments)
@@ -95,7 +98,13 @@ def predict(arguments: Namespace) -> str:
     if [*files.values()].count("-") > 1:
         faults.append("--csv: expected a file, as --json goes to stdout, found -")
     tip = given["tip"].number if "tip" in given else None
-    reader = partial(own_spectrum, [arguments.file], dataset=arguments.dataset, tip_radius=tip)
+    reader = partial(
+        own_spectrum,
+        [arguments.file],
+        dataset=arguments.dataset,
+        tip_radius=tip,
+        unit=arguments.unit,
+    )
     _, (spectrum, notes) = refuse_all([partial(refuse_lines, faults), reader])
     tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
     numbers = prediction(rough_part(spectrum, arguments.file), contact, tolerance)

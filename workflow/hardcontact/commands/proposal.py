@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.commands.inventory import FILLING, Entry
+from hardcontact.commands.inventory import FILLING, Entry, contradicting
 from hardcontact.commands.proposed_contact import (
     FEWEST_CONTACTS,
     PIXELS,
@@ -14,6 +14,7 @@ from hardcontact.commands.proposed_contact import (
     Probe,
     contact_cautions,
     contact_scans,
+    draw_sizes,
     proposed_contact,
     proposed_tiles,
 )
@@ -25,7 +26,6 @@ from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import FEWEST
 from hardcontact.surfaces.reliable_band import LIMITS
-from hardcontact.surfaces.spectrum import BIN_EDGES
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the
 #: paper: 20 nm and 1000 nm of scans of 2500 nm with 512 pixels.
@@ -97,7 +97,8 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
     A ValueError tells in one line a problem: no height map, surfaces with scans too different for
     one study, a range of adhesion that is too short, a preload that is too high.
     """
-    scans, reasons = contact_scans(entries, sphere, probe.radius, probe.rho)
+    drawn = draw_sizes(entries, sphere, probe)
+    scans, reasons = contact_scans(entries, sphere, probe, drawn)
     substrates = [scan for scan in scans if scan.source.surface != sphere]
     coarsest = max(substrates, key=lambda scan: scan.pixel_size)
     smallest = min(substrates, key=lambda scan: scan.size)
@@ -130,20 +131,21 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
         full,
         [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
         reasons,
-        [*contact_cautions(substrates, probe, contact), *blind, *filled],
+        [
+            *contact_cautions(substrates, probe, contact, drawn),
+            *blind,
+            *contradicting(entries),
+            *filled,
+        ],
     )
 
 
 def refuse_unreliable(entries: Sequence[Entry]) -> None:
     """Refuse surfaces of which too few wavelengths are reliable for a spectrum, a line each."""
-    wavelength = 2 * np.pi / np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
     faults = []
     for surface in dict.fromkeys(entry.source.surface for entry in entries):
         scans = [entry for entry in entries if entry.source.surface == surface]
-        reliable = [
-            (scan.band.shortest <= wavelength) & (wavelength <= scan.band.longest) for scan in scans
-        ]
-        count = int(np.any(reliable, axis=0).sum())
+        count = int(np.any([scan.reliable for scan in scans], axis=0).sum())
         if count < FEWEST:
             found = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
             faults.append(

@@ -1,9 +1,12 @@
 """The scans of own surfaces that contacts are made on; what range, window and load they permit."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, NamedTuple
 
+import numpy as np
+
+from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan_ratio
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
@@ -15,7 +18,10 @@ from hardcontact.config.grids import (
 from hardcontact.config.limits import carrying_pixels, pressed_depth, window_images
 from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
+from hardcontact.insight.closed_form import contact_area
+from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
 
 if TYPE_CHECKING:
     from hardcontact.commands.inventory import Entry
@@ -35,10 +41,6 @@ SHARE = 0.99
 LONGEST_RANGE = 40.0
 #: Pixels that the interaction radius sqrt(2 R rho) spans on a scan that resolves it well.
 RESOLVED = 32
-#: The size of a scan over sqrt(2 R sigma), within which the sphere finds its highest points. On
-#: Gaussian surfaces with the spectra of UNCD, MCD and polished UNCD the mean force on mirrored
-#: scans of twice that is at most a third too large.
-SIZE_OVER_REACH = 2.0
 #: Scans of one surface on the same pixels.
 Group = list["Entry"]
 
@@ -147,9 +149,15 @@ def _most_load(scan: "Entry", load: Load, window: float) -> float:
 
 
 def contact_cautions(
-    substrates: Sequence["Entry"], probe: Probe, contact: Contact
+    substrates: Sequence["Entry"],
+    probe: Probe,
+    contact: Contact,
+    draw_sizes: Mapping[str, float],
 ) -> Iterator[str]:
-    """Yield what the user should know of contacts on these scans, in sentences."""
+    """Yield what the user should know of contacts on these scans, in sentences.
+
+    Draw sizes (nm) are by surface.
+    """
     if contact.rho_reason:
         yield (
             f"the range of adhesion is {contact.rho:.3g} nm, not the usual {probe.rho:.3g} nm: it "
@@ -161,7 +169,7 @@ def contact_cautions(
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
             "show too little of what the sphere feels, and forces come out too low"
         )
-    area = probe.load["preload"] / probe.load["hardness"] * 1e18
+    area = contact_area(probe.load)
     largest = max(scan.pixel_size for scan in substrates)
     if area < largest**2:
         yield (
@@ -169,25 +177,42 @@ def contact_cautions(
             f"({largest**2:.3g} nm²): one pixel touches, and hardness and preload do not matter "
             "on the scans"
         )
-    rms_height = max(scan.rms_height for scan in substrates)
-    enough = SIZE_OVER_REACH * math.sqrt(2 * probe.radius * rms_height)
-    size = min(scan.size for scan in substrates)
-    if size < enough:
-        yield (
-            f"the sphere finds its highest points within some {print_length(enough)}, the scans "
-            f"are {print_length(size)} wide: summits that they miss would change the force"
-        )
+    for surface, drawn in draw_sizes.items():
+        size = min(scan.size for scan in substrates if scan.source.surface == surface)
+        least, most = finite_scan_ratio(size, drawn)
+        if most > 1:
+            yield (
+                f"{surface}: the sphere finds its highest points within some "
+                f"{print_length(LARGE_ENOUGH * drawn)}, the scans are {print_length(size)} wide: "
+                f"forces on such scans come out {least:g} to {most:g} times too high"
+            )
+
+
+def draw_sizes(entries: Sequence["Entry"], sphere: str | None, probe: Probe) -> dict[str, float]:
+    """Return within which size (nm) a contact finds its summits on each surface but the sphere's.
+
+    It is that of the scan on which it is largest.
+    """
+    area = contact_area(probe.load)
+    drawn: dict[str, float] = {}
+    for entry in entries:
+        surface, known = entry.source.surface, np.isfinite(entry.density)
+        if surface != sphere:
+            spectrum = Spectrum(BIN_CENTRES[known], entry.density[known])
+            size = draw_size(spectrum, probe.radius, area)
+            drawn[surface] = max(size, drawn.get(surface, 0.0))
+    return drawn
 
 
 def contact_scans(
-    entries: Sequence["Entry"], sphere: str | None, radius: float, rho: float
+    entries: Sequence["Entry"], sphere: str | None, probe: Probe, draw_sizes: Mapping[str, float]
 ) -> tuple[list["Entry"], list[str]]:
     """Return the scans that contacts are made on, of every surface those on one grid, and reasons.
 
     Surfaces are compared on one grid where they have one in common. Of grids that resolve the
-    interaction radius, it is the smallest from which the sphere finds its highest points, or else
-    the largest. The id of the sphere's surface is None if it is smooth; its radius and the range of
-    adhesion are in nm. A surface without a height map is refused, as a ValueError of one line.
+    interaction radius, it is the smallest that is large enough for the draw size (nm, by surface),
+    or else the largest. The id of the sphere's surface is None if it is smooth. A surface without a
+    height map is refused, as a ValueError of one line.
     """
     groups = _groups_by_surface(entries)
     substrates = {name: of_it for name, of_it in groups.items() if name != sphere}
@@ -196,15 +221,12 @@ def contact_scans(
     chosen: list[Entry] = []
     reasons = []
     for surface, of_it in substrates.items():
-        together = [group for groups in substrates.values() for group in groups]
-        compared = together if common else of_it
-        roughest = max(entry.rms_height for group in compared for entry in group)
-        enough = SIZE_OVER_REACH * math.sqrt(2 * radius * roughest)
-        group = _best(of_it, math.sqrt(2 * radius * rho), enough)
+        enough = LARGE_ENOUGH * (max(draw_sizes.values()) if common else draw_sizes[surface])
+        group = _best(of_it, math.sqrt(2 * probe.radius * probe.rho), enough)
         chosen += group
         reasons.append(f"{surface}: {_named(group)}: {_reason(group, of_it, enough)}")
     if sphere is not None:
-        group = _of_sphere(groups[sphere], chosen, radius)
+        group = _of_sphere(groups[sphere], chosen, probe.radius)
         chosen += group
         reasons.append(f"{sphere}: {_named(group)}, subtracted from which is the sphere's shape")
     return chosen, reasons
@@ -223,7 +245,8 @@ def _groups_by_surface(entries: Sequence["Entry"]) -> dict[str, list[Group]]:
             same.append(entry)
     refuse_lines(
         f"surface {surface}: expected a height map, on which contacts are made, with pixels of "
-        f"{least:g} to {most:g} nm, found none"
+        f"{least:g} to {most:g} nm, found none; of line scans alone `hardcontact predict` tells "
+        "force and band"
         for surface, of_it in groups.items()
         if not of_it
     )
@@ -264,7 +287,7 @@ def _reason(group: Group, groups: list[Group], enough: float) -> str:
     if len(groups) == 1:
         return "no others can be used"
     sizes = "they come nearest to" if group[0].size < enough else "the smallest of at least"
-    return f"{sizes} {print_length(enough)}, twice sqrt(2 R sigma)"
+    return f"{sizes} {print_length(enough)}, four times sqrt(2 R sigma/t)"
 
 
 def _named(group: Group) -> str:

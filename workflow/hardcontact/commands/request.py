@@ -88,12 +88,30 @@ def parsed(arguments: Sequence[str]) -> Namespace:
         help="scans of the sphere where it touches; without them it is smooth",
     )  # fmt: skip
     add_quantities(parser)
-    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    add_reading(parser)
+    parser.add_argument(
+        "--channel",
+        default="",
+        metavar="NAME",
+        help="of all files but containers, or its number (the first of heights)",
+    )
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
-        "--overwrite", action="store_true", help="replace the files of a study of this name"
+        "--overwrite",
+        action="store_true",
+        help="replace the files of a study of this name, and with the next run its results",
     )
     return parser.parse_intermixed_args(arguments)
+
+
+def add_reading(parser: ArgumentParser) -> None:
+    """Add to a command line what files of scans may not state."""
+    units = read_yaml("workflow/schemas/config.schema.yaml")["properties"]["scan"]["properties"]
+    parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
+    parser.add_argument(
+        "--unit", choices=units["unit"]["enum"], default="none",
+        help="unit of length, for the files that do not state it",
+    )  # fmt: skip
 
 
 def add_quantities(parser: ArgumentParser) -> None:
@@ -147,9 +165,10 @@ def name_faults(name: str, overwrite: bool) -> Iterator[str]:
     elif name in TAKEN:
         yield f"NAME: expected one of your own, found {name}, which is the project's"
     elif not overwrite:
-        for file in (f"config/{name}.yaml", f"config/{name}.tsv"):
+        results = (f"results/{name}", f"results/{name}{QUICK_NAME}")  # of these or of other inputs
+        for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
             if os.path.lexists(ROOT / file):
-                yield f"{file}: expected no such file, found one: take another name, or --overwrite"
+                yield f"{file}: expected none, found one: take another name, or --overwrite"
 
 
 def refuse_another_clone(here: Path) -> None:
@@ -178,7 +197,10 @@ def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str
             faults.append(f"--surface {label}: expected files of scans, found none")
         if surface in labels:
             other = labels[surface]
-            faults.append(f"--surface {other}: expected a label of its own, found also {label}")
+            faults.append(
+                f"--surface {other}: expected a label of its own, small and capital letters and "
+                f"signs alike, found also {label}"
+            )
         labels.setdefault(surface, label)
         found += [Source(surface, label, file, path_from_root(file), of_sphere) for file in files]
     paths = [source.path for source in found]

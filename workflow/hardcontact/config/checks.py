@@ -204,7 +204,8 @@ def _checks_of_own_surfaces(
         yield partial(refuse_lines, unmet([_of_realization(config)]))
     others = table[table.use != CONTACT]
     for path, dataset in zip(others.path, others.dataset, strict=True):
-        yield partial(read_measurement, path, dataset, config["scan"]["undefined_pixels"])
+        scan = config["scan"]
+        yield partial(read_measurement, path, dataset, scan["undefined_pixels"], unit=scan["unit"])
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]
         yield partial(measured_forces, config["forces"], list(substrates.unique()))
@@ -238,7 +239,9 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
 def _measured_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Grid:
     grids: list[Grid] = []
     for path, dataset in zip(rows.path, rows.dataset, strict=True):
-        scan = read_scan(path, dataset, config["scan"]["undefined_pixels"])
+        scan = read_scan(
+            path, dataset, config["scan"]["undefined_pixels"], unit=config["scan"]["unit"]
+        )
         relief = float(np.ptp(scan.heights))
         if relief == 0:
             raise ValueError(f"{path}: expected a rough surface, found constant height")

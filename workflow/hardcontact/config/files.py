@@ -90,6 +90,7 @@ class Files:
             "datasets": [one.dataset for one in measured],
             "tip_radii": [one.tip_radius for one in measured],
             "undefined_pixels": scan["undefined_pixels"],
+            "unit": scan["unit"],
             "levelling": scan["levelling"],
             "sphere_radius": self._configuration["sphere"]["radius"] if sphere else None,
         }

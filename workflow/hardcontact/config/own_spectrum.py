@@ -14,6 +14,7 @@ import numpy as np
 
 from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
+from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
@@ -97,6 +98,9 @@ def own_spectrum(
             *(joined[name].values for name in OF_MEASUREMENT), strict=True
         )
     ]
+    found = contradictions(*(joined[name].values for name in ("psd", "reliable", "kind", "size")))
+    names = [f"{one.path} {one.dataset}".strip() for one in measurements]
+    notes += [f"take care: {line}" for line in told_contradictions(found, names)]
     return OwnSpectrum(spectrum_from(joined) if continued else reliable, tuple(notes))
 
 
@@ -112,7 +116,9 @@ def _is_table(path: Path) -> bool:
             first = file.readline(1024).decode("utf-8-sig", "replace")
     except OSError:
         return False
-    return not {*WAVES, *DENSITIES}.isdisjoint(cell.strip(' "\r\n') for cell in first.split(","))
+    return not {*WAVES, *DENSITIES}.isdisjoint(
+        cell.strip(' "\r\n') for cell in re.split("[,;]", first)
+    )
 
 
 def table_spectrum(path: str | Path) -> Spectrum:

@@ -8,6 +8,7 @@ import csv
 import io
 import math
 import os
+import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
@@ -18,6 +19,8 @@ from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.spectral_models import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
+#: A number with a decimal comma.
+DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 #: The largest table in bytes: some hundred thousand rows.
 TABLE_LIMIT = 2**22
 #: Cells by the name of their column.
@@ -60,7 +63,9 @@ class UserTable(NamedTuple):
         rows = self.rows()
         lines: dict[str, list[int]] = {}
         for line, cells in self.cells.items():
-            wrong = [f"expected {len(self.header)} cells, found {len(cells)}"]
+            many = len(cells) > len(self.header)
+            hint = "; decimal commas need semicolons between cells" if many else ""
+            wrong = [f"expected {len(self.header)} cells, found {len(cells)}{hint}"]
             for fault in faults(rows[line]) if line in rows else wrong:
                 lines.setdefault(fault, []).append(line)
         return [
@@ -74,6 +79,8 @@ def user_table(
 ) -> UserTable:
     """Read a table that the user wrote, in UTF-8, with a header; between tabs nothing is quoted.
 
+    Cells may stand between semicolons, as some spreadsheets write them; then decimals may have a
+    comma.
     A ValueError of one line says what the table should hold (content) and be (form).
     """
     if not os.path.isfile(path):
@@ -82,6 +89,9 @@ def user_table(
         raise ValueError(f"{path}: expected at most {TABLE_LIMIT} bytes, found more")
     try:
         text = Path(path).read_bytes().decode("utf-8-sig")
+        head = text.partition("\n")[0]
+        if ";" in head and separator not in head:
+            separator = ";"
         reader = csv.reader(
             io.StringIO(text, newline=None),
             strict=True,
@@ -89,6 +99,8 @@ def user_table(
             quoting=csv.QUOTE_NONE if separator == "\t" else csv.QUOTE_MINIMAL,
         )
         rows = [(reader.line_num, [cell.strip() for cell in row]) for row in reader]
+        if separator == ";":
+            rows = [(line, [DECIMAL.sub(r"\1.\2", cell) for cell in row]) for line, row in rows]
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path}: expected {form} in UTF-8, found: {error}") from None
     filled = [(line, cells) for line, cells in rows if any(cells)]

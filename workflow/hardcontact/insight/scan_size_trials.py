@@ -1,6 +1,6 @@
 """How large a scan must be: a rule for the excess of the force on small mirrored scans.
 
-A contact finds its peaks within 2 sqrt(2 R sigma) of each other (`finite_scan`). A smaller scan,
+A contact finds its peaks within some 2 sqrt(2 R sigma) of each other. A smaller scan,
 mirrored, has fewer peaks, so that the sphere misses the highest of them. How much that counts may
 depend on this draw size and on the roll-off, both over the size of the scan, and on the heights
 over the range of adhesion. The rule is a power law of these three ratios, with exponents of either

@@ -132,6 +132,21 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     return Approaches(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
 
 
+def draw_size(spectrum: Spectrum, radius: float, area: float) -> float:
+    """Return the edge 2 sqrt(2 R sigma/t) (nm) of the area in which a sphere finds its summits.
+
+    Heights at the distance r from the apex touch if they lie r²/2R above the level t, where at high
+    levels Gaussian ones are rarer by exp(-t r²/(2 R sigma)): so is the density of touching places,
+    whose rms distance is sqrt(2 R sigma/t). The radius is in nm, the area in contact in nm². It is
+    0 of a surface that the sphere follows; below one rms height the level counts as one.
+    """
+    waves = rough_waves(spectrum, radius)
+    if waves is None:
+        return 0.0
+    level = max(closest_approaches(waves, radius, area).mean(), 1.0)
+    return float(2 * np.sqrt(2 * radius * np.sqrt(moment(waves, 0)) / level))
+
+
 def _above(density: Floats) -> Floats:
     """Return the integral of a density (n,) from each of LEVELS to the last."""
     cells = (density[1:] + density[:-1]) / 2 * (LEVELS[1] - LEVELS[0])

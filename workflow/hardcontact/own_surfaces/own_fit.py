@@ -95,7 +95,9 @@ def fit_measured(
     least and greatest work in J/m² that all surfaces allow, NaN where they allow none; its extent
     ``region_range`` (nm) and ``region_work``, NaN where a range at an end of those computed is
     allowed, and ``region_status``, found, open or none. Of several surfaces there is the best fit
-    ``best_range``, ``best_work`` and ``best_error``, NaN of one.
+    ``best_range``, ``best_work`` and ``best_error``, NaN of one. Of two, ``exact_pairs`` counts the
+    pairs that give both forces: where there are some, two unknowns fit two numbers by construction,
+    and ``best_error`` is NaN.
     """
     surfaces = [name for name in adhesion.surface.values.tolist() if name in set(forces.surface)]
     tests = [measured_tests(forces[forces.surface == name]) for name in surfaces]
@@ -189,11 +191,16 @@ def _fit(curves: list[_Curve], rhos: np.ndarray, confidence: float) -> xr.Datase
         confidence,
     )
     variables["region"] = (("rho", "bound"), region, ENERGY)
-    best = dict.fromkeys(("best_range", "best_work", "best_error"), np.nan)
+    best = dict.fromkeys(("best_range", "best_work", "best_error"), np.nan) | {"exact_pairs": 0}
     if len(curves) > 1:
         place, work, error = fit(force, target)
-        best = {"best_range": fine[place], "best_work": float(work), "best_error": float(error)}
-    attributes = {"best_range": NM, "best_work": ENERGY, "best_error": ONE}
+        best |= {"best_range": fine[place], "best_work": float(work), "best_error": float(error)}
+    if len(curves) == 2:
+        above = np.diff(np.log(target[:, None] / force), axis=0)[0] > 0
+        best["exact_pairs"] = int(np.count_nonzero(np.diff(above)))
+    if best["exact_pairs"]:
+        best["best_error"] = np.nan  # of the grid of ranges alone
+    attributes = {"best_range": NM, "best_work": ENERGY, "best_error": ONE, "exact_pairs": ONE}
     variables |= {name: ((), value, attributes[name]) for name, value in best.items()}
     return xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
 

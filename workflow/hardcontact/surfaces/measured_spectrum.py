@@ -88,17 +88,20 @@ def axis_ratio(measurement: Measurement) -> Floats:
 
 
 def independent_waves(measurement: Measurement) -> Floats:
-    """Return the number of independent waves in each bin of a measured PSD, at least 1.
+    """Return the number of independent waves in each bin of a measured PSD, at least 1."""
+    return waves_in_bins(measurement.kind, size_of(measurement))
+
+
+def waves_in_bins(kind: str, size: float) -> Floats:
+    """Return the independent waves in each bin of a square map or a line scan of a size (nm).
 
     One of each pair ±q counts, times the share that the Hann window leaves independent.
     """
-    lengths = np.array(measurement.heights.shape) * measurement.pixel_size
-    if measurement.kind == "map":
-        count = np.pi / 2 * np.diff(BIN_EDGES**2) * lengths.prod() / (2 * np.pi) ** 2
+    if kind == "map":
+        count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT * size / (2 * np.pi)) ** 2
     else:
-        count = np.diff(BIN_EDGES) * lengths.prod() / (2 * np.pi)
-    share = INDEPENDENT**measurement.heights.ndim
-    return np.asarray(np.maximum(count * share, 1.0), float)
+        count = np.diff(BIN_EDGES) * INDEPENDENT * size / (2 * np.pi)
+    return np.asarray(np.maximum(count, 1.0), float)
 
 
 def variance_of_log(waves: Floats) -> Floats:

@@ -7,10 +7,13 @@ is used.
 
 import re
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from hardcontact.numbers.printing import print_length
 
 Floats = NDArray[np.float64]
 
@@ -20,7 +23,7 @@ class Measurement:
     """One topography of a file: a map or a line scan."""
 
     path: str
-    dataset: str  #: The data file in a container; empty for any other file.
+    dataset: str  #: The data file in a container, the channel of any other file, or empty.
     channel: str  #: Name of the channel that was read.
     file_unit: str  #: Unit of length that the file, or its container, states.
     kind: str  #: ``"map"`` or ``"profile"``.
@@ -40,6 +43,8 @@ FILE_LIMIT = 2**30
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTHS = (1e-3, 1e7)
+#: By what share edges of a square pixel may differ.
+OBLONG = 1e-3
 #: Share of undefined pixels beyond which a scan is more filled than measured.
 MOST_UNDEFINED = 0.5
 #: The largest mean slope: no tip follows 84 degrees; heights read from a wrong place in a file
@@ -65,9 +70,17 @@ def check_points(counts: tuple[int, ...]) -> None:
 
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
-    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has."""
-    low, high = heights.min(), heights.max()
+    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has.
+
+    An offset that is larger than any relief, the place of a stage, is subtracted if the heights
+    have digits below it.
+    """
     least, most = LENGTHS
+    offset = float(np.median(heights))
+    if most < abs(offset) < least / np.finfo(float).eps:
+        heights = heights - offset
+        notes = [*notes, f"offset of {print_length(offset)} subtracted"]
+    low, high = heights.min(), heights.max()
     if (
         not least <= pixel_size <= most
         or not max(-low, high) <= most  # also true of what is no number
@@ -96,28 +109,51 @@ def unit_in_nm(unit: str) -> float:
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
     """Return fields of the `Measurement` of a map with physical sizes, whose unit is `factor` nm.
 
-    It is the central square; what is undefined beside it does not count. Pixels that are undefined
-    and may not be filled, or not square, and heights of no scan are a RefusedScan.
+    It is the central square, on square pixels; what is undefined beside it does not count. Pixels
+    that are undefined and may not be filled, and heights of no scan are a RefusedScan.
     """
     from SurfaceTopography import Topography
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
-    along_x, along_y = sizes / topography.nb_grid_pts
-    if not min(along_x, along_y) > 0 or abs(along_x / along_y - 1) > 1e-3:
-        raise RefusedScan(f"expected square pixels, found {along_x:.6g} nm x {along_y:.6g} nm")
-    heights, notes = _masked(topography.heights()), []
+    heights, pixel_size, notes = _square_pixels(
+        _masked(topography.heights()), sizes / topography.nb_grid_pts
+    )
     columns, rows = heights.shape
     if rows != columns:
         edge = min(rows, columns)
         left, low = (columns - edge) // 2, (rows - edge) // 2
         heights = heights[left : left + edge, low : low + edge]
-        notes = [f"cropped from {columns} x {rows} to {edge} x {edge} pixels"]
+        notes.append(f"cropped from {columns} x {rows} to {edge} x {edge} pixels")
     undefined, gaps = _undefined(heights, undefined_pixels)
     filled = heights.data
     if undefined:
         holed = Topography(heights, heights.shape)
         filled = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
-    return _fields(filled.T * factor, float(along_x + along_y) / 2, notes + gaps, undefined)
+    return _fields(filled.T * factor, pixel_size, notes + gaps, undefined)
+
+
+def _square_pixels(
+    heights: np.ma.MaskedArray, edges: Floats
+) -> tuple[np.ma.MaskedArray, float, list[str]]:
+    """Return heights (x, y) of pixels with these edges (nm) on square ones, their edge, a note.
+
+    They have the longer edge: on the shorter one waves would be missing along one axis. In between
+    heights are interpolated linearly, and are undefined beside a pixel that is.
+    """
+    longer = float(edges.max())
+    if not 0 < edges.min() <= longer < np.inf:
+        found = " nm x ".join(f"{edge:.6g}" for edge in edges)
+        raise RefusedScan(f"expected pixels of positive edges, found {found} nm")
+    if longer <= (1 + OBLONG) * edges.min():
+        return heights, float(edges.mean()), []
+    values = heights.filled(np.nan)
+    for axis, edge in enumerate(edges):
+        given = np.arange(values.shape[axis]) * edge
+        wanted = np.arange(int(values.shape[axis] * edge / longer * (1 + 1e-9))) * longer
+        values = np.apply_along_axis(partial(np.interp, wanted, given), axis, values)
+    check_points(values.shape)
+    note = f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"
+    return _masked(values), longer, [note]
 
 
 def _masked(heights: Floats) -> np.ma.MaskedArray:

@@ -8,19 +8,23 @@ its scans, `index.json` or, of older ones, `meta.yml`; the format is described b
 
 import io
 import json
+import math
 import zipfile
+from collections import Counter
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import yaml
 from SurfaceTopography import open_topography
 from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlreadyFixedByFile
-from SurfaceTopography.IO import XYZReader
+from SurfaceTopography.IO import AscReader, XYZReader
 
 from hardcontact.surfaces.measurement import (
     FILE_LIMIT,
+    OBLONG,
     RefusedScan,
     check_points,
     map_values,
@@ -53,6 +57,8 @@ KINDS: dict[str, type | tuple[type, ...]] = {
     "description": str,
     "instrument": dict,
 }
+#: Stands for no unit, for files that state none.
+NO_UNIT = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
 #: Spacings, in the unit of a text file, below which its reader takes any line scan for uniform.
@@ -68,7 +74,7 @@ def datasets_of(path: Path) -> dict[str, Any]:
     return {"datasets": [""] if members is None else [_data_file(entry) for entry in members]}
 
 
-def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> dict[str, Any]:
+def measurement_of(path: Path, dataset: str, undefined_pixels: str, unit: str) -> dict[str, Any]:
     """Return the fields of the `Measurement` of a map or a profile, as of `scans.read_measurement`.
 
     A scan that cannot be used is a RefusedScan.
@@ -80,20 +86,30 @@ def measurement_of(path: Path, dataset: str, undefined_pixels: str) -> dict[str,
             "expected a whole file in a format that SurfaceTopography reads, "
             "found one that none of its readers takes"
         ) from None
-    channel, chosen = _height_channel(reader, entry)
-    topography, stated = _topography(channel, entry)
+    channel, chosen = _height_channel(reader, entry, "" if entry else dataset)
+    given = {} if unit == NO_UNIT else {"unit": unit}
+    topography, stated = _topography(channel, entry or given)
+    if topography.unit is None:
+        raise RefusedScan(
+            "expected a unit of length, found none in the file: --unit, or the key scan.unit, "
+            "gives one to all files without"
+        )
     if topography.physical_sizes is None or not isinstance(topography.unit, str):
         raise RefusedScan(
-            "expected a physical size and a unit, "
+            "expected a physical size and one unit, "
             f"found size {topography.physical_sizes}, unit {topography.unit}"
         )
+    origin = "the container states" if entry else "given"
+    stated = [f"{', '.join(stated)} as {origin}".replace("_", " ")] if stated else []
     factor = unit_in_nm(topography.unit)
     is_map = topography.dim == 2
+    if is_map and isinstance(reader, AscReader):
+        _check_lines(topography)
     values = (map_values if is_map else profile_values)(topography, factor, undefined_pixels)
     tip_radius, tip = stated_tip_radius(topography.info, entry)
     return {
         "path": str(path),
-        "dataset": dataset,
+        "dataset": dataset if entry or len(reader.channels) > 1 else "",
         "channel": channel.name,
         "file_unit": topography.unit,
         "kind": "map" if is_map else "profile",
@@ -126,40 +142,51 @@ def _opened(path: Path, dataset: str) -> tuple[Any, dict[str, Any]]:
             if file not in container.namelist():
                 raise RefusedScan(f"expected the data file {file} in the container, found none")
             return open_topography(io.BytesIO(container.read(file))), entry
-    if dataset:
-        raise RefusedScan(f"expected a whole container with a dataset {dataset!r}, found none")
     return open_topography(str(path)), {}
 
 
-def _height_channel(reader: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the channel that the container names, or the reader's own, if it holds heights.
+def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
+    """Return the channel of a name or that the container names, or the reader's own, if of heights.
 
-    Otherwise the first one that does, and a note that says so. Of Nanoscope files phases and
-    voltages are channels of heights too, with a pair of units: of pixels and of values.
+    A name counts where there are several. Without a name it is otherwise the first that holds some,
+    and a note says so. Of Nanoscope files phases and voltages are channels of heights too, with a
+    pair of units: of pixels and of values.
     """
     channels = reader.channels
     if not channels:
         raise RefusedScan("expected a file with heights, found no channel of them")
     number = entry.get("data_source")
-    known = number in range(len(channels))
-    wanted = channels[number] if known else reader.default_channel
+    if number is not None and number not in range(len(channels)):
+        raise RefusedScan(
+            f"expected a data_source from 0 to {len(channels) - 1} in the container, found {number}"
+        )
+    wanted = reader.default_channel if number is None else channels[number]
+    names = ", ".join(channel.name for channel in channels)
+    if name and len(channels) > 1:  # Else there is nothing to choose.
+        places = enumerate(channels, 1)
+        channels = [channel for place, channel in places if name in (channel.name, str(place))]
+        if not channels:
+            raise RefusedScan(
+                f"expected one of the channels {names}, or its number from 1; found {name!r}"
+            )
+        wanted = channels[0]
     for channel in (wanted, *channels):
         if channel.is_height_channel and not isinstance(channel.unit, tuple):
             chosen = f"channel {channel.name} read: {wanted.name} holds no heights"
             return channel, [] if channel.index == wanted.index else [chosen]
-    names = ", ".join(channel.name for channel in channels)
     raise RefusedScan(f"expected a channel of heights, found only {names}")
 
 
 def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and which of its metadata the container stated.
+    """Return the topography of a channel, and what of its metadata its file does not state.
 
-    Metadata of a container count only if its data file has none: its height scale would calibrate
-    a calibrated file twice.
+    Other metadata, of a container or given, count only then: a height scale would calibrate a
+    calibrated file twice.
     """
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(entry.get("size") or ()) or None
     check_points(channel.nb_grid_pts)
+    _check_stated(size, entry.get("height_scale"), channel.dim)
     if channel.physical_sizes is None and size is None and not has_positions:
         raise RefusedScan(
             "expected a file that states the physical size of the scan, found none: "
@@ -172,9 +199,28 @@ def _topography(channel: Any, entry: dict[str, Any]) -> tuple[Any, list[str]]:
             with suppress(MetadataAlreadyFixedByFile):
                 channel.topography(**stated | {argument: value})
                 stated[argument] = value
-    said = ", ".join(f"{STATED[argument]} {value}" for argument, value in stated.items())
-    notes = [f"{said.replace('_', ' ')} as the container states"] if said else []
-    return _with_positions(channel, channel.topography(**stated), stated), notes
+    said = [f"{STATED[argument]} {value}" for argument, value in stated.items()]
+    return _with_positions(channel, channel.topography(**stated), stated), said
+
+
+def _check_lines(matrix: Any) -> None:
+    """Refuse a text whose pixels are not square: it has no count of lines, and may be cut short."""
+    along_x, along_y = np.divide(matrix.physical_sizes, matrix.nb_grid_pts)
+    if abs(along_x / along_y - 1) > OBLONG:
+        raise RefusedScan(
+            f"expected square pixels of a text, which has lost lines else, found {along_x:.6g} "
+            f"{matrix.unit} x {along_y:.6g} {matrix.unit}"
+        )
+
+
+def _check_stated(size: tuple[float, ...] | None, scale: float | None, dimensions: int) -> None:
+    """Refuse a size or a height scale in a container that no scan of these dimensions has."""
+    if size is not None and not (len(size) == dimensions and all(0 < x < math.inf for x in size)):
+        raise RefusedScan(
+            f"expected a size of {dimensions} positive numbers in the container, found {size}"
+        )
+    if scale is not None and not 0 < scale < math.inf:
+        raise RefusedScan(f"expected a positive height scale in the container, found {scale}")
 
 
 def _with_positions(channel: Any, topography: Any, stated: dict[str, Any]) -> Any:
@@ -233,12 +279,18 @@ def _members(path: Path) -> list[dict[str, Any]] | None:
         text = archive.read(name)
     try:
         surfaces = LISTS[name](text)["surfaces"]
-        return [_member(entry) for surface in surfaces for entry in surface["topographies"]]
+        found = [_member(entry) for surface in surfaces for entry in surface["topographies"]]
     except LIST_ERRORS as error:
         raise RefusedScan(
             f"expected {name} that lists surfaces, their topographies and the data file of "
             f"each, found: {type(error).__name__}: {error}"
         ) from None
+    (file, count), *_ = Counter(map(_data_file, found)).most_common(1) or [("", 0)]
+    if count > 1:
+        raise RefusedScan(
+            f"expected {name} that lists each data file once, found {file} {count} times"
+        )
+    return found
 
 
 def _member(entry: dict[str, Any]) -> dict[str, Any]:

@@ -36,33 +36,38 @@ STITCHED = "scan and its mirror images, periodic"
 
 
 def read_measurement(
-    path: str | Path, dataset: str = "", undefined_pixels: str = "refuse"
+    path: str | Path, dataset: str = "", undefined_pixels: str = "refuse", unit: str = "none"
 ) -> Measurement:
     """Read a topography: a map cropped to its central square, or a line scan on uniform spacing.
 
     The file is in any format SurfaceTopography reads, or a contact.engineering container (.zip);
-    `dataset` is the member of a container, by its name or data file, and empty for any other file.
+    `dataset` is the member of a container, by its name or data file; of any other file the channel,
+    or empty for its own choice. The unit of length, or ``"none"``, is of a file that states none;
     `undefined_pixels` is ``"refuse"``, or the name of an interpolation of SurfaceTopography
     (``"harmonic"``) that fills them. It is a ValueError in one line if the scan is missing,
-    unreadable, too large, without physical size or unit, on pixels that are not square, reentrant,
-    of absurd size, height or slope, or has undefined pixels that may not be filled.
+    unreadable, too large, without physical size or unit, reentrant, of absurd size, height or
+    slope, or has undefined pixels that may not be filled.
     """
     from hardcontact.surfaces.scan_formats import measurement_of
 
-    fields = _in_a_process(measurement_of, Path(path), dataset, undefined_pixels)
+    fields = _in_a_process(measurement_of, Path(path), dataset, undefined_pixels, unit)
     fields["notes"] = tuple(fields["notes"])
     return Measurement(**fields)
 
 
 def read_scan(
-    path: str | Path, dataset: str = "", undefined_pixels: str = "refuse", basis: str = "measured"
+    path: str | Path,
+    dataset: str = "",
+    undefined_pixels: str = "refuse",
+    basis: str = "measured",
+    unit: str = "none",
 ) -> HeightMap:
     """Read a height map in float64, not periodic, as `read_measurement` reads it.
 
     The basis says what the scan is: ``"measured"`` or ``"substitute"``. A ValueError of one line
     tells that `read_measurement` refuses it or that it is a line scan.
     """
-    return height_map(read_measurement(path, dataset, undefined_pixels), basis)
+    return height_map(read_measurement(path, dataset, undefined_pixels, unit), basis)
 
 
 def height_map(measurement: Measurement, basis: str) -> HeightMap:
@@ -78,16 +83,17 @@ def prepared_file(
     basis: str,
     dataset: str = "",
     undefined_pixels: str = "refuse",
+    unit: str = "none",
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Read a scan and prepare it: levelled and stitched, as of `topography.prepared_scan`.
 
-    The basis is ``"measured"`` or ``"substitute"``; `dataset` and `undefined_pixels` are as of
-    `read_measurement`, the levelling is a key of `topography.LEVELLING`. The radius, in nm, is that
-    of a scan of the sphere, None of a flat surface.
+    The basis is ``"measured"`` or ``"substitute"``; `dataset`, `undefined_pixels` and `unit` are
+    as of `read_measurement`, the levelling is a key of `topography.LEVELLING`. The radius, in nm,
+    is that of a scan of the sphere, None of a flat surface.
     """
-    measurement = read_measurement(path, dataset, undefined_pixels)
+    measurement = read_measurement(path, dataset, undefined_pixels, unit)
     described = {
         "channel": measurement.channel,
         "file_unit": measurement.file_unit,
@@ -101,22 +107,24 @@ def flat_measurement(
     dataset: str = "",
     *,
     undefined_pixels: str = "refuse",
+    unit: str = "none",
     levelling: str = "plane",
     sphere_radius: float | None = None,
 ) -> Measurement:
     """Read a measured topography: a map levelled as in `prepared_file`, a line scan as it is."""
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {' or '.join(LEVELLING)}, found {levelling}")
-    measurement = read_measurement(path, dataset, undefined_pixels)
+    measurement = read_measurement(path, dataset, undefined_pixels, unit)
     return flattened(measurement, sphere_radius, levelling)
 
 
 class Measuring(TypedDict):
     """How the measurements of a surface are read, and the radii of their tips."""
 
-    datasets: list[str]  #: In its container, of each; empty of any other file.
+    datasets: list[str]  #: As of `read_measurement`, of each.
     tip_radii: list[float | None]  #: In nm; None of a tip that is not given.
     undefined_pixels: str
+    unit: str
     levelling: str
     sphere_radius: float | None  #: In nm, None of a flat surface.
 
@@ -128,6 +136,7 @@ def flat_measurements(paths: Iterable[str], measuring: Measuring) -> list[Measur
             path,
             dataset,
             undefined_pixels=measuring["undefined_pixels"],
+            unit=measuring["unit"],
             levelling=measuring["levelling"],
             sphere_radius=measuring["sphere_radius"],
         )
