@@ -51,4 +51,4 @@ def test_a_scan_of_other_heights_is_named_with_the_square_of_their_factor(height
     assert list(first[:2]) == order and first.factor == pytest.approx(100, rel=0.4)
     assert 320 <= first.shortest < first.longest <= 2048 / 3  # four pixels, a third of the size
     (line,) = told_contradictions([first, pairs[1]], NAMES)
-    assert_says(line, "large.spm", "small.spm", "contradict", "times", "1 more pair")
+    assert_says(line, "large.spm", "small.spm", "contradict", "times", "more pairs that do: 1")

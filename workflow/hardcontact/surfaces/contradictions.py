@@ -37,7 +37,7 @@ class Contradiction(NamedTuple):
 def told_contradictions(found: Sequence[Contradiction], names: Sequence[str]) -> Iterator[str]:
     """Yield a line on the measurements, called by these names, that contradict each other most."""
     for pair in found[:1]:
-        more = f"; so do {len(found) - 1} more pairs" if found[1:] else ""
+        more = f"; more pairs that do: {len(found) - 1}" if found[1:] else ""
         yield (
             f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
             f"from {print_length(pair.shortest)} to {print_length(pair.longest)} the power "
