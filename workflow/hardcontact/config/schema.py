@@ -5,6 +5,7 @@ largest value in that unit. Of patterns: `expects`, which says in words what mat
 `recomputes` are for the tables of the documentation (`key_tables`).
 """
 
+import datetime
 import difflib
 import math
 import re
@@ -125,6 +126,8 @@ _Validator = jsonschema.validators.extend(  # type: ignore[no-untyped-call]
 
 def _shortened(value: object) -> str:
     """Return a value as it was given, on one line of limited length."""
+    if isinstance(value, datetime.date):
+        return str(value)
     short = reprlib.Repr()
     short.maxstring = short.maxother = 80
     short.maxlevel = 2
