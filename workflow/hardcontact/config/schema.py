@@ -98,8 +98,9 @@ def _is_number(checker: object, value: object) -> bool:
 def _check_pattern(
     _validator: object, pattern: str, value: object, _schema: Schema
 ) -> Iterator[jsonschema.ValidationError]:
-    # All of the text must match: a search would accept a line break at its end.
-    if isinstance(value, str) and not re.fullmatch(pattern, value):
+    # All of the text must match: a search would accept a line break at its end. A terminal would
+    # obey what is not printable.
+    if isinstance(value, str) and not (value.isprintable() and re.fullmatch(pattern, value)):
         yield jsonschema.ValidationError("")
 
 
