@@ -42,8 +42,8 @@ TYPES = {
     "string": "text",
 }
 
-#: How many faults are told at once.
-FAULTS = 10
+#: How many faults of one schema are told at once, and how many of a file.
+FAULTS, LINES = 10, 100
 #: How alike an unknown key and a known one are, of 1, if the latter was meant: a letter or two.
 NEAR = 0.75
 
@@ -68,9 +68,15 @@ def refuse(value: object, schema: Schema, where: str) -> None:
 
 
 def refuse_lines(lines: Iterable[str]) -> None:
-    """Raise a ValueError of all lines, each a fault, if there are any."""
-    if text := "\n".join(lines):
-        raise ValueError(text)
+    """Raise a ValueError of lines, each a fault, if there are any; of too many the first are told.
+
+    There are LINES at most: the last one counts those that are not told.
+    """
+    first = [*lines]
+    if len(first) > LINES:
+        first[LINES - 1 :] = [f"expected fewer faults, found {len(first) - LINES + 1} more"]
+    if first:
+        raise ValueError("\n".join(first))
 
 
 def resolved(schema: Schema, root: Schema) -> Schema:
