@@ -30,7 +30,7 @@ MEMORY_LIMIT = 4 * 2**30
 TIME_LIMIT = 120
 #: What reading a small one may take, to which a larger one adds INFLATION bytes a byte, and
 #: MEGABYTE seconds for each 2**20 bytes.
-SMALL_MEMORY, SMALL_TIME, MEGABYTE = 2**27, 2, 10
+SMALL_MEMORY, SMALL_TIME, MEGABYTE = 2**29, 2, 10
 #: Exit code of a process that refused a scan and wrote the reason.
 REFUSED = 3
 #: Titles of the files that hold what `prepared_file` returns.
