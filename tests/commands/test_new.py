@@ -163,17 +163,19 @@ def test_a_study_is_not_written_into_another_clone(folder, monkeypatch, capsys, 
 
 def test_all_problems_are_told_at_once_and_nothing_is_left(folder, monkeypatch, capsys):
     own_scan(folder / "good.nc")
-    own_scan(folder / "odd{1}.nc")
+    for odd in ("odd{1}.nc", "odd<1>.nc"):
+        own_scan(folder / odd)
     (folder / "my.csv").write_text("surface,value,unit\na_test_of_new,1,\nb,2,uN\n")
     before = sorted(folder.rglob("*"))
-    files = ["good.nc", "odd{1}.nc", "none.di"]
+    files = ["good.nc", "odd{1}.nc", "odd<1>.nc", "none.di"]
     quantities = ["--radius", "5 N", "--preload", "10", "--tip", "3 s", "--work", "1e9 J/m2"]
     done = run(monkeypatch, capsys, "a/b", *files, *quantities, "--forces", "my.csv")
     assert done.code == 1 and not done.out
     expected = [
         ["NAME", "letters", "'a/b'"], ["--radius", "nm", "'5 N'"], ["--preload", "N", "'10'"],
         ["--tip", "nm", "'3 s'"], ["--work", "100 J/m2", "1e9 J/m2"], ["none.di", "no such file"],
-        ["odd{1}.nc", "without { and }"], ["my.csv: line 2", "unit"], ["my.csv: line 3", "'b'"],
+        ["odd{1}.nc", "without {, }"], ["odd<1>.nc", "without {, }"],
+        ["my.csv: line 2", "unit"], ["my.csv: line 3", "'b'"],
     ]  # fmt: skip
     for parts in expected:
         assert any(all(part.strip("'") in line for part in parts) for line in done.errors), parts
@@ -223,9 +225,14 @@ def test_a_study_is_replaced_only_when_told(folder, monkeypatch, capsys):
         ((NAME, "--surface", "A"), ["--surface A", "expected files"]),
         ((NAME, "--surface", "A", "one.nc", "--surface", "a", "two.nc"), ["of its own", "also a"]),
         ((NAME, "--surface", "sphere", "one.nc", "--sphere", "two.nc"), ["label of its own"]),
-        ((NAME, "--surface", "smooth", "one.nc"), ["surface", "found 'smooth'"]),
+        (
+            (NAME, "--surface", "smooth", "one.nc"),
+            ["surface", "neither pooled nor smooth", "found 'smooth'"],
+        ),
         ((NAME, "--surface", "$x$", "one.nc"), ["label", "without $"]),
         ((NAME, "--surface", "$x$", "one.nc", "two.nc"), ["--surface", "label", "without $"]),
+        ((NAME, "a\n\033[31m.nc"), ["'a\\n\\x1b[31m.nc'", "printable"]),
+        ((NAME, "a\udcff.nc"), ["'a\\udcff.nc'", "printable"]),
         ((NAME, "."), [".: expected a scan", "found a folder"]),
         ((NAME, "one.nc", "--forces", "none.csv"), ["--forces", "none.csv"]),
         ((NAME, "one.nc", "--sphere", "two.nc", "--radius", "1 um"), ["sphere.radius", "2500 nm"]),

@@ -1,5 +1,7 @@
 """Bad configurations: one line, the key, what was expected and found."""
 
+import datetime
+
 import pytest
 from refusals import assert_says, refusal
 from studies import MISSING, numbers
@@ -36,6 +38,7 @@ from hardcontact.config import configuration
         ("contact.count", 0, ["config key contact.count:", "at least 1", "found 0"]),
         ("contact.count", "20", ["config key contact.count:", "a whole number", "found '20'"]),
         ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
+        ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
         ("contact.count", True, ["contact.count:", "a whole number", "found True"]),
         ("contact.count", 201, ["config key contact.count:", "at most 200", "found 201"]),
         ("scan.pixels", 10**9, ["config key scan.pixels:", "at most 8192", "found 1000000000"]),
@@ -124,3 +127,32 @@ def test_quantities_become_numbers():
     assert config["scales"]["small"]["cutoffs"][0] == 5.0
     assert config["elastic"]["sphere"] == {"modulus": 365e9, "poisson_ratio": 0.29}
     assert config["robustness"]["hardnesses"] == [16e9, 47e9]
+
+
+@pytest.mark.parametrize(
+    ("content", "part"),
+    [
+        (b"", "found: nothing"),
+        (b"# a comment", "found: nothing"),
+        (b"- 1", "found: [1]"),
+        (b"word", "found: word"),
+        (b"a: caf\xe9", "no UTF-8"),
+        ("a: 1".encode("utf-16"), "no UTF-8"),
+        (b"a: 1\0", "#x0000"),
+        (b"a: 1\nb:\n\t- 1", "line 3: found character '\\t'"),
+        (b"a: [1\n", "line 2"),
+        (b"a: 1\n---\nb: 2", "line 2"),
+        (b"a: 2026-13-45", "month"),
+        (b"a: " + b"9" * 5000, "4300 digits"),
+        (b"a: " + b"[" * 50_000, "too many levels"),
+        (b"a: !!python/object/apply:os.mkdir [made]", "line 1"),
+        (None, "Is a directory"),
+    ],
+)
+def test_what_is_no_configuration_is_named(tmp_path, content, part):
+    path = tmp_path / "a.yaml"
+    path.mkdir() if content is None else path.write_bytes(content)
+    message = refusal(configuration.refuse_unreadable, path)
+    assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
+    assert_says(message, part)
+    assert len(message.splitlines()) == 1 and len(message) < 300

@@ -3,6 +3,7 @@
 import pytest
 
 from hardcontact.config.configuration import refuse_all
+from hardcontact.config.schema import refuse_lines
 
 
 def refusing(text):
@@ -17,6 +18,17 @@ def test_every_fault_is_told_once_in_its_order():
     with pytest.raises(ValueError) as caught:
         refuse_all(checks)
     assert str(caught.value) == "b: expected\na: expected"
+
+
+def test_of_very_many_faults_the_first_are_told():
+    with pytest.raises(ValueError) as caught:
+        refuse_lines(f"line {number}: expected" for number in range(100_000))
+    first, *_, last = str(caught.value).splitlines()
+    assert first == "line 0: expected" and "99901 more" in last
+    assert len(str(caught.value)) < 5000
+    with pytest.raises(ValueError) as again:
+        refuse_all([refusing(str(caught.value))])
+    assert str(again.value) == str(caught.value)
 
 
 def test_no_fault_is_no_error():

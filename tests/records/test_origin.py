@@ -6,6 +6,7 @@ import os
 import subprocess
 from importlib.metadata import version
 
+import pytest
 from refusals import assert_says, refusal
 from repository import ROOT
 
@@ -53,13 +54,22 @@ def test_a_file_that_was_changed_after_it_was_made_is_refused(tmp_path):
     keep_digests([made])
     refuse_changed(digests([made, given]))
     assert kept_digest(given) is None
-    for changed in (b"\1" + bytes(99), bytes(99), bytes(101)):
+    for changed in (b"\1" + bytes(99), bytes(99), bytes(101), b""):  # a bit, truncated, longer
         made.write_bytes(changed)
         os.utime(made, (0, 0))
         given.write_bytes(changed)
         said = refusal(refuse_changed, digests([made, given]))
         assert_says(said, str(made), "delete it")
         assert str(given) not in said
+
+
+@pytest.mark.parametrize("content", [b"", b"\xff\0", b"0" * 63, b"\n"])
+def test_a_damaged_digest_refuses_its_file(tmp_path, content):
+    made = tmp_path / "made.nc"
+    made.write_bytes(bytes(100))
+    keep_digests([made])
+    (tmp_path / ".sha256/made.nc.sha256").write_bytes(content)
+    assert_says(refusal(refuse_changed, digests([made])), "made.nc: expected", "delete it")
 
 
 def test_kept_digests_are_those_that_other_programs_check(tmp_path):

@@ -11,7 +11,7 @@ from refusals import assert_says, refusal
 from repository import run_snakemake
 
 from hardcontact.records import crate, dataset, provenance
-from hardcontact.records.origin import Origin, canonical, digest, digests
+from hardcontact.records.origin import Origin, canonical, digest, digests, keep_digests
 
 # A small study of a store, a dataset and a table
 
@@ -69,6 +69,23 @@ def test_a_study_as_it_was_made_has_no_faults(study):
 def test_another_file_is_a_fault_of_what_was_made_from_it(study, path, faults):
     (study / path).write_text("other")
     assert provenance.check("results", {})[0] == faults
+
+
+@pytest.mark.parametrize("path", ["results/final.nc", "results/table.csv"])
+@pytest.mark.parametrize(
+    "damage",
+    [
+        lambda content: content[:-2] + bytes([content[-2] ^ 1]) + content[-1:],
+        lambda content: content[: len(content) // 2],
+        lambda content: b"",
+    ],
+    ids=["bit flipped", "truncated", "emptied"],
+)
+def test_files_are_compared_with_what_they_were_when_they_were_made(study, path, damage):
+    keep_digests(["store.nc", "results/final.nc", "results/table.csv"])
+    content = (study / path).read_bytes()
+    (study / path).write_bytes(damage(content))
+    assert f"{path}: is not the file that the study wrote" in provenance.check("results", {})[0]
 
 
 def test_missing_inputs_are_counted_and_missing_outputs_are_faults(study):

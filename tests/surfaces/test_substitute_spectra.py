@@ -138,3 +138,14 @@ def test_description_of_chromium_nitride_makes_power_laws_without_a_jump(coating
     inside = WAVEVECTORS < 2 * np.pi / 0.11
     # Edges lie between points of the table of spectra: each band begins up to half a cell off.
     np.testing.assert_allclose(density[inside], expected[inside], rtol=0.15)
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"a,b\n1,2\n", b"\xff\xfe", b'"', b"model,table,longest_nm\n\xb5,,1\n", None]
+)
+def test_what_is_no_description_is_named(tmp_path, content):
+    path = tmp_path / "a.csv"
+    path.write_bytes(content) if content is not None else path.mkdir()
+    message = refusal(substitute_spectra.described_rms_height, path, 1000.0)
+    assert_says(message, "a.csv: expected bands of a spectrum", "found")
+    assert len(message.splitlines()) == 1

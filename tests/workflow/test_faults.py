@@ -1,5 +1,7 @@
 """Damaged files and jobs that fail: one line that says what is wrong, and nothing lost."""
 
+import os
+
 import pytest
 from comparison import differences
 from faults import ALTERED, OF_ALTERED, alter, errors, others
@@ -34,7 +36,7 @@ def test_deleted_results_are_made_again(finished_copy):
     ("path", "targets"),
     [
         ("store-quick/scans/uncd/study/scan-1-flat.nc", ["topography"]),
-        ("store-quick/substitutes/uncd/study/scan-1-flat.nc", ["topography"]),
+        ("store-quick/masters/uncd/study/realization-1/small.nc", ["scales"]),
         ("quick/provenance/fig5.json", []),
         ("quick/claims.csv", []),
         ("quick/figures/fig5.csv", []),
@@ -56,6 +58,23 @@ def test_a_truncated_file_is_deleted_and_made_again(finished_copy, finished, pat
     # An intermediate from which nothing has to be made is not made again.
     lines = differences(finished_copy / "results", finished / "results")
     assert [line for line in lines if not line.endswith(".nc: missing")] == []
+
+
+def test_a_flipped_bit_of_any_age_stops_the_job_that_reads_it(finished_copy):
+    results = finished_copy / "results"
+    paths = ["quick/adhesion.nc", "store-quick/masters/ncd/study/realization-1/large.nc"]
+    for path in paths:
+        before, content = (results / path).stat(), bytearray((results / path).read_bytes())
+        content[len(content) * 2 // 3] ^= 1
+        (results / path).write_bytes(content)
+        os.utime(results / path, ns=(before.st_atime_ns, before.st_mtime_ns))
+    (results / "quick/inference.nc").unlink()
+    run = run_snakemake(finished_copy, "results/quick/inference.nc")
+    (said,) = errors(run.stdout)
+    assert_says(said, "results/quick/adhesion.nc: expected", "delete it and run again")
+    verified = run_snakemake(finished_copy, "verify")
+    for path in paths:
+        assert f"results/{path}: is not the file that the study wrote" in verified.stdout
 
 
 # Jobs that fail

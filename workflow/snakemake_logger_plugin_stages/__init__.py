@@ -6,6 +6,8 @@ runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log`
 
 import sys
 from datetime import timedelta
+from functools import partial
+from itertools import takewhile
 from logging import WARNING, LogRecord
 
 from rich.console import Console
@@ -26,6 +28,8 @@ from snakemake_interface_logger_plugins.common import LogEvent
 STUDY = "snakemake.logging.study"
 #: Exceptions that tell once more of a job that has failed.
 OF_JOBS = ("CalledProcessError", "RuleException")
+#: Options whose words on the command line are configuration files.
+CONFIGFILE = ("--configfile", "--configfiles")
 #: Exceptions whose last line tells a user all: of configuration files that cannot be read.
 OF_FILES = ("FileNotFoundError", "IsADirectoryError", "PermissionError", "RecursionError")
 
@@ -62,7 +66,9 @@ class LogHandler(LogHandlerBase):
     def emit(self, record: LogRecord) -> None:
         """Show what begins, what ends, and what is to be read."""
         event, said = getattr(record, "event", None), vars(record)
-        if event == LogEvent.ERROR and said["exception"] in OF_FILES:
+        if event == LogEvent.ERROR and not self._tasks and (faults := _faults_of_files()):
+            self._say(faults)
+        elif event == LogEvent.ERROR and said["exception"] in OF_FILES:
             self._say("error: " + record.getMessage().strip().splitlines()[-1])
         elif self._own_log:
             self._say(self.format(record))
@@ -128,3 +134,23 @@ class LogHandler(LogHandlerBase):
         """Take the bars away."""
         self._progress.stop()
         super().close()
+
+
+def _faults_of_files() -> str:
+    """Return what is wrong with the configuration files of the command line, a line each.
+
+    Snakemake tells neither the file nor the line.
+    """
+    from hardcontact.config.configuration import refuse_all, refuse_unreadable
+
+    paths = list[str]()
+    for place, word in enumerate(sys.argv):
+        option, _, value = word.partition("=")
+        if option in CONFIGFILE:
+            after = takewhile(lambda word: not word.startswith("-"), sys.argv[place + 1 :])
+            paths += [value] if value else after
+    try:
+        refuse_all(partial(refuse_unreadable, path) for path in paths)
+    except ValueError as error:
+        return "\n".join(f"error: {line}" for line in str(error).splitlines())
+    return ""

@@ -54,6 +54,12 @@ WIDTH = 100
 def main() -> int:
     """Carry out the command line, `new` or `predict`; return the exit code."""
     try:
+        # A terminal would obey control characters, and no table holds what is no UTF-8.
+        refuse_lines(
+            f"{word!r}: expected printable characters in UTF-8, found others"
+            for word in sys.argv[1:]
+            if not word.isprintable()
+        )
         if sys.argv[1:2] == ["predict"]:
             from hardcontact.commands.predict import predict, predict_arguments
 

@@ -74,6 +74,29 @@ def read_yaml(path: str) -> Any:
     return yaml.safe_load((LIBRARY.parents[1] / path).read_text("utf-8"))
 
 
+def refuse_unreadable(path: str | Path) -> None:
+    """Refuse a file that is no YAML with keys at its top, as a ValueError of one line."""
+    try:
+        found = yaml.safe_load(Path(path).read_bytes().decode("utf-8"))
+        if isinstance(found, dict):
+            return
+        reason = plain(found) if found is not None else "nothing"
+    except OSError as error:
+        reason = str(error.strerror)
+    except UnicodeDecodeError:
+        reason = "what is no UTF-8"
+    except yaml.MarkedYAMLError as error:
+        line = f"line {error.problem_mark.line + 1}: " if error.problem_mark else ""
+        reason = f"{line}{error.problem}"
+    except RecursionError:
+        reason = "too many levels"
+    except ValueError as error:  # a date that is none, a number of thousands of digits
+        reason = str(error).partition(";")[0]
+    except yaml.YAMLError as error:
+        reason = str(error).splitlines()[0]
+    raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")
+
+
 def refuse_repeated_keys(path: str | Path) -> None:
     """Refuse a YAML file that gives a key twice, of which only the last would count.
 

@@ -111,6 +111,8 @@ def _is_table(path: Path) -> bool:
     """
     if path.suffix.lower() == ".csv":
         return True
+    if not path.is_file():  # a pipe would be waited for
+        return False
     try:
         with path.open("rb") as file:
             first = file.readline(1024).decode("utf-8-sig", "replace")

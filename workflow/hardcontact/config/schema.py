@@ -5,6 +5,7 @@ largest value in that unit. Of patterns: `expects`, which says in words what mat
 `recomputes` are for the tables of the documentation (`key_tables`).
 """
 
+import datetime
 import difflib
 import math
 import re
@@ -41,8 +42,8 @@ TYPES = {
     "string": "text",
 }
 
-#: How many faults are told at once.
-FAULTS = 10
+#: How many faults of one schema are told at once, and how many of a file.
+FAULTS, LINES = 10, 100
 #: How alike an unknown key and a known one are, of 1, if the latter was meant: a letter or two.
 NEAR = 0.75
 
@@ -67,9 +68,15 @@ def refuse(value: object, schema: Schema, where: str) -> None:
 
 
 def refuse_lines(lines: Iterable[str]) -> None:
-    """Raise a ValueError of all lines, each a fault, if there are any."""
-    if text := "\n".join(lines):
-        raise ValueError(text)
+    """Raise a ValueError of lines, each a fault, if there are any; of too many the first are told.
+
+    There are LINES at most: the last one counts those that are not told.
+    """
+    first = [*lines]
+    if len(first) > LINES:
+        first[LINES - 1 :] = [f"expected fewer faults, found {len(first) - LINES + 1} more"]
+    if first:
+        raise ValueError("\n".join(first))
 
 
 def resolved(schema: Schema, root: Schema) -> Schema:
@@ -97,8 +104,9 @@ def _is_number(checker: object, value: object) -> bool:
 def _check_pattern(
     _validator: object, pattern: str, value: object, _schema: Schema
 ) -> Iterator[jsonschema.ValidationError]:
-    # All of the text must match: a search would accept a line break at its end.
-    if isinstance(value, str) and not re.fullmatch(pattern, value):
+    # All of the text must match: a search would accept a line break at its end. A terminal would
+    # obey what is not printable.
+    if isinstance(value, str) and not (value.isprintable() and re.fullmatch(pattern, value)):
         yield jsonschema.ValidationError("")
 
 
@@ -125,6 +133,8 @@ _Validator = jsonschema.validators.extend(  # type: ignore[no-untyped-call]
 
 def _shortened(value: object) -> str:
     """Return a value as it was given, on one line of limited length."""
+    if isinstance(value, datetime.date):
+        return str(value)
     short = reprlib.Repr()
     short.maxstring = short.maxother = 80
     short.maxlevel = 2

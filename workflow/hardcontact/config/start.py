@@ -24,6 +24,7 @@ from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 from hardcontact.records import published
 from hardcontact.records.code import LIBRARY
+from hardcontact.records.origin import digests, refuse_changed
 from hardcontact.records.whole_file import hold, refuse_future
 
 #: The folder of the repository that the imported library belongs to.
@@ -83,13 +84,17 @@ def _schema(name: str) -> Any:
 
 
 def kept_configuration(config: Mapping[str, Any]) -> str:
-    """Return the path of the configuration of a finished study, or refuse if there is none.
+    """Return the path of the configuration of a finished study; refuse a changed one, and none.
 
     The command line says which: the key `study`, or nothing for the paper.
     """
     kept = f"results/{config.get('study', 'paper')}/configuration.yaml"
     if not os.path.isfile(kept):
         _refuse(f"{kept}: expected the configuration of a finished study, found no such file")
+    try:
+        refuse_changed(digests([kept]))
+    except ValueError as error:
+        _refuse(error)
     return kept
 
 

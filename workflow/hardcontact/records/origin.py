@@ -43,7 +43,7 @@ def keep_digests(paths: Iterable[str | Path]) -> None:
 def kept_digest(path: str | Path) -> str | None:
     """Return the SHA-256 that a file had when it was made, None of one that no job made."""
     kept = _kept(path)
-    return kept.read_text("utf-8").partition(" ")[0] if kept.is_file() else None
+    return kept.read_text("utf-8", "replace").partition(" ")[0] if kept.is_file() else None
 
 
 def refuse_changed(found: Mapping[str, str]) -> None:

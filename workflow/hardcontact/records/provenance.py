@@ -106,8 +106,10 @@ def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], 
     for path, record in known.items():
         if "output_digests" in record:
             written.setdefault(path, record["output_digests"][path])
-        if (when_made := kept_digest(path)) is not None:
-            written[path] = when_made
+    # A damaged file may have no attributes that tell what it was made from.
+    beside = (file.as_posix() for file in Path(folder).rglob("*") if file.is_file())
+    when_made = {path: kept_digest(path) for path in {*known, *beside}}
+    written |= {path: value for path, value in when_made.items() if value is not None}
     now = cache(digest)
     faults, absent = list[str](), set[str]()
     for path, record in sorted(known.items()):

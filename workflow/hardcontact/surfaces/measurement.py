@@ -40,6 +40,9 @@ PIXELS = (16, 8192)
 POINTS = (16, 2**20)
 #: The largest file, or archive once unpacked, in bytes.
 FILE_LIMIT = 2**30
+#: How many times its own size a file may unpack to, and take of memory when it is read: heights
+#: have noise, and do not shrink to a hundredth.
+INFLATION = 200
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTHS = (1e-3, 1e7)

@@ -1,9 +1,9 @@
 """Opening files of scans: any format SurfaceTopography reads, contact.engineering containers.
 
-Nothing is unpacked to disk, nothing in a file is executed, and sizes are checked before anything
-is read. `scans` calls this in a process of its own. A container is a zip archive with a list of
-its scans, `index.json` or, of older ones, `meta.yml`; the format is described by
-`SurfaceTopography.Container.IO.Schema`.
+Nothing is unpacked to disk, nothing in a file is executed, no other file is read, and sizes are
+checked before anything is read. `scans` calls this in a process of its own. A container is a zip
+archive with a list of its scans, `index.json` or, of older ones, `meta.yml`; the format is
+described by `SurfaceTopography.Container.IO.Schema`.
 """
 
 import io
@@ -16,6 +16,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import yaml
 from SurfaceTopography import open_topography
@@ -24,6 +25,7 @@ from SurfaceTopography.IO import AscReader, XYZReader
 
 from hardcontact.surfaces.measurement import (
     FILE_LIMIT,
+    INFLATION,
     OBLONG,
     RefusedScan,
     check_points,
@@ -39,6 +41,9 @@ LISTS: dict[str, Callable[[bytes], Any]] = {
     "meta.yml": lambda text: yaml.load(text, Loader=_ListLoader),
 }
 LIST_LIMIT = 2**20
+#: The most files in an archive, scans in a container, and groups and datasets in an HDF5 file, and
+#: levels of these: readers take longer than in proportion.
+FILES, SCANS, OBJECTS, LEVELS = 5000, 1000, 1000, 20
 #: What a list that is none may raise.
 LIST_ERRORS = (
     yaml.YAMLError, AttributeError, LookupError, RecursionError, TypeError, ValueError,
@@ -71,6 +76,8 @@ def datasets_of(path: Path) -> dict[str, Any]:
     A file that is missing, too large or a container that cannot be used is a RefusedScan.
     """
     members = _members(path)
+    if members is not None and len(members) > SCANS:
+        raise RefusedScan(f"expected at most {SCANS} scans in a container, found {len(members)}")
     return {"datasets": [""] if members is None else [_data_file(entry) for entry in members]}
 
 
@@ -124,7 +131,8 @@ def _check_file(path: Path) -> None:
     if path.is_dir():
         raise RefusedScan("expected a scan, found a folder: name the files in it")
     if not path.is_file():
-        raise RefusedScan("expected a scan, found no such file")
+        found = "no regular file" if path.exists() else "no such file"
+        raise RefusedScan(f"expected a scan, found {found}")
     size = path.stat().st_size
     if size == 0:
         raise RefusedScan("expected a scan, found an empty file")
@@ -141,7 +149,11 @@ def _opened(path: Path, dataset: str) -> tuple[Any, dict[str, Any]]:
         with zipfile.ZipFile(path) as container:
             if file not in container.namelist():
                 raise RefusedScan(f"expected the data file {file} in the container, found none")
-            return open_topography(io.BytesIO(container.read(file))), entry
+            content = io.BytesIO(_unpacked(container, file))
+        _check_inside(content)
+        content.seek(0)
+        return open_topography(content), entry
+    _check_inside(path)
     return open_topography(str(path)), {}
 
 
@@ -236,26 +248,68 @@ def _with_positions(channel: Any, topography: Any, stated: dict[str, Any]) -> An
     return channel.reader._read(tol=0, **stated)
 
 
-class _ListLoader(yaml.SafeLoader):
+class _ListLoader(yaml.CSafeLoader):
     """Plain data only; the containers' tuples are read as lists, nothing is executed."""
 
 
 _ListLoader.add_constructor(
     "tag:yaml.org,2002:python/tuple",
-    yaml.SafeLoader.construct_yaml_seq,  # type: ignore[type-var]
+    yaml.CSafeLoader.construct_yaml_seq,  # type: ignore[type-var]
 )
+
+
+def _check_inside(file: Path | io.BytesIO) -> None:
+    """Refuse an archive as `_check_archive` does, and HDF5 with data in other files or too deep.
+
+    A link to another file is followed by readers, wherever it leads.
+    """
+    if zipfile.is_zipfile(file):
+        with zipfile.ZipFile(file) as archive:
+            _check_archive(archive)
+    try:
+        content = h5py.File(file, "r")
+    except OSError:  # no HDF5
+        return
+    names = list[str]()
+
+    def fault(name: str, link: Any) -> str | None:
+        names.append(name)
+        if len(names) > OBJECTS or name.count("/") > LEVELS:
+            return f"expected at most {OBJECTS} groups and datasets on {LEVELS} levels, found more"
+        outside = isinstance(link, h5py.ExternalLink)
+        if isinstance(link, h5py.HardLink) and isinstance(found := content[name], h5py.Dataset):
+            outside = bool(found.external) or found.is_virtual
+        return f"expected heights in this file, found {name!r} in another one" if outside else None
+
+    with content:
+        if said := content.visititems_links(fault):
+            raise RefusedScan(said)
 
 
 def _check_archive(archive: zipfile.ZipFile) -> None:
     """Refuse an archive that unpacks to too much, or not to one file a name, before reading it."""
     files = archive.infolist()
     size = sum(file.file_size for file in files)
-    if size > FILE_LIMIT:
-        raise RefusedScan(f"expected at most {FILE_LIMIT} bytes once unpacked, found {size}")
+    most = min(FILE_LIMIT, INFLATION * archive.fp.seek(0, io.SEEK_END)) if archive.fp else 0
+    if size > most:
+        raise RefusedScan(
+            f"expected at most {most} bytes once unpacked, {INFLATION} times those of the archive, "
+            f"found {size}"
+        )
+    if len(files) > FILES:
+        raise RefusedScan(f"expected at most {FILES} files in an archive, found {len(files)}")
     if len({file.filename for file in files}) < len(files):
         raise RefusedScan("expected an archive with each file once, found one repeated")
     if any(file.flag_bits & 1 for file in files):
         raise RefusedScan("expected an archive without a password, found an encrypted file")
+    if {file.compress_type for file in files} - {zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED}:
+        raise RefusedScan("expected files stored or deflated, found another compression")
+
+
+def _unpacked(archive: zipfile.ZipFile, name: str) -> bytes:
+    """Return a file of an archive: no more than its declared size, even of one that is longer."""
+    with archive.open(name) as file:
+        return file.read(archive.getinfo(name).file_size)
 
 
 def _members(path: Path) -> list[dict[str, Any]] | None:
@@ -276,7 +330,7 @@ def _members(path: Path) -> list[dict[str, Any]] | None:
         size = archive.getinfo(name).file_size
         if size > LIST_LIMIT:
             raise RefusedScan(f"expected {name} of at most {LIST_LIMIT} bytes, found {size}")
-        text = archive.read(name)
+        text = _unpacked(archive, name)
     try:
         surfaces = LISTS[name](text)["surfaces"]
         found = [_member(entry) for surface in surfaces for entry in surface["topographies"]]
@@ -310,8 +364,9 @@ def _data_file(entry: dict[str, Any]) -> str:
     """Return the name of the data file of a scan."""
     files = entry["datafile"]
     file = [files[key] for key in DATA_FILES if files.get(key)][0]
-    if not isinstance(file, str):  # never turned into text: aliases make lists of any length
-        raise TypeError("the name of a data file is no text")
+    # Never turned into text: aliases make lists of any length.
+    if not isinstance(file, str) or not file.isprintable():
+        raise TypeError("the name of a data file is no printable text")
     return file
 
 

@@ -22,12 +22,15 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.measurement import Measurement, RefusedScan
+from hardcontact.surfaces.measurement import INFLATION, Measurement, RefusedScan
 from hardcontact.surfaces.topography import LEVELLING, flat_map, prepared_scan
 
-#: What reading one scan may take: bytes beyond those of this process, and seconds of computing.
+#: What reading any scan may take: bytes beyond those of this process, and seconds of computing.
 MEMORY_LIMIT = 4 * 2**30
 TIME_LIMIT = 120
+#: What reading a small one may take, to which a larger one adds INFLATION bytes a byte, and
+#: MEGABYTE seconds for each 2**20 bytes.
+SMALL_MEMORY, SMALL_TIME, MEGABYTE = 2**29, 2, 10
 #: Exit code of a process that refused a scan and wrote the reason.
 REFUSED = 3
 #: Titles of the files that hold what `prepared_file` returns.
@@ -170,9 +173,12 @@ def _in_a_process(read: Callable[..., dict[str, Any]], path: Path, *choices: str
 
     What it needs is imported before the process is forked: once for all scans, outside its limits.
     """
+    size = path.stat().st_size if path.is_file() else 0
+    seconds = min(TIME_LIMIT, SMALL_TIME + MEGABYTE * size // 2**20)
+    memory = min(MEMORY_LIMIT, SMALL_MEMORY + INFLATION * size)
     with tempfile.TemporaryFile(buffering=0) as answer:
         process = multiprocessing.get_context("fork").Process(
-            target=_answer, args=(answer, read, path, *choices), daemon=True
+            target=_answer, args=(answer, seconds, memory, read, path, *choices), daemon=True
         )
         process.start()
         process.join(5 * TIME_LIMIT)  # time on the clock, with waits for a processor or a disk
@@ -185,18 +191,23 @@ def _in_a_process(read: Callable[..., dict[str, Any]], path: Path, *choices: str
             raise ValueError(f"{path}: {answer.read().decode()}")
     raise ValueError(
         f"{path}: expected a readable scan, found one whose reader crashes or takes more than "
-        f"{TIME_LIMIT} s (exit code {process.exitcode})"
+        f"{seconds} s, which files of this size may take (exit code {process.exitcode})"
     )
 
 
 def _answer(
-    answer: IO[bytes], read: Callable[..., dict[str, Any]], path: Path, *choices: str
+    answer: IO[bytes],
+    seconds: int,
+    memory: int,
+    read: Callable[..., dict[str, Any]],
+    path: Path,
+    *choices: str,
 ) -> None:
     """Write what is read of a file to the file `answer`, or why it is refused.
 
     Runs in a process of its own, silently: readers log, warn and print.
     """
-    _quiet_and_limited()
+    _quiet_and_limited(seconds, memory)
     try:
         found = read(path, *choices)
     except RefusedScan as error:
@@ -206,25 +217,34 @@ def _answer(
         reason = f"expected a readable scan, found one damaged or of an unknown kind ({text})"
     else:
         heights = found.pop("heights", np.empty(0))
-        answer.write(json.dumps(found).encode() + b"\n")
+        shown = {key: _printable(value) for key, value in found.items()}
+        answer.write(json.dumps(shown).encode() + b"\n")
         np.save(answer, heights)
         return
-    printable = "".join(letter if letter.isprintable() else " " for letter in reason[:2000])
-    answer.write(" ".join(printable.split()).encode())
+    answer.write(" ".join(_printable(reason[:2000]).split()).encode())
     sys.exit(REFUSED)
 
 
-def _quiet_and_limited() -> None:
-    """Silence this process and limit its time and memory."""
+def _printable(found: Any) -> Any:
+    """Return a text, or a list of them, with blanks for what a terminal would obey; else as is."""
+    if isinstance(found, list):
+        return [_printable(part) for part in found]
+    if not isinstance(found, str):
+        return found
+    return "".join(letter if letter.isprintable() else " " for letter in found)
+
+
+def _quiet_and_limited(seconds: int, memory: int) -> None:
+    """Silence this process and limit its time, and its memory beyond what it has, in bytes."""
     logging.disable()
     warnings.simplefilter("ignore")
     for stream in (1, 2):
         os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
     _limit(resource.RLIMIT_CORE, 0)
-    _limit(resource.RLIMIT_CPU, TIME_LIMIT)
+    _limit(resource.RLIMIT_CPU, seconds)
     if sys.platform == "linux":  # elsewhere only time is limited
         pages = int(Path("/proc/self/statm").read_text().split()[0])
-        _limit(resource.RLIMIT_AS, pages * resource.getpagesize() + MEMORY_LIMIT)
+        _limit(resource.RLIMIT_AS, pages * resource.getpagesize() + memory)
 
 
 def _limit(kind: int, most: int) -> None:

@@ -61,8 +61,11 @@ MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
 def continued(above: Floats, hurst: float) -> Floats:
     """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
 
-    Both are in nm⁴ on WAVEVECTORS; it is zero where the spectrum, `above`, is not.
+    Both are in nm⁴ on WAVEVECTORS; it is zero where the spectrum, `above`, is not. A spectrum
+    without roughness is a ValueError.
     """
+    if not above.any():
+        raise ValueError("expected roughness above a power law, found none")
     last = above.nonzero()[0][-1]
     relative = WAVEVECTORS / WAVEVECTORS[last]
     return np.where(relative > 1, above[last] * relative ** (-2 - 2 * hurst), 0.0)

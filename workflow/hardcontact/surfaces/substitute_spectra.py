@@ -47,7 +47,7 @@ def from_description(
     basis. A band of CALIBRATED without Hurst exponent is calibrated to Table 1 (of
     `rows_of_surface`). A band that cannot be made is a ValueError that names it and the file.
     """
-    bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
+    bands = _bands(path)
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
@@ -64,12 +64,28 @@ def from_description(
     return density, bands, calibrated
 
 
+def _bands(path: str | Path) -> pd.DataFrame:
+    """Return the bands of a description; a file that is none is a ValueError of one line."""
+    columns = ("model", "table", *PARAMETERS)
+    try:
+        bands = pd.read_csv(path)
+        if missing := [name for name in columns if name not in bands]:
+            raise ValueError(f"no {', '.join(missing)}")
+        return bands.astype(dict.fromkeys(PARAMETERS, float))
+    except (OSError, ValueError) as error:
+        reason = " ".join(str(error).split())
+        raise ValueError(
+            f"{path}: expected bands of a spectrum, with the columns {', '.join(columns)} "
+            f"(resources/README.md), found: {reason}"
+        ) from None
+
+
 def described_rms_height(path: str | Path, longest: float) -> float:
     """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
 
     A ValueError is that of `from_description`, or says that parameters are left to Table 1.
     """
-    if is_calibrated(pd.read_csv(path)):
+    if is_calibrated(_bands(path)):
         raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
     nothing = np.empty(0)
     density, _, _ = from_description(path, pd.DataFrame(), (nothing, np.empty((3, 0))))

@@ -1,0 +1,156 @@
+"""Damaged files of a user, made by mutation: a result or one clear line a problem, at once."""
+
+import random
+import re
+import time
+from copy import deepcopy
+
+import numpy as np
+import pytest
+import yaml
+from repository import PAPER, SCHEMAS
+from scan_files import MAPS, nanoscope
+from snakemake.utils import update_config
+from SurfaceTopography import Topography
+
+from hardcontact.config.configuration import (
+    configuration,
+    refuse_repeated_keys,
+    refuse_unreadable,
+)
+from hardcontact.config.own_spectrum import own_spectrum
+from hardcontact.config.selection import surface_table
+from hardcontact.config.tables import measured_forces, refuse_description
+from hardcontact.surfaces.scans import list_measurements, read_measurement
+from hardcontact.surfaces.substitute_spectra import described_rms_height
+
+NUMBER = re.compile(rb"\d+")
+#: What takes the place of a number, or stands anywhere.
+NASTY = [
+    b"", b"-1", b"0", b"nan", b"inf", b"1e400", b"1e-400", b"9" * 5000, b"2026-01-01", b"2.5",
+    b"\0", b"\xff", b"\xef\xbb\xbf", b"\x1b[31m", b"\r", b"\n", b"\t", b'"', b"'", b",", b"{",
+    b"[" * 3000, b"*a", b"&a ", b"- ", b": ", b"!!python/object ", b"<x>", "\u2028\u202e".encode(),
+    b"x" * 10**5,
+]  # fmt: skip
+
+
+def mutated(content, rng):
+    """The content with some bits, pieces or numbers changed."""
+    content = bytearray(content)
+    for _ in range(rng.choice([1, 1, 2, 5])):
+        place = rng.randrange(len(content) + 1)
+        length = rng.choice([0, 1, 8, 100])
+        match rng.choice(["flip", "cut", "number", "nasty", "repeat", "zero", "end"]):
+            case "flip" if place < len(content):
+                content[place] ^= 1 << rng.randrange(8)
+            case "cut":
+                content[place : place + length] = b""
+            case "number" if numbers := [*NUMBER.finditer(content)]:
+                number = rng.choice(numbers)
+                content[number.start() : number.end()] = rng.choice(NASTY)
+            case "nasty":
+                content[place:place] = rng.choice(NASTY)
+            case "repeat":
+                content[place:place] = content[place : place + length] * rng.choice([1, 100])
+            case "zero":
+                content[place : place + length] = bytes(length)
+            case "end":
+                content[place:] = b""
+    return bytes(content)
+
+
+def scans(folder):
+    """Small scans in several formats, by file name."""
+    heights = np.random.default_rng(1).standard_normal((20, 20))
+    topography = Topography(heights, (200.0, 200.0), unit="nm")
+    for kind, write in MAPS.items():
+        write(topography, folder / f"a.{kind}")
+    nanoscope(folder / "a.di", (10 * heights).astype(int), (200, 200))
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def read_scans(path):
+    for dataset in list_measurements(path):
+        read_measurement(path, dataset, "harmonic")
+
+
+POWER = "wavelength,wavelength_unit,c_iso,c_iso_unit\n" + "".join(
+    f"{10 ** (1 + k / 9):.4g},nm,{100 * 10 ** (k / 3):.4g},nm4\n" for k in range(19)
+)
+BANDS = (
+    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
+    "inf,10,self-affine,1e7,1000,0.8,,,published,none\n10,1,power law,,,0.8,,,assumed,none\n"
+)
+OVERLAY = (
+    "study: mine\nscan: {pixels: 100, size: 2 um}\nscales:\n  realizations: 3\n  small:\n"
+    "    cutoffs: [10 nm, 20 nm]\nseed: 7\nquick:\n  seed: 8\n"
+)
+
+
+def read_bands(path):
+    refuse_description(path, set())
+    described_rms_height(path, 4000.0)
+
+
+def read_overlay(path):
+    refuse_unreadable(path)
+    refuse_repeated_keys(path)
+    overlay = yaml.safe_load(path.read_bytes().decode("utf-8"))
+    config = deepcopy(PAPER)
+    update_config(config, overlay)  # as Snakemake does
+    configuration(config, SCHEMAS["config"])
+
+
+#: Kinds of input: whole files by name, of a folder, and what reads one.
+KINDS = {
+    "scan": (scans, read_scans),
+    "spectrum": (lambda _: {"a.csv": POWER.encode()}, lambda path: own_spectrum([path])),
+    "forces": (
+        lambda _: {"a.csv": b"surface,value,unit\na,1,uN\nb,2.5,nN\na,3,uN\n"},
+        lambda path: measured_forces(path, ["a", "b"]),
+    ),
+    "description": (lambda _: {"a.csv": BANDS.encode()}, read_bands),
+    "surfaces": (
+        lambda _: {
+            "a.tsv": b"surface\tlabel\tscan\tsource\tpath\tdataset\n"
+            + f"a\tA\t1\tmeasured\t{__file__}\t\na\tA\t2\tmeasured\t{random.__file__}\t\n".encode()
+        },
+        lambda path: surface_table(path, SCHEMAS["surfaces"]),
+    ),
+    "configuration": (lambda _: {"a.yaml": OVERLAY.encode()}, read_overlay),
+}
+
+
+def outcomes(kind, count, folder):
+    """Read so many mutants, equal in every run; return how many were read and refused."""
+    whole, read = KINDS[kind]
+    (folder / "whole").mkdir()
+    files = whole(folder / "whole")
+    rng, taken = random.Random(2026), 0
+    for number in range(count):
+        name = rng.choice(sorted(files))
+        path = folder / f"{number}-{name}"
+        path.write_bytes(mutated(files[name], rng))
+        start = time.monotonic()
+        try:
+            read(path)
+            taken += 1
+        except ValueError as error:
+            lines = str(error).splitlines()
+            assert lines and all("expected" in line for line in lines), path
+            assert all(line.isprintable() and len(line) < 3000 for line in lines), path
+        assert time.monotonic() - start < 20, path
+        path.unlink()
+    return taken, count - taken
+
+
+@pytest.mark.filterwarnings("ignore::RuntimeWarning")  # of numbers that are no surface's
+@pytest.mark.parametrize("times", [1, pytest.param(10, marks=pytest.mark.study)])
+@pytest.mark.parametrize(
+    ("kind", "count"),
+    [("scan", 60), ("spectrum", 100), ("forces", 100), ("description", 60), ("surfaces", 100),
+     ("configuration", 60)],
+)  # fmt: skip
+def test_every_mutant_is_read_or_refused_in_clear_lines(tmp_path, kind, count, times):
+    read, refused = outcomes(kind, count * times, tmp_path)
+    assert refused > 0 and read + refused == count * times
