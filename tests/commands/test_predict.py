@@ -16,12 +16,14 @@ from hardcontact.commands import new
 from hardcontact.commands.predict import TRIED, predict, predict_arguments
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
+from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.insight.closed_form import Contact, closed_form, contact_area, edges
-from hardcontact.insight.prediction import AREA, ERROR, RADIUS, RANGES
+from hardcontact.insight.prediction import AREAS, ERROR, RADIUS, RANGES
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.units import magnitude
-from hardcontact.surfaces.joined_spectrum import joined_spectrum
+from hardcontact.surfaces.joined_spectrum import CALIBRATION, continued_spectrum, joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 
@@ -112,7 +114,7 @@ def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
     told = capsys.readouterr().out
     expected = closed_form(spectrum, Contact(250e3, 8.0, 0.05, 400.0))
     assert_says(
-        told, f"pull-off force: {round(1e9 * expected.force, -1):g} nN,",
+        told, f"pull-off force: {round(1e9 * expected.force, -1):g} nN (",
         f"regime: {expected.regime}",
         "range: 8nm (range of adhesion: as given)", "the paper's; --preload", "short edge",
         "long edge", f"({TRIED})",
@@ -142,7 +144,23 @@ def test_waves_that_the_table_lacks_are_told(table):
     cut = type(short)(short.wavevector[kept], short.density[kept])
     told = predict(predict_arguments([table(header, *of(cut))]))
     assert_says(told, "take care: waves longer than", "less sure than a factor of two")
-    assert TRIED not in told
+
+
+def test_short_waves_that_the_table_lacks_are_continued(table, monkeypatch, capsys):
+    """A spectrum of optical resolution: what it lacks changes the force, unless it ends with 0."""
+    header = "wavevector,wavevector_unit,c_iso,c_iso_unit"
+    rows = of(rough(17, 4000, 0.8, 1500))
+    told = numbers_of(capsys, monkeypatch, table(header, *rows))
+    spectrum = table_spectrum(table(header, *rows))
+    variance = np.full(spectrum.density.shape, CALIBRATION**2)
+    density, _ = continued_spectrum(spectrum.wavevector, spectrum.density, variance)
+    whole = Spectrum(WAVEVECTORS, density)
+    expected = closed_form(whole, Contact(250e3, 5.6, 0.0463, 400.0)).force
+    assert told["continued_force"]["value"] == pytest.approx(expected, rel=1e-6)
+    assert told["continued_change"]["status"] == "matters"
+    assert told["pull_off_force"]["status"] == "outside"
+    ended = numbers_of(capsys, monkeypatch, table(header, *rows, "1,rad/nm,0,nm4"))
+    assert "continued_force" not in ended and ended["continued_change"]["status"] == "negligible"
 
 
 @pytest.mark.parametrize(
@@ -152,7 +170,7 @@ def test_waves_that_the_table_lacks_are_told(table):
         (["--radius", "5um", "--preload", "100nN"], ["a sphere of 250 µm, not of 5 µm"]),
         (["--radius", "100um"], ["a sphere of 250 µm, not of 100 µm"]),
         (["--range", "0.5nm"], ["a freezing of 84 at most"]),
-        (["--preload", "20uN"], ["with 400 nm² in contact, not 800 nm²"]),
+        (["--preload", "20uN"], ["with 400 to 763 nm² in contact, not 800 nm²"]),
     ],
 )
 def test_what_lies_outside_of_what_was_tried_is_told(table, options, parts):
@@ -172,7 +190,31 @@ def test_what_was_tried_is_what_the_default_study_computes(at_root):
         magnitude(paper["contact"][name], unit)
         for name, unit in (("preload", "N"), ("hardness", "Pa"))
     )
-    assert AREA == pytest.approx(contact_area({"preload": preload, "hardness": hardness}))
+    load = {"preload": preload, "hardness": hardness}
+    pixels = [
+        magnitude(size, "nm") / paper["insight"]["pixels"] for size in paper["insight"]["sizes"]
+    ]
+    areas = [contact_pixel_count(load, pixel) * pixel**2 for pixel in pixels]
+    assert AREAS == pytest.approx((contact_area(load), max(areas)), rel=1e-3)
+
+
+def test_a_compliant_sphere_is_no_hard_contact(table):
+    """Tabor's number of a smooth sphere, by hand: (R W²/(E*² rho³))^(1/3)."""
+    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 1000, 0.8, 20)))
+    hard, soft = (
+        predict(predict_arguments([path, "--modulus", text])) for text in ("290GPa", "1MPa")
+    )
+    number = (250e-6 * 0.0463**2 / (1e6**2 * 5.6e-9**3)) ** (1 / 3)
+    assert_says(soft, f"Tabor parameter: {number:.2g}", "no hard contact", "0.001 GPa (as given)")
+    assert "no hard contact" not in hard
+
+
+@pytest.mark.parametrize(("factor", "unit"), [(1, "m"), (1e69, "mm"), (1e-9, "nm")])
+def test_wavelengths_of_a_wrong_unit_are_refused(table, factor, unit):
+    path = table(HEADER, *[f"{factor * k!r},{unit},{k**4}e-4,nm4" for k in (1, 2, 3, 4, 5)])
+    message = refusal(predict, predict_arguments([path]))
+    assert_says(message, "expected wavelengths of 0.1 nm to 1 mm", "is the unit right?")
+    assert len(message.splitlines()) == 1
 
 
 def test_faults_of_contact_and_table_are_told_together(tmp_path):
@@ -266,7 +308,7 @@ def test_a_spectrum_too_short_to_tell_what_it_lacks_has_no_error(table):
     lengths = (100, 90, 80, 70, 60)
     path = table(HEADER, *[f"{length},nm,{length**4}e-4,nm4" for length in lengths])
     told = predict(predict_arguments([path]))
-    assert_says(told, "waves longer than 100 nm", "too short to tell", "less sure than a factor")
+    assert_says(told, "waves longer than 100 nm", "cannot tell", "less sure than a factor")
 
 
 def test_a_spectrum_with_a_wide_gap_has_no_error(table):

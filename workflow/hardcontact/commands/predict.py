@@ -15,6 +15,7 @@ from hardcontact.config.configuration import read_yaml, refuse_all
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
+from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
     SINGLE_PEAKS,
@@ -23,17 +24,20 @@ from hardcontact.insight.closed_form import (
     contact_area,
 )
 from hardcontact.insight.prediction import (
+    CHANGE,
     ERROR,
+    HARD,
     INSIDE,
     MATTERS,
     OUTSIDE,
     UNKNOWN,
     prediction,
-    rough_part,
+    tabor,
     too_wide,
 )
 from hardcontact.numbers.number import Number, plain
 from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.numbers.units import magnitude
 from hardcontact.records.whole_file import whole_file
 
 #: What the error was measured on, in the words of the help and of a prediction.
@@ -55,7 +59,7 @@ for example, in five rows or more,
 A c_iso of 0 says that there is no roughness of this wavelength. In place of a table FILE may
 be a height map, a line scan or a container of them: their spectrum is measured, and only the
 wavelengths at which it is reliable count. The closed form agrees with computed forces
-{TRIED}.
+{TRIED}; of scans it is also told with the waves that continue them.
 """
 #: What a regime means.
 MEANING = {
@@ -72,6 +76,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     )
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_quantities(parser)
+    parser.add_argument("--modulus", help="effective modulus of both bodies (that of the paper's)")
     parser.add_argument("--tip", help="radius of the tip, if the file of a scan does not state it")
     parser.add_argument("--dataset", default="", help="the only scan of a container that counts")
     for name in WRITERS:
@@ -98,7 +103,10 @@ def predict(arguments: Namespace) -> str:
     reader = partial(own_spectrum, [arguments.file], dataset=arguments.dataset, tip_radius=tip)
     _, (spectrum, notes) = refuse_all([partial(refuse_lines, faults), reader])
     tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
-    numbers = prediction(rough_part(spectrum, arguments.file), contact, tolerance)
+    numbers = prediction(spectrum, contact, tolerance, arguments.file)
+    modulus = given["modulus"].number if "modulus" in given else _modulus()
+    stated = Number("modulus", modulus, "Pa", status="given" if "modulus" in given else "paper")
+    numbers |= {"modulus": stated, "tabor_parameter": tabor(contact, modulus)}
     of_options = {
         name: Number(name, one.number, one.unit, status="given" if one.given else "paper")
         for name, one in given.items()
@@ -138,6 +146,19 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
 
 
+def _modulus() -> float:
+    """Return the effective modulus (Pa) of the paper's bodies."""
+    paper = read_yaml("config/config.yaml")["elastic"]
+    bodies: list[Material] = [
+        {
+            "modulus": magnitude(paper[body]["modulus"], "Pa"),
+            "poisson_ratio": paper[body]["poisson_ratio"],
+        }
+        for body in ("sphere", "substrate")
+    ]
+    return effective_modulus(*bodies)
+
+
 def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterator[str]:
     """Yield the lines of the prediction."""
     lengths = {name: print_length(one.value) for name, one in numbers.items() if one.unit == "nm"}
@@ -151,11 +172,15 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
         source = "as given" if given[name].given else f"the paper's; --{name} changes it"
         yield f"{name}: {given[name].text} ({meaning}: {source})"
     yield (
-        f"pull-off force: {print_quantity(float(f'{force.value:.2g}'), 'N')}, "
-        f"{numbers['force_ratio'].value:.2g} of the "
-        f"{print_quantity(numbers['smooth_force'].value, 'N')} of a smooth surface "
-        f"({TRIED if force.status == INSIDE else 'less sure than a factor of two: see below'})"
+        f"pull-off force: {_printed(force)}, {numbers['force_ratio'].value:.2g} of the "
+        f"{print_quantity(numbers['smooth_force'].value, 'N')} of a smooth surface"
     )
+    if "continued_force" in numbers:
+        yield (
+            f"pull-off force if the roughness goes on below {lengths['shortest_wavelength']} to "
+            f"{lengths['continued_to']}, with a Hurst exponent of "
+            f"{numbers['continued_hurst'].value:.2g}: {_printed(numbers['continued_force'])}"
+        )
     yield f"closest approach: {lengths['closest_approach']} above the mean plane"
     regime = freezing.status.replace("_", " ")
     beside = f" (freezing {freezing.value:.3g}: beyond 1 single peaks decide)"
@@ -169,21 +194,44 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
         )
     if numbers["short_edge"].value > numbers["long_edge"].value:
         yield "no band: all roughness on either side of any wavelength between both can be removed"
+    tabor_number, modulus = numbers["tabor_parameter"], numbers["modulus"]
+    yield (
+        f"Tabor parameter: {tabor_number.value:.2g} at the range of adhesion and "
+        f"{modulus.value / 1e9:.3g} GPa "
+        f"({'as given' if modulus.status == 'given' else 'of the paper; --modulus changes it'})"
+    )
     yield from _cautions(numbers)
+
+
+def _printed(force: Number) -> str:
+    """Return a force to two digits, and how far it is known."""
+    known = TRIED if force.status == INSIDE else "less sure than a factor of two: see below"
+    return f"{print_quantity(float(f'{force.value:.2g}'), 'N')} ({known})"
 
 
 def _cautions(numbers: Mapping[str, Number]) -> Iterator[str]:
     """Yield what makes the prediction less sure."""
-    for end, side in {"longest": "longer", "shortest": "shorter"}.items():
-        change = numbers[f"{end}_octave_change"]
+    if numbers["tabor_parameter"].status != HARD:
+        yield (
+            "take care: elasticity lowers the force on a smooth sphere of these bodies by more "
+            f"than {100 * CHANGE:g} %: they are no hard contact"
+        )
+    ends = {"longest_octave": ("longer", "longest"), "continued": ("shorter", "shortest")}
+    for name, (side, end) in ends.items():
+        change = numbers[f"{name}_change"]
         beyond = f"waves {side} than {print_length(numbers[f'{end}_wavelength'].value)}"
         if change.status == MATTERS:
+            by = (
+                "its last octave alone changes"
+                if side == "longer"
+                else "their continuation changes"
+            )
             yield (
-                f"take care: {beyond} are not in the spectrum; its last octave alone changes the "
-                f"force by {100 * change.value:.0f} %"
+                f"take care: {beyond} are not in the spectrum; {by} the force by "
+                f"{100 * change.value:.0f} %"
             )
         if change.status == UNKNOWN:
-            yield f"take care: {beyond} are not in the spectrum, which is too short to tell more"
+            yield f"take care: {beyond} are not in the spectrum, which cannot tell how they matter"
     gap = numbers["widest_gap"]
     if gap.status == UNKNOWN:
         yield (
@@ -197,7 +245,7 @@ def _cautions(numbers: Mapping[str, Number]) -> Iterator[str]:
         f"{print_length(rho.value)}",
         "radius": f"under a sphere of {print_length(radius.low)}, not of "
         f"{print_length(radius.value)}",
-        "area": f"with {area.low:g} nm² in contact, not {area.value:.3g} nm²",
+        "area": f"with {area.low:g} to {area.high:g} nm² in contact, not {area.value:.3g} nm²",
         "freezing": f"at a freezing of {freezing.high:g} at most, not at {freezing.value:.3g}",
     }
     for name, where in words.items():
