@@ -25,9 +25,7 @@ from hardcontact.insight.closed_form import (
 )
 from hardcontact.insight.prediction import (
     CHANGE,
-    ERROR,
     HARD,
-    INSIDE,
     MATTERS,
     OUTSIDE,
     UNKNOWN,
@@ -40,9 +38,9 @@ from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.numbers.units import magnitude
 from hardcontact.records.whole_file import whole_file
 
-#: What the error was measured on, in the words of the help and of a prediction.
-TRIED = f"within a factor of {ERROR:g} on random surfaces of 20 µm of four diamond coatings"
-DESCRIPTION = f"""\
+#: Where nine of ten surfaces like the user's lie, in the words of the help and of a prediction.
+LIKELY = "of ten surfaces like this nine lie between"
+DESCRIPTION = """\
 Predict the pull-off force of a smooth sphere from the power spectral density of a
 surface, in closed form, within seconds:
 
@@ -58,9 +56,15 @@ for example, in five rows or more,
 
 A c_iso of 0 says that there is no roughness of this wavelength. In place of a table FILE may
 be a height map, a line scan or a container of them: their spectrum is measured, and only the
-wavelengths at which it is reliable count. The closed form agrees with computed forces
-{TRIED}; of scans it is also told with the waves that continue them.
+wavelengths at which it is reliable count, and then also those that continue them.
 """
+#: What an error depends on.
+TRIED_WORDS = {
+    "rho": "ranges",
+    "radius": "radii",
+    "modulus": "moduli k = range x closest approach / rms height²",
+    "contact_over_rolloff": "roots of the contact area over the roll-off",
+}
 #: What a regime means.
 MEANING = {
     SMOOTH: "the roughness hardly counts",
@@ -186,11 +190,11 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
     beside = f" (freezing {freezing.value:.3g}: beyond 1 single peaks decide)"
     yield f"regime: {regime}: {MEANING[regime]}{beside if regime != SMOOTH else ''}"
     for name, side in {"short": "below", "long": "above"}.items():
-        edge = numbers[f"{name}_edge"].value
+        edge = numbers[f"{name}_edge"]
         yield (
-            f"{name} edge: {print_length(edge) if math.isfinite(edge) else 'no wavelength'} "
-            f"(without all roughness {side} it the force changes by "
-            f"{100 * numbers['tolerance'].value:g} %)"
+            f"{name} edge: {_printed(edge) if math.isfinite(edge.value) else 'no wavelength'}; "
+            f"without all roughness {side} it the force changes by "
+            f"{100 * numbers['tolerance'].value:g} %"
         )
     if numbers["short_edge"].value > numbers["long_edge"].value:
         yield "no band: all roughness on either side of any wavelength between both can be removed"
@@ -203,10 +207,15 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
     yield from _cautions(numbers)
 
 
-def _printed(force: Number) -> str:
-    """Return a force to two digits, and how far it is known."""
-    known = TRIED if force.status == INSIDE else "less sure than a factor of two: see below"
-    return f"{print_quantity(float(f'{force.value:.2g}'), 'N')} ({known})"
+def _printed(one: Number) -> str:
+    """Return a force or a length to two digits, with its interval or that it has none."""
+    value, low, high = (
+        print_length(end) if one.unit == "nm" else print_quantity(float(f"{end:.2g}"), one.unit)
+        for end in (one.value, one.low, one.high)
+    )
+    if math.isfinite(one.low):
+        return f"{value} ({LIKELY} {low} and {high})"
+    return f"{value} (error not known: see below)"
 
 
 def _cautions(numbers: Mapping[str, Number]) -> Iterator[str]:
@@ -238,16 +247,11 @@ def _cautions(numbers: Mapping[str, Number]) -> Iterator[str]:
             f"take care: neighbouring wavelengths of the spectrum are a factor of {gap.value:.2g} "
             "apart: between them it is interpolated"
         )
-    tried = {name: numbers[f"tried_{name}"] for name in ("range", "radius", "area", "freezing")}
-    rho, radius, area, freezing = tried.values()
-    words = {
-        "range": f"at ranges of {print_length(rho.low)} to {print_length(rho.high)}, not at "
-        f"{print_length(rho.value)}",
-        "radius": f"under a sphere of {print_length(radius.low)}, not of "
-        f"{print_length(radius.value)}",
-        "area": f"with {area.low:g} to {area.high:g} nm² in contact, not {area.value:.3g} nm²",
-        "freezing": f"at a freezing of {freezing.high:g} at most, not at {freezing.value:.3g}",
-    }
-    for name, where in words.items():
-        if tried[name].status == OUTSIDE:
-            yield f"take care: the error was measured {where}"
+    for name, words in TRIED_WORDS.items():
+        one = numbers[f"tried_{name}"]
+        if one.status == OUTSIDE:
+            value, low, high = (
+                print_length(end) if one.unit == "nm" else f"{end:.2g}"
+                for end in (one.value, one.low, one.high)
+            )
+            yield f"take care: the error was measured at {words} of {low} to {high}, not at {value}"
