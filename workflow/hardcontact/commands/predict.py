@@ -181,9 +181,10 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
     )
     if "continued_force" in numbers:
         yield (
-            f"pull-off force if the roughness goes on below {lengths['shortest_wavelength']} to "
-            f"{lengths['continued_to']}, with a Hurst exponent of "
-            f"{numbers['continued_hurst'].value:.2g}: {_printed(numbers['continued_force'])}"
+            f"pull-off force if the spectrum is level above {lengths['longest_wavelength']} and "
+            f"goes on below {lengths['shortest_wavelength']} to {lengths['continued_to']}, with a "
+            f"Hurst exponent of {numbers['continued_hurst'].value:.2g}: "
+            f"{_printed(numbers['continued_force'])}"
         )
     yield f"closest approach: {lengths['closest_approach']} above the mean plane"
     regime = freezing.status.replace("_", " ")

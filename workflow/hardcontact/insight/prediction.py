@@ -233,7 +233,7 @@ def _force(name: str, found: ClosedForm, place: Mapping[str, Any], sure: bool) -
 
 
 def _continued(spectrum: Spectrum, contact: Contact, force: float, known: bool) -> Iterator[Number]:
-    """Yield the force with the waves beyond the shortest; at last, how much they change the force.
+    """Yield the force with the waves beyond the ends; at last, how much they change the force.
 
     There is nothing beyond a density of zero. What has a zero within is not continued. The error is
     known only where that is known of the rest of the spectrum.
@@ -243,14 +243,18 @@ def _continued(spectrum: Spectrum, contact: Contact, force: float, known: bool) 
     if status == UNKNOWN and len(waves.density) >= FEWEST and waves.density.all():
         variance = np.full(waves.density.shape, CALIBRATION**2)
         density, tail = continued_spectrum(waves.wavevector, waves.density, variance)
-        whole = rough_part(Spectrum(WAVEVECTORS, density))
-        found = closed_form(whole, contact)
-        inside = known and all(one.status == INSIDE for one in _tried(whole, contact, found))
-        yield _force("continued_force", found, coordinates(whole, contact, found), inside)
-        yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
-        yield Number("continued_hurst", tail.tail_hurst, status=tail.tail_ended_by)
-        change = abs(found.force / force - 1)
-        status = MATTERS if change > CHANGE else NEGLIGIBLE
+        # Without an exponent nothing is added: slope or curvature are at their bounds already.
+        if math.isnan(tail.tail_hurst):
+            status = NEGLIGIBLE
+        else:
+            whole = rough_part(Spectrum(WAVEVECTORS, density))
+            found = closed_form(whole, contact)
+            inside = known and all(one.status == INSIDE for one in _tried(whole, contact, found))
+            yield _force("continued_force", found, coordinates(whole, contact, found), inside)
+            yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
+            yield Number("continued_hurst", tail.tail_hurst, status=tail.tail_ended_by)
+            change = abs(found.force / force - 1)
+            status = MATTERS if change > CHANGE else NEGLIGIBLE
     yield Number("continued_change", change, status=status)
 
 
