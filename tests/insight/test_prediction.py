@@ -31,6 +31,13 @@ def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
     assert again["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 
 
+def test_a_surface_computed_again_has_the_numbers_of_the_table():
+    number = int(np.argmax(TABLE["pixels"] == 1024))
+    found = validate_prediction.computed(validate_prediction.design(number + 1)[number])
+    row = TABLE[list(found)].iloc[[number]].reset_index(drop=True)
+    pd.testing.assert_frame_equal(row, pd.DataFrame([found]), rtol=1e-3)
+
+
 def test_halves_differ_in_no_input():
     for name in ("rolloff", "hurst", "radius", "rho", "area"):
         logarithms = np.log(TABLE[name])
