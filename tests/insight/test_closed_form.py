@@ -99,7 +99,7 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
 
 @pytest.mark.parametrize(
     ("rms", "rho", "of_spectrum", "of_contacts"),
-    [(4, 5.6, 0.2, 0.05), (4, 20, 0.05, 0.02), (40, 5.6, 0.4, 0.4)],
+    [(4, 5.6, 0.2, 0.05), (4, 20, 0.05, 0.02), (40, 5.6, 0.45, 0.45)],
 )
 def test_forces_on_random_surfaces(rms, rho, of_spectrum, of_contacts):
     pixels, size, radius = 512, 10e3, 50e3

@@ -24,7 +24,7 @@ from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.geometry import ContactArray, bodies
 from hardcontact.insight.closed_form import Contact, contact_area
-from hardcontact.insight.prediction import prediction, rough_part, too_wide
+from hardcontact.insight.prediction import prediction, too_wide
 from hardcontact.numbers.number import Number
 from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.scales.critical_band import logarithmic_limits
@@ -305,8 +305,8 @@ def predict(
     dict of str to Number
         By name, such as ``pull_off_force`` (N), ``short_edge`` and ``long_edge`` (nm): ``value``,
         ``unit``, ``low`` and ``high`` of its interval, and ``status``, a code; the numbers that
-        ``--json`` writes. The force is ``"outside"`` where its error is not known; that the end of
-        a continued spectrum is artificial does not count.
+        ``--json`` writes, but for the Tabor parameter. The force is ``"outside"`` where its error
+        is not known; that the end of a continued spectrum is artificial does not count.
 
     Examples
     --------
@@ -321,7 +321,7 @@ def predict(
     )
     contact = Contact(radius, rho, work, contact_area({"preload": preload, "hardness": hardness}))
     refuse_lines(filter(None, [too_wide(contact, preload)]))
-    return prediction(rough_part(spectrum), contact, tolerance)
+    return prediction(spectrum, contact, tolerance)
 
 
 def _periodic(surface: HeightMap, name: str = "scan") -> HeightMap:

@@ -23,6 +23,7 @@ rule answer_insight:
         captions=[f"workflow/report/{name}.rst" for name in OF_INSIGHT],
         templates=[f"workflow/report/templates/{name}" for name in OF_INSIGHT_PAGE],
         published_constants=PUBLISHED["published_constants"],
+        validation="resources/validation/prediction.csv",
         code=code_inputs("answer_insight.py"),
     output:
         page=report(

@@ -33,6 +33,7 @@ from hardcontact.insight.edge_scaling import (
     UNDECIDED,
     dependence,
 )
+from hardcontact.insight.prediction import validated_errors
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
 from hardcontact.numbers.statistics import bounds
@@ -226,6 +227,10 @@ def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, An
         "size": number_of(largest, "map_size", "nm"),
         "first_term": span("first_term", largest["first_term_force"] / largest["computed_force"]),
         "range": Number("range", rho, "nm"),
+        "validated": [
+            {"quantity": name, "error": error, "surfaces": Number("surfaces", count)}
+            for name, (error, count) in validated_errors().items()
+        ],
     }
 
 

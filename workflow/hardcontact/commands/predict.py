@@ -15,6 +15,7 @@ from hardcontact.config.configuration import read_yaml, refuse_all
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import Load
+from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
     SINGLE_PEAKS,
@@ -23,22 +24,23 @@ from hardcontact.insight.closed_form import (
     contact_area,
 )
 from hardcontact.insight.prediction import (
-    ERROR,
-    INSIDE,
+    CHANGE,
+    HARD,
     MATTERS,
     OUTSIDE,
     UNKNOWN,
     prediction,
-    rough_part,
+    tabor,
     too_wide,
 )
 from hardcontact.numbers.number import Number, plain
 from hardcontact.numbers.printing import print_length, print_quantity
+from hardcontact.numbers.units import magnitude
 from hardcontact.records.whole_file import whole_file
 
-#: What the error was measured on, in the words of the help and of a prediction.
-TRIED = f"within a factor of {ERROR:g} on random surfaces of 20 µm of four diamond coatings"
-DESCRIPTION = f"""\
+#: Where nine of ten surfaces like the user's lie, in the words of the help and of a prediction.
+LIKELY = "of ten surfaces like this nine lie between"
+DESCRIPTION = """\
 Predict the pull-off force of a smooth sphere from the power spectral density of a
 surface, in closed form, within seconds:
 
@@ -54,9 +56,15 @@ for example, in five rows or more,
 
 A c_iso of 0 says that there is no roughness of this wavelength. In place of a table FILE may
 be a height map, a line scan or a container of them: their spectrum is measured, and only the
-wavelengths at which it is reliable count. The closed form agrees with computed forces
-{TRIED}.
+wavelengths at which it is reliable count, and then also those that continue them.
 """
+#: What an error depends on.
+TRIED_WORDS = {
+    "rho": "ranges",
+    "radius": "radii",
+    "modulus": "moduli k = range x closest approach / rms height²",
+    "contact_over_rolloff": "roots of the contact area over the roll-off",
+}
 #: What a regime means.
 MEANING = {
     SMOOTH: "the roughness hardly counts",
@@ -72,6 +80,7 @@ def predict_arguments(arguments: Sequence[str]) -> Namespace:
     )
     parser.add_argument("file", metavar="FILE", help="CSV of the power spectral density, or a scan")
     add_quantities(parser)
+    parser.add_argument("--modulus", help="effective modulus of both bodies (that of the paper's)")
     add_reading(parser)
     parser.add_argument(
         "--dataset", "--channel", default="", metavar="NAME",
@@ -107,7 +116,10 @@ def predict(arguments: Namespace) -> str:
     )
     _, (spectrum, notes) = refuse_all([partial(refuse_lines, faults), reader])
     tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
-    numbers = prediction(rough_part(spectrum, arguments.file), contact, tolerance)
+    numbers = prediction(spectrum, contact, tolerance, arguments.file)
+    modulus = given["modulus"].number if "modulus" in given else _modulus()
+    stated = Number("modulus", modulus, "Pa", status="given" if "modulus" in given else "paper")
+    numbers |= {"modulus": stated, "tabor_parameter": tabor(contact, modulus)}
     of_options = {
         name: Number(name, one.number, one.unit, status="given" if one.given else "paper")
         for name, one in given.items()
@@ -147,6 +159,19 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
 
 
+def _modulus() -> float:
+    """Return the effective modulus (Pa) of the paper's bodies."""
+    paper = read_yaml("config/config.yaml")["elastic"]
+    bodies: list[Material] = [
+        {
+            "modulus": magnitude(paper[body]["modulus"], "Pa"),
+            "poisson_ratio": paper[body]["poisson_ratio"],
+        }
+        for body in ("sphere", "substrate")
+    ]
+    return effective_modulus(*bodies)
+
+
 def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterator[str]:
     """Yield the lines of the prediction."""
     lengths = {name: print_length(one.value) for name, one in numbers.items() if one.unit == "nm"}
@@ -160,55 +185,83 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
         source = "as given" if given[name].given else f"the paper's; --{name} changes it"
         yield f"{name}: {given[name].text} ({meaning}: {source})"
     yield (
-        f"pull-off force: {print_quantity(float(f'{force.value:.2g}'), 'N')}, "
-        f"{numbers['force_ratio'].value:.2g} of the "
-        f"{print_quantity(numbers['smooth_force'].value, 'N')} of a smooth surface "
-        f"({TRIED if force.status == INSIDE else 'less sure than a factor of two: see below'})"
+        f"pull-off force: {_printed(force)}, {numbers['force_ratio'].value:.2g} of the "
+        f"{print_quantity(numbers['smooth_force'].value, 'N')} of a smooth surface"
     )
+    if "continued_force" in numbers:
+        yield (
+            f"pull-off force if the spectrum is level above {lengths['longest_wavelength']} and "
+            f"goes on below {lengths['shortest_wavelength']} to {lengths['continued_to']}, with a "
+            f"Hurst exponent of {numbers['continued_hurst'].value:.2g}: "
+            f"{_printed(numbers['continued_force'])}"
+        )
     yield f"closest approach: {lengths['closest_approach']} above the mean plane"
     regime = freezing.status.replace("_", " ")
     beside = f" (freezing {freezing.value:.3g}: beyond 1 single peaks decide)"
     yield f"regime: {regime}: {MEANING[regime]}{beside if regime != SMOOTH else ''}"
     for name, side in {"short": "below", "long": "above"}.items():
-        edge = numbers[f"{name}_edge"].value
+        edge = numbers[f"{name}_edge"]
         yield (
-            f"{name} edge: {print_length(edge) if math.isfinite(edge) else 'no wavelength'} "
-            f"(without all roughness {side} it the force changes by "
-            f"{100 * numbers['tolerance'].value:g} %)"
+            f"{name} edge: {_printed(edge) if math.isfinite(edge.value) else 'no wavelength'}; "
+            f"without all roughness {side} it the force changes by "
+            f"{100 * numbers['tolerance'].value:g} %"
         )
     if numbers["short_edge"].value > numbers["long_edge"].value:
         yield "no band: all roughness on either side of any wavelength between both can be removed"
+    tabor_number, modulus = numbers["tabor_parameter"], numbers["modulus"]
+    yield (
+        f"Tabor parameter: {tabor_number.value:.2g} at the range of adhesion and "
+        f"{modulus.value / 1e9:.3g} GPa "
+        f"({'as given' if modulus.status == 'given' else 'of the paper; --modulus changes it'})"
+    )
     yield from _cautions(numbers)
+
+
+def _printed(one: Number) -> str:
+    """Return a force or a length to two digits, with its interval or that it has none."""
+    value, low, high = (
+        print_length(end) if one.unit == "nm" else print_quantity(float(f"{end:.2g}"), one.unit)
+        for end in (one.value, one.low, one.high)
+    )
+    if math.isfinite(one.low):
+        return f"{value} ({LIKELY} {low} and {high})"
+    return f"{value} (error not known: see below)"
 
 
 def _cautions(numbers: Mapping[str, Number]) -> Iterator[str]:
     """Yield what makes the prediction less sure."""
-    for end, side in {"longest": "longer", "shortest": "shorter"}.items():
-        change = numbers[f"{end}_octave_change"]
+    if numbers["tabor_parameter"].status != HARD:
+        yield (
+            "take care: elasticity lowers the force on a smooth sphere of these bodies by more "
+            f"than {100 * CHANGE:g} %: they are no hard contact"
+        )
+    ends = {"longest_octave": ("longer", "longest"), "continued": ("shorter", "shortest")}
+    for name, (side, end) in ends.items():
+        change = numbers[f"{name}_change"]
         beyond = f"waves {side} than {print_length(numbers[f'{end}_wavelength'].value)}"
         if change.status == MATTERS:
+            by = (
+                "its last octave alone changes"
+                if side == "longer"
+                else "their continuation changes"
+            )
             yield (
-                f"take care: {beyond} are not in the spectrum; its last octave alone changes the "
-                f"force by {100 * change.value:.0f} %"
+                f"take care: {beyond} are not in the spectrum; {by} the force by "
+                f"{100 * change.value:.0f} %"
             )
         if change.status == UNKNOWN:
-            yield f"take care: {beyond} are not in the spectrum, which is too short to tell more"
+            yield f"take care: {beyond} are not in the spectrum, which cannot tell how they matter"
     gap = numbers["widest_gap"]
     if gap.status == UNKNOWN:
         yield (
             f"take care: neighbouring wavelengths of the spectrum are a factor of {gap.value:.2g} "
             "apart: between them it is interpolated"
         )
-    tried = {name: numbers[f"tried_{name}"] for name in ("range", "radius", "area", "freezing")}
-    rho, radius, area, freezing = tried.values()
-    words = {
-        "range": f"at ranges of {print_length(rho.low)} to {print_length(rho.high)}, not at "
-        f"{print_length(rho.value)}",
-        "radius": f"under a sphere of {print_length(radius.low)}, not of "
-        f"{print_length(radius.value)}",
-        "area": f"with {area.low:g} nm² in contact, not {area.value:.3g} nm²",
-        "freezing": f"at a freezing of {freezing.high:g} at most, not at {freezing.value:.3g}",
-    }
-    for name, where in words.items():
-        if tried[name].status == OUTSIDE:
-            yield f"take care: the error was measured {where}"
+    for name, words in TRIED_WORDS.items():
+        one = numbers[f"tried_{name}"]
+        if one.status == OUTSIDE:
+            value, low, high = (
+                print_length(end) if one.unit == "nm" else f"{end:.2g}"
+                for end in (one.value, one.low, one.high)
+            )
+            yield f"take care: the error was measured at {words} of {low} to {high}, not at {value}"

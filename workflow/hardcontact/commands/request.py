@@ -124,7 +124,7 @@ def add_quantities(parser: ArgumentParser) -> None:
 def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
     """Return the quantities of the command line by name, and a line for each that is wrong.
 
-    The tip is there only if it is given; a faulty quantity has the paper's value.
+    Tip and modulus are there only if they are given; a faulty quantity has the paper's value.
     """
     paper = read_yaml("config/config.yaml")
     schema = read_yaml("workflow/schemas/config.schema.yaml")
@@ -134,10 +134,10 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
         for name, (key, _) in QUANTITIES.items()
     }
     columns = read_yaml("workflow/schemas/surfaces.schema.yaml")["properties"]
-    accepted["tip"] = columns["tip_radius"]["oneOf"][-1]
+    accepted |= {"tip": columns["tip_radius"]["oneOf"][-1], "modulus": accepted["hardness"]}
     found, faults = {}, []
     for name, part in accepted.items():
-        text = getattr(arguments, name)
+        text = getattr(arguments, name, None)
         whole, unit = {word: part[word] for word in part if word != "$ref"}, part["unit"]
         try:
             refuse({} if text is None else {name: text}, {"properties": {name: whole}}, "--")

@@ -9,7 +9,7 @@ Which regime a surface is in follows from three comparisons of lengths, all of t
 
 - sigma/rho against m/sigma: the attraction comes from many points, or is frozen to single peaks.
 - The diameter 2 sqrt(F/(pi H)) of the contact against the short edge. The closed form knows the
-  range of adhesion, but not that a contact flattens what is smaller than itself. If the longer of
+  range of adhesion, and that a contact flattens what is smaller than itself. If the longer of
   both set the edge, this would follow the contact alone where that is wider, otherwise the range
   alone; exponents of computed edges say how far that holds (`cause_exponents`).
 - The reach sqrt(2 R rho) of the attraction against the roll-off of the spectrum. Roughness much

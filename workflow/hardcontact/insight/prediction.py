@@ -1,12 +1,23 @@
-"""What the closed form predicts from a spectrum: numbers with units, intervals and statuses."""
+"""What the closed form predicts from a spectrum: numbers with units, intervals and statuses.
+
+Errors are those on designed surfaces whose forces and edges were computed (`validation`), in the
+half of them that nobody looked at while the closed form was made.
+"""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cache
+from typing import Any
 
 import numpy as np
+import pandas as pd
 
+from hardcontact.contact.smooth_sphere import (
+    maugis_parameter,
+    tabor_parameter,
+    transition_coefficient,
+)
 from hardcontact.insight.closed_form import (
-    SMOOTH,
     ClosedForm,
     Contact,
     closed_form,
@@ -16,63 +27,132 @@ from hardcontact.insight.closed_form import (
 )
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import print_length, print_quantity
-from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
+from hardcontact.records.code import LIBRARY
+from hardcontact.surfaces.joined_spectrum import CALIBRATION, FEWEST, continued_spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 
-#: Factor within which the closed form gives forces computed on random surfaces of 20 µm with the
-#: spectra of the four diamond coatings of the paper: 1.76 in closed_form.nc of the default study
-#: (`insight.closed_form_errors`). On surfaces of 5 µm, which lack the long waves, it is 2.4.
-ERROR = 1.8
-#: Ranges of adhesion and radius in nm and area in contact in nm² that it was measured at, and the
-#: greatest freezing there: 83.5, rounded up.
-RANGES, RADIUS, AREA, FREEZING = (0.5, 20.0), 250e3, 400.0, 84.0
+#: Designed surfaces with computed and predicted numbers; its README describes the columns.
+VALIDATION = LIBRARY.parents[1] / "resources/validation/prediction.csv"
+#: Surfaces nearest to an input whose errors count. The least and the greatest of n errors hold one
+#: more, drawn alike, with the probability (n - 1)/(n + 1): nine of ten.
+NEAREST = 19
+#: Below this a modulus, 0 where the sphere goes below the mean plane, is as good as any.
+LEAST_MODULUS = 1e-3
+#: What is predicted and computed: columns of the table.
+VALIDATED = ("force", "short_edge", "long_edge")
+#: What an error depends on, whose range in the table an input must lie in.
+TRIED = {"rho": "nm", "radius": "nm", "modulus": "1", "contact_over_rolloff": "1"}
 #: Rms height in nm below which there is no surface: a tenth of an atom.
 LEAST_HEIGHT = 0.01
-#: Change of the force by the last octave of a spectrum beyond which waves that it lacks matter.
+#: Change of the force by waves that a spectrum lacks, or by elasticity, beyond which they matter.
 CHANGE = 0.1
 #: Factor between neighbouring wavelengths of a spectrum beyond which a bend may hide between them.
 GAP = 4.0
 #: Statuses: within what the error was measured on, or not; whether what a spectrum lacks matters;
-#: edges.
+#: edges; whether the bodies are as good as rigid.
 INSIDE, OUTSIDE = "inside", "outside"
 MATTERS, NEGLIGIBLE, UNKNOWN = "matters", "negligible", "unknown"
 FOUND, NONE = "found", "none"
+HARD, SOFT = "hard", "soft"
 
 
-def prediction(spectrum: Spectrum, contact: Contact, tolerance: float) -> dict[str, Number]:
+@cache
+def validation() -> pd.DataFrame:
+    """Return the surfaces of the table that were held back, with ``<name>_error`` of VALIDATED.
+
+    An error is computed over predicted, NaN where an edge is open or none is predicted.
+    """
+    table = pd.read_csv(VALIDATION)
+    held_back = table[table["held_back"] == 1].copy()
+    for name in VALIDATED:
+        error = held_back[name] / held_back[f"predicted_{name}"]
+        if f"{name}_is" in held_back:
+            error = error.where(held_back[f"{name}_is"] == FOUND)
+        held_back[f"{name}_error"] = error
+    return held_back
+
+
+def validated_errors() -> dict[str, tuple[Number, int]]:
+    """Return computed over predicted, by name of VALIDATED, and on how many surfaces.
+
+    The number is the median, its interval holds nine tenths.
+    """
+    found = {}
+    for name in VALIDATED:
+        errors = validation()[f"{name}_error"].dropna()
+        low, median, high = errors.quantile([0.05, 0.5, 0.95])
+        found[name] = Number(name, median, "1", low, high), len(errors)
+    return found
+
+
+def coordinates(waves: Spectrum, contact: Contact, found: ClosedForm) -> dict[str, Any]:
+    """Return where a spectrum and a contact lie among those of the table.
+
+    The modulus k = rho m/sigma² is the inverse of the freezing, infinite without roughness.
+    """
+    return {
+        "modulus": 1 / found.freezing if found.freezing else math.inf,
+        "contact_over_rolloff": math.sqrt(contact.area) / roll_off(waves),
+        "regime": found.regime,
+    }
+
+
+def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
+    """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place.
+
+    The distance is that of the logarithms of both `coordinates`; another regime is one further.
+    """
+    known = validation().dropna(subset=f"{name}_error")
+    axes = ["modulus", "contact_over_rolloff"]
+    rows, here = known[axes].to_numpy(), [place[axis] for axis in axes]
+    apart = np.log(np.maximum(rows, LEAST_MODULUS) / np.maximum(here, LEAST_MODULUS))
+    distance = np.hypot(*apart.T) + (known["regime"] != place["regime"]).to_numpy()
+    errors = known[f"{name}_error"].to_numpy()[np.argsort(distance)[:NEAREST]]
+    return float(errors.min()), float(errors.max())
+
+
+def prediction(
+    spectrum: Spectrum, contact: Contact, tolerance: float, name: str = "spectrum"
+) -> dict[str, Number]:
     """Return all that the closed form says of a sphere on a surface of a spectrum, by name.
 
-    The spectrum is a `rough_part`; without the roughness beyond an edge the force changes by the
-    tolerance, a relative change. The interval of the force is a factor of `ERROR` to either side,
-    where spectrum and contact are like those that this error was measured on; otherwise it has
-    none and the status ``"outside"``.
+    Without the roughness beyond an edge the force changes by the tolerance, a relative change.
+    Intervals are those of `nearest_errors` where contact and spectrum
+    lie within the table; otherwise there are none and the force has the status ``"outside"``. The
+    ``continued_force`` is that of the spectrum continued as in the study, unless it ends with a
+    density of zero. What is no spectrum is refused as by `rough_part`, with the name.
     """
-    height, gradient, _ = map(float, all_scales_moments(spectrum))
-    longest, shortest = map(float, 2 * np.pi / spectrum.wavevector[[0, -1]])
-    found, smooth = closed_form(spectrum, contact), smooth_force(contact)
-    gap = float((spectrum.wavevector[1:] / spectrum.wavevector[:-1]).max())
+    waves = rough_part(spectrum, name)
+    height, gradient, _ = map(float, all_scales_moments(waves))
+    longest, shortest = map(float, 2 * np.pi / waves.wavevector[[0, -1]])
+    found, smooth = closed_form(waves, contact), smooth_force(contact)
+    gap = float((waves.wavevector[1:] / waves.wavevector[:-1]).max())
     checks = [
-        *_last_octaves(spectrum, contact, found),
-        *_tried(contact, found),
+        _longest_octave(waves, contact, found),
         Number("widest_gap", gap, status=UNKNOWN if gap > GAP else NEGLIGIBLE),
     ]
+    known = all(one.status == NEGLIGIBLE for one in checks)
+    *of_tail, change = _continued(spectrum, contact, found.force, known)
+    checks += [change, *_tried(waves, contact, found)]
     sure = all(one.status in (NEGLIGIBLE, INSIDE) for one in checks)
-    error, status = (ERROR, INSIDE) if sure else (math.nan, OUTSIDE)
-    ends = zip(("short_edge", "long_edge"), edges(spectrum, contact, tolerance), strict=True)
+    place = coordinates(waves, contact, found)
+    ends = zip(VALIDATED[1:], edges(waves, contact, tolerance), strict=True)
     numbers = [
         Number("shortest_wavelength", shortest, "nm"),
         Number("longest_wavelength", longest, "nm"),
         Number("rms_height", height, "nm"),
         Number("rms_gradient", gradient),
-        Number(
-            "pull_off_force", found.force, "N", found.force / error, found.force * error, status
-        ),
+        _force("pull_off_force", found, place, sure),
+        *of_tail,
         Number("smooth_force", smooth, "N"),
         Number("force_ratio", found.force / smooth),
         Number("closest_approach", found.closest_approach, "nm"),
         Number("freezing", found.freezing, status=found.regime.replace(" ", "_")),
         *(
-            Number(name, edge, "nm", status=FOUND if math.isfinite(edge) else NONE)
-            for name, edge in ends
+            Number(end, edge, "nm", *_interval(end, edge, place, sure), status=FOUND)
+            if math.isfinite(edge)
+            else Number(end, edge, "nm", status=NONE)
+            for end, edge in ends
         ),
         Number("tolerance", tolerance),
         *checks,
@@ -83,8 +163,9 @@ def prediction(spectrum: Spectrum, contact: Contact, tolerance: float) -> dict[s
 def rough_part(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
     """Return a spectrum without the zeros at its ends: it ends where its roughness does.
 
-    Unknown densities are a ValueError of one line that begins with the name, and so is an rms
-    height below any atom's or above the longest wave, for its unit is wrong.
+    Unknown densities are a ValueError of one line that begins with the name, and so are waves that
+    the study has none of, and an rms height below any atom's or above the longest wave: their unit
+    is wrong.
     """
     if not ((np.diff(spectrum.wavevector) > 0).all() and (spectrum.density >= 0).all()):
         raise ValueError(
@@ -96,7 +177,14 @@ def rough_part(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
         raise ValueError(f"{name}: expected roughness at two wavelengths or more, found less")
     rough = slice(known[0], known[-1] + 1)
     part = Spectrum(spectrum.wavevector[rough], spectrum.density[rough])
-    height, longest = all_scales_moments(part)[0], 2 * np.pi / part.wavevector[0]
+    shortest, longest = 2 * np.pi / part.wavevector[[-1, 0]]
+    least, most = 2 * np.pi / WAVEVECTORS[[-1, 0]]
+    if shortest < least * (1 - 1e-9) or longest > most * (1 + 1e-9):
+        raise ValueError(
+            f"{name}: expected wavelengths of {print_length(least)} to {print_length(most)}, found "
+            f"{shortest:.3g} nm to {longest:.3g} nm: is the unit right?"
+        )
+    height = all_scales_moments(part)[0]
     if not LEAST_HEIGHT <= height <= longest:
         raise ValueError(
             f"{name}: expected densities of an rms height of {print_length(LEAST_HEIGHT)} to "
@@ -104,6 +192,17 @@ def rough_part(spectrum: Spectrum, name: str = "spectrum") -> Spectrum:
             "right?"
         )
     return part
+
+
+def tabor(contact: Contact, modulus: float) -> Number:
+    """Return the Tabor parameter, with the range of adhesion as spacing, and what it says.
+
+    The effective modulus is in Pa. The bodies are SOFT where their elasticity takes more than
+    CHANGE of the force from a smooth sphere.
+    """
+    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.rho))
+    softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
+    return Number("tabor_parameter", value, status=SOFT if softening > CHANGE else HARD)
 
 
 def too_wide(contact: Contact, preload: float) -> str:
@@ -121,37 +220,62 @@ def too_wide(contact: Contact, preload: float) -> str:
     )
 
 
-def _last_octaves(spectrum: Spectrum, contact: Contact, found: ClosedForm) -> Iterator[Number]:
-    """Yield how much the last octave of either end of a spectrum changes the force.
+def _interval(name: str, value: float, place: Mapping[str, Any], sure: bool) -> tuple[float, float]:
+    """Return the interval of a number of VALIDATED, NaN where its error is not known."""
+    least, greatest = nearest_errors(place, name) if sure else (math.nan, math.nan)
+    return value * least, value * greatest
+
+
+def _force(name: str, found: ClosedForm, place: Mapping[str, Any], sure: bool) -> Number:
+    """Return a force with its interval and whether its error is known."""
+    interval = _interval("force", found.force, place, sure)
+    return Number(name, found.force, "N", *interval, INSIDE if sure else OUTSIDE)
+
+
+def _continued(spectrum: Spectrum, contact: Contact, force: float, known: bool) -> Iterator[Number]:
+    """Yield the force with the waves beyond the ends; at last, how much they change the force.
+
+    There is nothing beyond a density of zero. What has a zero within is not continued. The error is
+    known only where that is known of the rest of the spectrum.
+    """
+    waves = rough_part(spectrum)
+    change, status = math.nan, NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
+    if status == UNKNOWN and len(waves.density) >= FEWEST and waves.density.all():
+        variance = np.full(waves.density.shape, CALIBRATION**2)
+        density, tail = continued_spectrum(waves.wavevector, waves.density, variance)
+        # Without an exponent nothing is added: slope or curvature are at their bounds already.
+        if math.isnan(tail.tail_hurst):
+            status = NEGLIGIBLE
+        else:
+            whole = rough_part(Spectrum(WAVEVECTORS, density))
+            found = closed_form(whole, contact)
+            inside = known and all(one.status == INSIDE for one in _tried(whole, contact, found))
+            yield _force("continued_force", found, coordinates(whole, contact, found), inside)
+            yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
+            yield Number("continued_hurst", tail.tail_hurst, status=tail.tail_ended_by)
+            change = abs(found.force / force - 1)
+            status = MATTERS if change > CHANGE else NEGLIGIBLE
+    yield Number("continued_change", change, status=status)
+
+
+def _longest_octave(waves: Spectrum, contact: Contact, found: ClosedForm) -> Number:
+    """Return how much the longest octave of a spectrum changes the force.
 
     It is not known of a spectrum that has hardly more than this octave.
     """
-    wavevector = spectrum.wavevector
-    ends = {
-        "longest_octave_change": wavevector >= 2 * wavevector[0],
-        "shortest_octave_change": wavevector <= wavevector[-1] / 2,
-    }
-    for name, kept in ends.items():
-        change, status = math.nan, UNKNOWN
-        if kept.sum() >= 2:
-            inner = Spectrum(wavevector[kept], spectrum.density[kept])
-            change = abs(closed_form(inner, contact).force / found.force - 1)
-            status = MATTERS if change > CHANGE else NEGLIGIBLE
-        yield Number(name, change, status=status)
+    kept = waves.wavevector >= 2 * waves.wavevector[0]
+    change, status = math.nan, UNKNOWN
+    if kept.sum() >= 2:
+        inner = Spectrum(waves.wavevector[kept], waves.density[kept])
+        change = abs(closed_form(inner, contact).force / found.force - 1)
+        status = MATTERS if change > CHANGE else NEGLIGIBLE
+    return Number("longest_octave_change", change, status=status)
 
 
-def _tried(contact: Contact, found: ClosedForm) -> Iterator[Number]:
-    """Yield what the error depends on, with the interval that it was measured in."""
-    (least, most), freezing = RANGES, found.freezing
-    radius, area = np.isclose([contact.radius, contact.area], [RADIUS, AREA])
-    tried = [
-        (Number("tried_range", contact.rho, "nm", least, most), least <= contact.rho <= most),
-        (Number("tried_radius", contact.radius, "nm", RADIUS, RADIUS), radius),
-        (Number("tried_area", contact.area, "nm2", AREA, AREA), area),
-        (
-            Number("tried_freezing", freezing, "1", 0.0, FREEZING),
-            freezing <= FREEZING or found.regime == SMOOTH,
-        ),
-    ]
-    for one, holds in tried:
-        yield one._replace(status=INSIDE if holds else OUTSIDE)
+def _tried(waves: Spectrum, contact: Contact, found: ClosedForm) -> Iterator[Number]:
+    """Yield what an error depends on, with the range that it has in the table."""
+    values = {"rho": contact.rho, "radius": contact.radius, **coordinates(waves, contact, found)}
+    for name, unit in TRIED.items():
+        least, most = validation()[name].agg(["min", "max"])
+        status = INSIDE if least <= values[name] <= most else OUTSIDE
+        yield Number(f"tried_{name}", values[name], unit, least, most, status)

@@ -28,8 +28,8 @@ Floats = NDArray[np.float64]
 
 #: Points of a spectrum, and distances of its autocorrelation.
 WAVES, DISTANCES = 300, 120
-#: Levels t at which the highest summit may lie; below the lowest there is none.
-LEVELS = np.linspace(0, 8, 401)
+#: Levels t of closest approach: a contact wider than the roughness goes below the mean plane.
+LEVELS = np.linspace(-6, 8, 701)
 #: Mean clumps in the area of contact beyond which their sum is normal.
 MANY = 50.0
 #: Below this level heights have no clumps: those of this level stand for them.
@@ -116,7 +116,7 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     area.
 
     The radius is in nm and the area, load over hardness, in nm². The lowest level has the
-    probability that no summit rises above the mean plane.
+    probability that no point rises above it.
     """
     radii = clump_radius(waves, LEVELS)
     reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
@@ -128,7 +128,7 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     middle = (LEVELS[1:] + LEVELS[:-1]) / 2
     weights = np.append(below[0], np.maximum(np.diff(below), 0))
     weights /= weights.sum()
-    levels = np.append(0.0, middle)
+    levels = np.append(LEVELS[0], middle)
     return Approaches(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
 
 

@@ -1,0 +1,186 @@
+"""The closed form beside computed forces and edges, on designed surfaces: prediction.csv.
+
+    python tests/benchmarks/validate_prediction.py [--surfaces 96] [--table FILE]
+
+Forces and edges are computed as the study computes them: on random surfaces, in plastic contact,
+filtered at cutoffs. Rows that the table has are kept and only predicted again, so that a run goes
+on where one ended, and without `--surfaces` a changed closed form is held to the same surfaces.
+The columns are described in resources/validation/README.md.
+"""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from scipy.stats import qmc
+
+from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.insight.closed_form import Contact, closed_form, edges
+from hardcontact.insight.closed_form_errors import spectrum_of_grid
+from hardcontact.insight.prediction import coordinates
+from hardcontact.numbers.random import generator
+from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
+from hardcontact.scales.filtered_masters import scaled_pull_off
+from hardcontact.surfaces.spectral_models import self_affine, varying_hurst
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.synthesis import SIDES, random_surface
+
+TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"
+SEED, WORK, HARDNESS, TOLERANCE = 20261123, 1.0, 25e9, 0.1
+SURFACES, CONTACTS, CUTOFFS = 96, 8, 12
+#: Least and largest value of each input, drawn evenly in its logarithm but for the Hurst exponent;
+#: lengths in nm, the area of contact in nm².
+BOUNDS = {
+    "rolloff": (200.0, 4000.0),
+    "steepness": (1 / 300, 1 / 20),  # rms height over roll-off
+    "hurst": (0.4, 0.95),
+    "radius": (5e3, 1e6),
+    "rho": (0.5, 20.0),
+    "area": (50.0, 5000.0),
+    "kind": (0.0, 1.0),
+}
+#: Kinds of spectra, and the share of the surfaces up to each.
+KINDS = {"self-affine": 0.4, "two slopes": 0.6, "bump": 0.8, "bent": 1.0}
+#: Largest size of a surface in nm, and pixels of a smaller or larger one with realizations of each.
+LARGEST, GRIDS = 25e3, {1024: 4, 2048: 3}
+
+
+def design(surfaces: int) -> list[dict[str, Any]]:
+    """Return the inputs of the first surfaces of the design, a Sobol sequence (scrambled)."""
+    names = list(BOUNDS)
+    points = qmc.Sobol(len(names), rng=np.random.default_rng(SEED)).random_base2(7)[:surfaces]
+    rows = []
+    for number, point in enumerate(points):
+        row: dict[str, Any] = {"surface": number, "held_back": number // 2 % 2}
+        for name, share in zip(names, point, strict=True):
+            low, high = BOUNDS[name]
+            even = name in ("hurst", "kind")
+            row[name] = low + share * (high - low) if even else low * (high / low) ** share
+        row["kind"] = next(kind for kind, end in KINDS.items() if row["kind"] <= end)
+        row["rms_height"] = row["rolloff"] * row.pop("steepness")
+        rows.append(row | grid(row))
+    return rows
+
+
+def grid(row: dict[str, Any]) -> dict[str, Any]:
+    """Return the grid that holds the waves that matter, and the area of whole pixels on it.
+
+    Twelve pixels are as long as the root of the area in contact where that can be had, and a side
+    has three roll-offs and six times the distance that the sphere finds its summits in.
+    """
+    found_in = np.sqrt(2 * row["radius"] * row["rms_height"] / 3)
+    wanted = max(3 * row["rolloff"], 6 * found_in)
+    size = min(wanted, LARGEST)
+    finest = np.sqrt(row["area"]) / 12
+    pixels = next((n for n in GRIDS if size / n <= finest), max(GRIDS))
+    pixel_size = size / pixels
+    load = {"preload": row["area"] * HARDNESS * 1e-18, "hardness": HARDNESS}
+    coarse, small = pixel_size > 3 * finest, size < wanted / 2
+    return {
+        "size": size,
+        "pixels": pixels,
+        "shortest": 4 * pixel_size,
+        "area": contact_pixel_count(load, pixel_size) * pixel_size**2,
+        "lacks": "short" if coarse else "long" if small else "nothing",
+    }
+
+
+def spectrum_of(row: dict[str, Any]) -> Spectrum:
+    """Return C_iso of a row: its kind, of its rms height, without waves below the shortest."""
+    hurst, rolloff = row["hurst"], row["rolloff"]
+    density = self_affine(WAVEVECTORS, 1.0, rolloff, hurst)
+    wave = WAVEVECTORS * rolloff / (2 * np.pi)
+    if row["kind"] == "two slopes":  # H changes sides about 0.675 an eighth of the roll-off on
+        density = density * np.maximum(wave / 8, 1) ** (2 * (2 * hurst - 1.35))
+    if row["kind"] == "bump":  # grains of a sixth of the roll-off double the density there
+        density = density * (1 + 3 * np.exp(-(np.log(wave / 6) ** 2) / (2 * 0.3**2)))
+    if row["kind"] == "bent":  # as measured on NCD and MCD: the slope grows along the spectrum
+        density = varying_hurst(WAVEVECTORS, 1.0, rolloff, hurst - 0.4, 0.4)
+    density = np.where(2 * np.pi / WAVEVECTORS >= row["shortest"], density, 0.0)
+    height = np.sqrt(np.trapezoid(density * WAVEVECTORS**2, np.log(WAVEVECTORS)) / (2 * np.pi))
+    return Spectrum(WAVEVECTORS, density * (row["rms_height"] / height) ** 2)
+
+
+def computed(row: dict[str, Any]) -> dict[str, Any]:
+    """Return the mean force (N at 1 J/m²) with its standard error, and both edges."""
+    spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
+    cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFFS)
+    wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
+    parameters: Any = {
+        "pixels": pixels, "cutoffs": cutoffs.tolist(), "window": max(wide, 32 * size / pixels),
+        "count": CONTACTS, "radii": [row["radius"]], "ranges": [row["rho"]], "hardness": HARDNESS,
+        "preloads": [row["area"] * HARDNESS * 1e-18],
+    }  # fmt: skip
+    curves: dict[str, list[Any]] = {side: [] for side in SIDES}
+    forces = []
+    for realization in range(GRIDS[pixels]):
+        rng = generator(SEED, row["surface"], realization, "validation")
+        surface = random_surface(rng, pixels, size / pixels, spectrum)
+        for side in SIDES:
+            found = scaled_pull_off(surface, parameters | {"side": side})
+            whole = found["unfiltered_pull_off_force"].item()
+            curves[side].append(found["pull_off_force"].values.ravel() / whole)
+        forces.append(whole)
+    error = np.std(np.log(forces), ddof=1) / np.sqrt(len(forces))
+    result = {"force": np.mean(forces), "force_error": error}
+    for side, name in zip(SIDES, ("short", "long"), strict=True):
+        result |= edge(side, name, cutoffs, np.array(curves[side]), size)
+    return result
+
+
+def edge(
+    side: str, name: str, cutoffs: np.ndarray, ratios: np.ndarray, size: float
+) -> dict[str, Any]:
+    """Return an edge of ratios (realization, cutoff), or its bound; least and greatest with it."""
+    order = slice(None) if side == "small" else slice(None, None, -1)
+    curve = np.log([ratios.mean(axis=0), ratios.min(axis=0), ratios.max(axis=0)])[:, order]
+    limits = logarithmic_limits(TOLERANCE)
+    one = described_edge(Curve(side, size, cutoffs[order], curve, limits))
+    known = one["edge_status"] == "found"
+    bound = "at least" if one["edge_at_least"] else "at most"
+    return {
+        f"{name}_edge": one["edge"] if known else one["edge_bound"],
+        f"{name}_edge_is": "found" if known else bound,
+        f"{name}_edge_low": one["edge_interval"][0],
+        f"{name}_edge_high": one["edge_interval"][1],
+    }
+
+
+def predicted(row: dict[str, Any]) -> dict[str, Any]:
+    """Return what the closed form says of the waves on the grid, and where it lies in the set."""
+    waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
+    contact = Contact(row["radius"], row["rho"], WORK, row["area"])
+    found = closed_form(waves, contact)
+    short, long = edges(waves, contact, TOLERANCE)
+    return {
+        "predicted_force": found.force,
+        "predicted_short_edge": short,
+        "predicted_long_edge": long,
+        **coordinates(waves, contact, found),
+    }
+
+
+def main() -> None:
+    """Compute the rows that the table lacks, predict all, and write it after each."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--surfaces", type=int, default=0, help="of the design (96: all)")
+    parser.add_argument("--table", type=Path, default=TABLE)
+    arguments = parser.parse_args()
+    rows = pd.read_csv(arguments.table).to_dict("records") if arguments.table.exists() else []
+    done = {row["surface"] for row in rows}
+    for row in design(SURFACES)[: arguments.surfaces]:
+        if row["surface"] not in done:
+            rows.append(row | computed(row))
+            _write(rows, arguments.table)
+    _write([row | predicted(row) for row in rows], arguments.table)
+
+
+def _write(rows: list[dict[str, Any]], path: Path) -> None:
+    """Write the table, five digits a number."""
+    pd.DataFrame(rows).to_csv(path, index=False, float_format="%.5g", lineterminator="\n")
+
+
+if __name__ == "__main__":
+    main()
