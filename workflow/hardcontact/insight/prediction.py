@@ -28,7 +28,8 @@ from hardcontact.insight.closed_form import (
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.records.code import LIBRARY
-from hardcontact.surfaces.joined_spectrum import CALIBRATION, FEWEST, continued_spectrum
+from hardcontact.surfaces.joined_spectrum import FEWEST, continued_spectrum
+from hardcontact.surfaces.measured_spectrum import CALIBRATION
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 
 #: Designed surfaces with computed and predicted numbers; its README describes the columns.

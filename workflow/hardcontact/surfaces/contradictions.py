@@ -12,8 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from hardcontact.numbers.printing import print_length
-from hardcontact.surfaces.joined_spectrum import CALIBRATION
-from hardcontact.surfaces.measured_spectrum import bias_of_log, variance_of_log, waves_in_bins
+from hardcontact.surfaces.measured_spectrum import (
+    CALIBRATION,
+    bias_of_log,
+    variance_of_log,
+    waves_in_bins,
+)
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
 
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict

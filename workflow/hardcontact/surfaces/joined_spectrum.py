@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from hardcontact.surfaces.long_waves import LongWaves, with_rolloff
 from hardcontact.surfaces.measured_spectrum import (
+    CALIBRATION,
     bias_of_log,
     independent_waves,
     local_slopes,
@@ -32,10 +33,6 @@ from hardcontact.surfaces.spectrum import (
     with_measurements,
 )
 
-#: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
-#: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many
-#: waves from silencing the others.
-CALIBRATION = 0.2
 #: Bins that a joined spectrum has at least.
 FEWEST = 3
 #: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
@@ -92,7 +89,8 @@ def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
     densities = np.array([measured_psd(measurement)[1] for measurement in measurements])
     bands = list(map(reliable_band, measurements, radii, densities))
     waves = np.array([independent_waves(measurement) for measurement in measurements])
-    long_waves = LongWaves(measurements, densities, bands)
+    ends = [band.shortest for band in bands], [band.longest for band in bands]
+    long_waves = LongWaves(measurements, densities, *ends)
     data = _Data(measurements, radii, densities, waves, bands, long_waves)
     count = int(data.reliable(bands).any(axis=0).sum())
     if count < FEWEST:

@@ -14,7 +14,6 @@ import numpy as np
 
 from hardcontact.surfaces.measured_spectrum import levelled_topography, size_of
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, WAVEVECTORS, Floats
 
 #: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
@@ -60,17 +59,20 @@ class LongWaves:
         self,
         scans: Sequence[Measurement],
         densities: Floats,
-        bands: Sequence[ReliableBand],
+        shortest: Sequence[float],
+        longest: Sequence[float],
     ) -> None:
-        """Take all scans of a surface with their `measured_psd` (scan, bins) in nm⁴ and bands."""
-        farthest = max(band.longest for band in bands)
-        widest = [n for n, band in enumerate(bands) if band.longest == farthest]
+        """Take all scans of a surface with their `measured_psd` (scan, bins) in nm⁴.
+
+        The wavelengths at which each scan is reliable, shortest and longest (scan,), are in nm.
+        """
+        widest = [n for n, one in enumerate(longest) if one == max(longest)]
         self.kind, self.size = scans[widest[0]].kind, size_of(scans[widest[0]])
         self.count = len(widest)
         #: The mean variance of the levelled heights in nm².
         self.variance = float(np.mean([_variance(scans[n]) for n in widest]))
         self._density = np.nan_to_num(densities[widest]).mean(axis=0)
-        self._unreliable = 2 * np.pi / BIN_CENTRES < min(bands[n].shortest for n in widest)
+        self._unreliable = 2 * np.pi / BIN_CENTRES < min(shortest[n] for n in widest)
         self._share = levelled_share(WAVEVECTORS, self.size, self.kind)
 
     def rolloff(self, density: Floats, longest: float, slope: float, probability: float) -> float:

@@ -27,6 +27,10 @@ from hardcontact.surfaces.topography import level
 #: Share of the waves of a window of Hann that are independent, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).
 INDEPENDENT = (3 / 8) ** 2 / (35 / 128)
+#: Relative standard deviation of C_iso between measurements that no number of waves makes smaller:
+#: the heights of microscopes are calibrated to about ten per cent. It keeps a measurement of many
+#: waves from silencing the others.
+CALIBRATION = 0.2
 #: Half the width, in ln q, of the piece of a spectrum that a local slope is fitted to: five bins.
 HALF_WIDTH = 0.25 * np.log(10)
 #: Width (standard deviation) of the kernel that smooths a spectrum, in ln q: a bin of BIN_EDGES,
