@@ -231,6 +231,9 @@ def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():
     assert both["status"] == "region" and both["gaps"] == []
     assert (both["best_range"].value, both["best_work"].value) == (5.6, WORK)
     assert (both["region_range"].low, plain(both["region_range"].high)) == (3.2, None)
+    assert both["allows_range"] and both["range"].value == 5.6
+    below = fit(2).assign_attrs(range_of_adhesion=1.0)  # the region begins at 3.2 nm
+    assert not fit_status(below)["allows_range"]
     nothing = fit(2)
     nothing["region"] *= np.nan
     assert fit_status(nothing)["status"] == "none"

@@ -151,7 +151,8 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     surface, so that there is no region), "none" (no pair agrees with all forces) or "region";
     `exact_pairs` is how many pairs give the forces of two surfaces by construction; `best_range`,
     `best_work`, `best_error`, `region_range` and `region_work` are numbers, `gaps` pairs of ranges
-    (nm) between which the region has none.
+    (nm) between which the region has none; `allows_range` is whether it has the `range` that the
+    predicted forces are of.
     """
     allowed = np.isfinite(fit["region"].values).all(axis=-1)
     status = "region" if allowed.any() else "none"
@@ -164,8 +165,14 @@ def fit_facts(fit: xr.Dataset) -> dict[str, Any]:
     for name, unit in {"region_range": "nm", "region_work": "J m-2"}.items():
         low, high = fit[name].values.tolist()
         found[name] = between(name, low, high, unit)
-    exact, gaps = int(fit["exact_pairs"].item()), _gaps(fit["rho"].values, allowed)
-    return {"status": status, "exact_pairs": exact, "gaps": gaps} | found
+    rho, asked = fit["rho"].values, fit.attrs["range_of_adhesion"]
+    return found | {
+        "status": status,
+        "exact_pairs": int(fit["exact_pairs"].item()),
+        "gaps": _gaps(rho, allowed),
+        "range": Number("range", asked, "nm"),
+        "allows_range": bool(allowed[np.abs(rho - asked).argmin()]),
+    }
 
 
 def _gaps(rho: np.ndarray, allowed: np.ndarray) -> list[list[float]]:

@@ -148,3 +148,6 @@ addEventListener("hashchange", () => {  // a link to a row that a filter hides s
     row.scrollIntoView();
   }
 });
+addEventListener("beforeprint", () => {  // paper cannot be unfolded
+  document.querySelectorAll("details").forEach(one => { one.open = true; });
+});
