@@ -17,6 +17,7 @@ with job(snakemake) as this:
         figures[name] = png, caption(Path(template).read_text("utf-8"), this.parameters)
         datasets[name] = read(dataset)
     constants = published.constants(this.input.published_constants)
-    page = insight_page(datasets, read(this.input.band), figures, constants)
+    band, effort = read(this.input.band), this.parameters["effort"]
+    page = insight_page(datasets, band, figures, constants, effort)
     this.write_text(page, "page")
     this.record("page")
