@@ -24,7 +24,7 @@ def made_page(text="Said.", labels=None, basis="substitute"):
         if labels:
             one["label"] = one["label"].copy(data=np.array([*labels]))
     figures = {name: (png((90, 90, 90)), Caption("", text, text)) for name in PARTS}
-    return insight_page(datasets, datasets.pop("band"), figures, published_constants(), "quick")
+    return insight_page(datasets, datasets.pop("band"), figures, published_constants(), 128)
 
 
 @pytest.fixture(scope="module")

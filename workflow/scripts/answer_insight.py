@@ -17,7 +17,7 @@ with job(snakemake) as this:
         figures[name] = png, caption(Path(template).read_text("utf-8"), this.parameters)
         datasets[name] = read(dataset)
     constants = published.constants(this.input.published_constants)
-    band, effort = read(this.input.band), this.parameters["effort"]
-    page = insight_page(datasets, band, figures, constants, effort)
+    band, pixels = read(this.input.band), this.parameters["scan"]["pixels"]
+    page = insight_page(datasets, band, figures, constants, pixels)
     this.write_text(page, "page")
     this.record("page")

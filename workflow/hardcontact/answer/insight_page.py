@@ -37,19 +37,19 @@ def insight_page(
     band: xr.Dataset,
     figures: Mapping[str, tuple[bytes, Caption]],
     constants: pd.DataFrame,
-    effort: str,
+    pixels: int,
 ) -> str:
     """Return the page, HTML.
 
     Datasets, and figures as PNG with their captions, are by the figures of the parts, in the order
     of the page. The band is as from `critical_band.critical_band`, with labels and bases; constants
-    are as from `published.constants`, the effort is the key of the configuration.
+    are as from `published.constants`, the scans have `pixels` along an edge.
     """
     rows = (row for one in (band, *datasets.values()) for row, _ in surfaces(one))
     bases = {row["surface"]: row["basis"] for row in rows}
     return rendered(
         "insight.html",
-        effort=effort,
+        coarse=pixels < constants["value"]["scan_pixels"],
         parts={name: PARTS[name](datasets[name], band) for name in figures},
         figures=figures,
         catalogue=OF_INSIGHT,
