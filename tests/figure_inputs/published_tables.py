@@ -36,5 +36,6 @@ def published_constants() -> pd.DataFrame:
         "measured_indent_depth_upper_bound": (10.0, np.nan),
         "measured_indent_size_lower_bound": (150.0, np.nan),
         "measured_indent_size_upper_bound": (300.0, np.nan),
+        "scan_pixels": (512.0, np.nan),
     }
     return pd.DataFrame.from_dict(values, orient="index", columns=["value", "uncertainty"])
