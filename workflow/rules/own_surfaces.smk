@@ -30,19 +30,19 @@ rule aggregate_spectra:
         "../scripts/aggregate_spectra.py"
 
 
-rule redraw_masters:
+rule vary_spectrum:
     """Compute the forces of the masters of one realization with a spectrum that is drawn."""
     input:
         scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
         stitched=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
         sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
-        code=code_inputs("redraw_masters.py"),
+        code=code_inputs("vary_spectrum.py"),
     output:
-        expand(PATTERNS.redrawn_pull_off, side=SIDES, allow_missing=True),
+        expand(PATTERNS.varied_spectrum, side=SIDES, allow_missing=True),
     log:
-        PATTERNS.log("redraw_masters", PATTERNS.redrawn_pull_off.replace("{side}-", "")),
+        PATTERNS.log("vary_spectrum", PATTERNS.varied_spectrum.replace("{side}-", "")),
     benchmark:
-        PATTERNS.benchmark("redraw_masters", PATTERNS.redrawn_pull_off.replace("{side}-", ""))
+        PATTERNS.benchmark("vary_spectrum", PATTERNS.varied_spectrum.replace("{side}-", ""))
     resources:
         mem_mb=max(master_megabytes(STUDY["scales"][side]["pixels"], 3000) for side in SIDES),
     params:
@@ -60,7 +60,7 @@ rule redraw_masters:
             }
         ),
     script:
-        "../scripts/redraw_masters.py"
+        "../scripts/vary_spectrum.py"
 
 
 rule find_band_edges:

@@ -3,7 +3,7 @@
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
-REDRAWN = [] if COMPARED else FILES.redrawn_masters
+VARIED = [] if COMPARED else FILES.measured_masters
 
 
 rule synthesize_small_scale_master:
@@ -95,7 +95,7 @@ rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
         masters=FILES.paths(PATTERNS.filtered_pull_off, FILES.masters),
-        redrawn=FILES.paths(PATTERNS.redrawn_pull_off, REDRAWN),
+        varied=FILES.paths(PATTERNS.varied_spectrum, VARIED),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
@@ -107,7 +107,7 @@ rule aggregate_scales:
         canonical=canonical(
             {
                 "masters": FILES.masters,
-                "redrawn": REDRAWN,
+                "varied": VARIED,
                 "load": FILES.load["name"],
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,

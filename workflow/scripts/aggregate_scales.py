@@ -12,16 +12,16 @@ from hardcontact.records.job import job
 
 with job(snakemake) as this:
     given = this.parameters
-    forces, *redrawn = (
+    forces, *varied = (
         stacked_forces({key: at_load(one, given["load"]) for key, one in parts.items()})
         for parts in (
             read_all(given["masters"], this.input.masters),
-            read_all(given["redrawn"], this.input.redrawn),
+            read_all(given["varied"], this.input.varied),
         )
         if parts
     )
-    if redrawn:
-        forces = with_spectrum_shifts(forces, *redrawn)
+    if varied:
+        forces = with_spectrum_shifts(forces, *varied)
     this.write(
         with_transitions(with_names(forces, given), given["transitions"]).assign_attrs(
             {name: given[name] for name in ("rho", "sphere_radius")}

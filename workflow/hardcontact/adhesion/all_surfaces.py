@@ -107,10 +107,10 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     return scales
 
 
-def with_spectrum_shifts(scales: xr.Dataset, redrawn: xr.Dataset) -> xr.Dataset:
+def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with what another spectrum changes of them.
 
-    Both are of `stacked_forces`; the masters redrawn are of drawn spectra, with the same random
+    Both are of `stacked_forces`; those varied are of drawn spectra, with the same random
     numbers. ``ratio_shift`` (surface, realization, side, cutoff_wavelength) and
     ``unfiltered_shift`` (surface, realization, side) are changes of the logarithms of ``ratio`` and
     of the mean ``unfiltered_pull_off_force``, NaN where there is no other master.
@@ -118,9 +118,8 @@ def with_spectrum_shifts(scales: xr.Dataset, redrawn: xr.Dataset) -> xr.Dataset:
     whole = "unfiltered_pull_off_force"
     factors = xr.Dataset(
         {
-            "ratio_shift": redrawn["ratio"] / scales["ratio"],
-            "unfiltered_shift": redrawn[whole].mean(CONTACT_AXES)
-            / scales[whole].mean(CONTACT_AXES),
+            "ratio_shift": varied["ratio"] / scales["ratio"],
+            "unfiltered_shift": varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES),
         }
     )
     shifts = factors.map(np.log).map(lambda one: one.assign_attrs(units="1"))

@@ -7,7 +7,6 @@ from pathlib import PurePath
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from hardcontact.commands.request import Source
 from hardcontact.config.grids import Grid
@@ -17,7 +16,7 @@ from hardcontact.surfaces.contradictions import contradictions, told_contradicti
 from hardcontact.surfaces.measured_spectrum import measured_psd
 from hardcontact.surfaces.reliable_band import LIMITS, ReliableBand, reliable_band
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
+from hardcontact.surfaces.spectrum import Floats
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"
@@ -67,12 +66,6 @@ class Entry:
     def grid(self) -> Grid:
         """The pixels of a map, as the checks of the study see them."""
         return Grid(self.pixels, self.pixel_size, self.size, self.relief)
-
-    @property
-    def reliable(self) -> NDArray[np.bool_]:
-        """Bins of wavelengths at which the scan is reliable."""
-        wavelength = 2 * np.pi / BIN_CENTRES
-        return (self.band.shortest <= wavelength) & (wavelength <= self.band.longest)
 
     @property
     def name(self) -> str:
@@ -145,7 +138,7 @@ def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
         scans = [entry for entry in entries if entry.source.surface == surface]
         found = contradictions(
             np.array([scan.density for scan in scans]),
-            [scan.reliable for scan in scans],
+            [scan.band.bins for scan in scans],
             [scan.kind for scan in scans],
             [scan.size for scan in scans],
         )

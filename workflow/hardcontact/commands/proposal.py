@@ -145,7 +145,7 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
     faults = []
     for surface in dict.fromkeys(entry.source.surface for entry in entries):
         scans = [entry for entry in entries if entry.source.surface == surface]
-        count = int(np.any([scan.reliable for scan in scans], axis=0).sum())
+        count = int(np.any([scan.band.bins for scan in scans], axis=0).sum())
         if count < FEWEST:
             found = "; ".join(f"{scan.name} {scan.band}" for scan in scans)
             faults.append(

@@ -233,7 +233,7 @@ class Files:
         return [Master(*one) for one in product(self._selection.substrates, realizations, SIDES)]
 
     @property
-    def redrawn_masters(self) -> list[Master]:
+    def measured_masters(self) -> list[Master]:
         """Every master of a measured surface: its spectrum can be drawn."""
         basis = self._selection.basis
         return [one for one in self.masters if basis[one.surface] == "measured"]

@@ -98,9 +98,11 @@ def own_spectrum(
             *(joined[name].values for name in OF_MEASUREMENT), strict=True
         )
     ]
-    found = contradictions(*(joined[name].values for name in ("psd", "reliable", "kind", "size")))
+    differing = contradictions(
+        *(joined[name].values for name in ("psd", "reliable", "kind", "size"))
+    )
     names = [f"{one.path} {one.dataset}".strip() for one in measurements]
-    notes += [f"take care: {line}" for line in told_contradictions(found, names)]
+    notes += [f"take care: {line}" for line in told_contradictions(differing, names)]
     return OwnSpectrum(spectrum_from(joined) if continued else reliable, tuple(notes))
 
 

@@ -69,7 +69,7 @@ class Patterns:
         loaded = f"{{radius}}/{{load}}/{{range}}/{_REALIZATION}"
         self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}.nc"
         # Of a spectrum drawn within what measurements leave open.
-        self.redrawn_pull_off = f"{store}/scales/{loaded}/{{side}}-redrawn.nc"
+        self.varied_spectrum = f"{store}/scales/{loaded}/{{side}}-varied-spectrum.nc"
 
         self.varied_adhesion = f"{store}/robustness/{of_surface}/forces.nc"
         self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"

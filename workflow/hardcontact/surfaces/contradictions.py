@@ -18,14 +18,11 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
     waves_in_bins,
 )
-from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
+from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
 
 #: Standard errors by which the mean logarithms of two measurements differ before they contradict
 #: each other: a factor of 3.1 in C_iso, 1.8 in heights, of measurements of many waves.
 ERRORS = 4
-
-#: Bins in half a decade.
-HALF_DECADE = 5
 
 
 class Contradiction(NamedTuple):

@@ -75,9 +75,7 @@ class _Data(NamedTuple):
 
     def reliable(self, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
         """Return which bins (measurement, bins) are measured within given bands."""
-        wavelength = 2 * np.pi / BIN_CENTRES
-        within = [(band.shortest <= wavelength) & (wavelength <= band.longest) for band in bands]
-        return np.array(within) & np.isfinite(self.densities)
+        return np.array([band.bins for band in bands]) & np.isfinite(self.densities)
 
 
 def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]) -> _Data:

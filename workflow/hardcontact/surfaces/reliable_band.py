@@ -37,7 +37,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES, Floats
+from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
 
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves
 #: there are few, and levelling and the window change them (of self-affine surfaces without roll-off
@@ -52,8 +52,6 @@ ERRORS = 2
 ALIKE = 2.0
 #: Bins above a noise floor that still hold much of it: C ~ q^-3 is four times as high two bins on.
 MARGIN = 2
-#: Bins in half a decade.
-HALF_DECADE = 5
 #: Relative error of the length of the stencil that the tip's cutoff is searched with: a thousandth
 #: is far below the safety factor of the criterion.
 TOLERANCE = 1e-3
@@ -74,6 +72,12 @@ class ReliableBand(NamedTuple):
     shortest: float
     longest: float
     limited_by: str  #: What ends the band toward short wavelengths, one of LIMITS.
+
+    @property
+    def bins(self) -> NDArray[np.bool_]:
+        """Which bins (bins,) of a measured spectrum lie in the band."""
+        wavelength = 2 * np.pi / BIN_CENTRES
+        return (self.shortest <= wavelength) & (wavelength <= self.longest)
 
     def __str__(self) -> str:
         """Print both ends with what sets them."""
