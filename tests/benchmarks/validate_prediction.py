@@ -9,6 +9,7 @@ The columns are described in resources/validation/README.md.
 """
 
 import argparse
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -48,20 +49,23 @@ LARGEST, GRIDS = 25e3, {1024: 4, 2048: 3}
 
 
 def design(surfaces: int) -> list[dict[str, Any]]:
-    """Return the inputs of the first surfaces of the design, a Sobol sequence (scrambled)."""
-    names = list(BOUNDS)
-    points = qmc.Sobol(len(names), rng=np.random.default_rng(SEED)).random_base2(7)[:surfaces]
-    rows = []
+    """Return the inputs of the first surfaces of the design."""
+    return [row | grid(row) for row in drawn(BOUNDS, SEED, surfaces)]
+
+
+def drawn(
+    bounds: dict[str, tuple[float, float]], seed: int, surfaces: int
+) -> Iterator[dict[str, Any]]:
+    """Yield the inputs of the first surfaces of a Sobol sequence (scrambled) within bounds."""
+    points = qmc.Sobol(len(bounds), rng=np.random.default_rng(seed)).random_base2(7)[:surfaces]
     for number, point in enumerate(points):
         row: dict[str, Any] = {"surface": number, "held_back": number // 2 % 2}
-        for name, share in zip(names, point, strict=True):
-            low, high = BOUNDS[name]
+        for (name, (low, high)), share in zip(bounds.items(), point, strict=True):
             even = name in ("hurst", "kind")
             row[name] = low + share * (high - low) if even else low * (high / low) ** share
         row["kind"] = next(kind for kind, end in KINDS.items() if row["kind"] <= end)
         row["rms_height"] = row["rolloff"] * row.pop("steepness")
-        rows.append(row | grid(row))
-    return rows
+        yield row
 
 
 def grid(row: dict[str, Any]) -> dict[str, Any]:

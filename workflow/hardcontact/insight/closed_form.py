@@ -166,17 +166,32 @@ def _terms(
     waves: Spectrum, levels: Approaches, contact: Contact, generations: int
 ) -> tuple[float, float]:
     """Return the first and the second term of F/(2 pi R W), the mean over levels of approach."""
-    sigma, level = np.sqrt(moment(waves, 0)), levels.mean()
+    sigma = np.sqrt(moment(waves, 0))
     first = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.rho))
     touching = levels.mean(stats.norm.sf(levels.levels))
-    finer = banded(waves, 2 * np.pi / (SUMMIT * levels.radius), np.inf)
-    if finer is None or not generations or moment(finer, 0) < (FINEST * contact.rho) ** 2:
+    summit = on_summit(waves, levels, contact)
+    if summit is None or not generations:
         return first, touching
-    summit = min(levels.radius**2 * max(level, 1.0) / (2 * sigma), contact.radius)
-    on_it = replace(contact, radius=summit, area=min(contact.area, np.pi * levels.radius**2))
-    approaches = closest_approaches(finer, summit, on_it.area)
+    finer, on_it = summit
+    approaches = closest_approaches(finer, on_it.radius, on_it.area)
     of_summit = _terms(finer, approaches, on_it, generations - 1)
     return first, touching * min(sum(of_summit), 1.0)
+
+
+def on_summit(
+    waves: Spectrum, levels: Approaches, contact: Contact
+) -> tuple[Spectrum, Contact] | None:
+    """Return the roughness on a summit that touches, and the contact of its smooth shape.
+
+    None stands for a summit without roughness that counts.
+    """
+    finer = banded(waves, 2 * np.pi / (SUMMIT * levels.radius), np.inf)
+    if finer is None or moment(finer, 0) < (FINEST * contact.rho) ** 2:
+        return None
+    sigma, level = np.sqrt(moment(waves, 0)), levels.mean()
+    radius = min(levels.radius**2 * max(level, 1.0) / (2 * sigma), contact.radius)
+    area = min(contact.area, np.pi * levels.radius**2)
+    return finer, replace(contact, radius=radius, area=area)
 
 
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:

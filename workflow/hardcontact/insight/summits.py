@@ -89,15 +89,20 @@ def rough_waves(spectrum: Spectrum, radius: float) -> Spectrum | None:
     return banded(spectrum, q[beyond[0]], np.inf) if len(beyond) else None
 
 
+def correlation_lost(waves: Spectrum) -> tuple[Floats, Floats]:
+    """Return distances d (n,) in nm and 1 - r(d)/sigma² (n,), r the autocorrelation of heights."""
+    q = waves.wavevector
+    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
+    lost = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
+    return distances, np.trapezoid(lost, np.log(q), axis=1) / (2 * np.pi * moment(waves, 0))
+
+
 def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:
     """Return the radius delta(t) (n,) in nm of the clump of points about a summit, at levels t.
 
     It solves 1 - r(delta)/sigma² = 1/t².
     """
-    q = waves.wavevector
-    distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
-    lost = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
-    share = np.trapezoid(lost, np.log(q), axis=1) / (2 * np.pi * moment(waves, 0))
+    distances, share = correlation_lost(waves)
     wanted = -2 * np.log(np.maximum(levels, LOWEST_CLUMPS))
     growing = np.log(np.maximum.accumulate(share))
     return np.asarray(np.exp(np.interp(wanted, growing, np.log(distances))))
@@ -118,10 +123,7 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     The radius is in nm and the area, load over hardness, in nm². The lowest level has the
     probability that no point rises above it.
     """
-    radii = clump_radius(waves, LEVELS)
-    reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
-    tail = stats.norm.sf(LEVELS)
-    clumps, bearing = reach * _above(tail / (np.pi * radii**2)), reach * _above(tail)
+    radii, clumps, bearing = clumps_above(waves, radius)
     # At the last level, where nothing rises, a clump has its own area.
     clump = np.append(bearing[:-1] / clumps[:-1], np.pi * radii[-1] ** 2)
     below = _touches_less(clumps, area / clump)
@@ -130,6 +132,17 @@ def closest_approaches(waves: Spectrum, radius: float, area: float) -> Approache
     weights /= weights.sum()
     levels = np.append(LEVELS[0], middle)
     return Approaches(levels, weights, float(np.interp(weights @ levels, LEVELS, radii)))
+
+
+def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats]:
+    """Return, at LEVELS, the radius of a clump, and Lambda and B of `closest_approaches`.
+
+    That is in nm, as the radius of the sphere is, the mean number of clumps above the sphere, and
+    the mean area above it in nm².
+    """
+    radii, tail = clump_radius(waves, LEVELS), stats.norm.sf(LEVELS)
+    reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
+    return radii, reach * _above(tail / (np.pi * radii**2)), reach * _above(tail)
 
 
 def draw_size(spectrum: Spectrum, radius: float, area: float) -> float:
