@@ -80,14 +80,14 @@ class ForceStatistics:
     def variation(self) -> float:
         """Standard deviation over mean."""
         square = self.weights @ (self.means**2 * np.exp(self.spreads**2))
-        return float(np.sqrt(max(square / self.force**2 - 1, 0.0)))
+        return float(np.sqrt(max(float(square) / self.force**2 - 1, 0.0)))
 
     @property
     def spread(self) -> float:
         """Standard deviation of ln F."""
         centres = np.log(self.means) - self.spreads**2 / 2
-        mean = self.weights @ centres
-        return float(np.sqrt(self.weights @ ((centres - mean) ** 2 + self.spreads**2)))
+        around = (centres - self.weights @ centres) ** 2
+        return float(np.sqrt(self.weights @ (around + self.spreads**2)))
 
     @property
     def median_over_mean(self) -> float:
@@ -236,11 +236,13 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     """Return the standard deviation over the mean of ∫ exp((h - s)/rho) over the plane.
 
     Heights h are normal and s = r²/2R: its square is ∫ [exp(r(d)/rho²) - 1] exp(-d²/4 R rho) over
-    all distances d, r the autocorrelation, over 4 pi R rho.
+    all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
+    variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
     """
+    q, reach = waves.wavevector, 4 * contact.radius * contact.rho
+    of_height = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
+    linear = np.trapezoid(of_height, np.log(q)) / (2 * np.pi * contact.rho**2)
     distances, lost = correlation_lost(waves)
-    reach = 4 * contact.radius * contact.rho
-    exponent = moment(waves, 0) * (1 - lost) / contact.rho**2
-    with np.errstate(over="ignore"):
-        area = np.expm1(np.minimum(exponent, 500)) * np.exp(-(distances**2) / reach)
-    return float(np.sqrt(max(2 * np.trapezoid(area * distances, distances) / reach, 0.0)))
+    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.rho**2, 500)
+    more = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
+    return float(np.sqrt(linear + 2 * np.trapezoid(more * distances, distances) / reach))

@@ -94,7 +94,8 @@ def correlation_lost(waves: Spectrum) -> tuple[Floats, Floats]:
     q = waves.wavevector
     distances = np.geomspace(0.05 / q[-1], 10 / q[0], DISTANCES)
     lost = waves.density * q**2 * (1 - special.j0(distances[:, None] * q))
-    return distances, np.trapezoid(lost, np.log(q), axis=1) / (2 * np.pi * moment(waves, 0))
+    variance = 2 * np.pi * moment(waves, 0)
+    return distances, np.asarray(np.trapezoid(lost, np.log(q), axis=1) / variance)
 
 
 def clump_radius(waves: Spectrum, levels: ArrayLike) -> Floats:

@@ -1,0 +1,139 @@
+"""Forces at many independent places of designed surfaces: statistics.nc.
+
+    nice python tests/benchmarks/validate_statistics.py [--surfaces 80] [--dataset FILE]
+
+Forces are computed as the study computes them, in rigid and plastic contact of a smooth sphere, on
+random surfaces of the kinds of `validate_prediction`. Every fifth one is skewed: the heights of a
+Gaussian surface are mapped through a growing exponential or its mirror image. Surfaces that the
+dataset has are kept, so that a run goes on where one ended. resources/validation/README.md
+describes the dataset.
+"""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from validate_prediction import HARDNESS, drawn, spectrum_of
+
+from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.numbers.random import generator
+from hardcontact.records import dataset
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.synthesis import random_surface
+
+DATASET = Path(__file__).parents[2] / "resources/validation/statistics.nc"
+SEED, PLACES = 20261124, 400
+#: Least and largest value of each input, as in `validate_prediction`.
+BOUNDS = {
+    "rolloff": (300.0, 4000.0),
+    "steepness": (1 / 400, 1 / 20),
+    "hurst": (0.4, 0.95),
+    "radius": (5e3, 5e5),
+    "modulus": (0.1, 10.0),  # rho/sigma of it at the level LEVEL
+    "area": (50.0, 5000.0),
+    "kind": (0.0, 1.0),
+}
+#: Level of closest approach that the design expects, and ranges (nm) that it keeps to.
+LEVEL, RANGES = 3.3, (0.3, 40.0)
+#: Every how many surfaces are skewed, and how: exp(SKEWED z) of normal z has the skewness 0.61.
+EVERY, SKEWED = 5, 0.2
+#: Pixels and places along an edge, of which the cheapest that resolve the contact are taken.
+PIXELS, ALONG = (512, 1024, 2048), (10, 8, 6, 5, 4)
+
+
+def design(surfaces: int) -> list[dict[str, Any]]:
+    """Return the inputs of the first surfaces of the design."""
+    rows = []
+    for row in drawn(BOUNDS, SEED, surfaces):
+        row["rho"] = float(np.clip(row.pop("modulus") * row["rms_height"] / LEVEL, *RANGES))
+        skewed = row["surface"] % EVERY == EVERY - 1
+        row["skewed"] = (SKEWED if row["surface"] % 2 else -SKEWED) if skewed else 0.0
+        rows.append(row | grid(row))
+    return rows
+
+
+def grid(row: dict[str, Any]) -> dict[str, Any]:
+    """Return the cheapest grid that has three pixels along the contact and 16 a roll-off.
+
+    Places are further apart than the roll-off and than twice the distance in which the sphere finds
+    its summits, or attracts. Without such a grid it is the finest.
+    """
+    reach = 2 * np.sqrt(2 * row["radius"] * max(row["rms_height"] / LEVEL, row["rho"]))
+    apart, finest = max(row["rolloff"], reach), min(np.sqrt(row["area"]) / 3, row["rolloff"] / 16)
+    grids = [
+        (-(-PLACES // along**2) * pixels**2, along, pixels)
+        for along in ALONG
+        for pixels in PIXELS
+        if along * apart / pixels <= finest
+    ]
+    _, along, pixels = min(grids, default=(0, ALONG[-1], PIXELS[-1]))
+    size = along * apart
+    load = {"preload": row["area"] * HARDNESS * 1e-18, "hardness": HARDNESS}
+    return {
+        "size": size,
+        "pixels": pixels,
+        "along": along,
+        "shortest": 4 * size / pixels,
+        "area": contact_pixel_count(load, size / pixels) * (size / pixels) ** 2,
+    }
+
+
+def mapped(surface: HeightMap, row: dict[str, Any]) -> HeightMap:
+    """Return a surface with skewed heights of the same mean and rms height."""
+    if not row["skewed"]:
+        return surface
+    z, steep = surface.heights / row["rms_height"], row["skewed"]
+    grown = np.expm1(steep * z) - np.expm1(steep**2 / 2)
+    rms = np.sqrt(np.expm1(steep**2)) * np.exp(steep**2 / 2)
+    surface.heights[...] = np.sign(steep) * row["rms_height"] * grown / rms
+    return surface
+
+
+def computed(row: dict[str, Any]) -> xr.Dataset:
+    """Return the inputs, and forces and closest approach (contact model, place) of a surface."""
+    spectrum, pixels = spectrum_of(row), row["pixels"]
+    load: Any = {"preload": row["area"] * HARDNESS * 1e-18, "hardness": HARDNESS}
+    wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
+    array: Any = {"window": max(wide, 32 * row["size"] / pixels), "count": row["along"]}
+    found = []
+    for realization in range(-(-PLACES // row["along"] ** 2)):
+        rng = generator(SEED, row["surface"], realization, "statistics")
+        surface = mapped(random_surface(rng, pixels, row["size"] / pixels, spectrum), row)
+        pair = bodies(surface, None, row["radius"], array)
+        found.append(pull_off_of_pair(pair, load, [row["rho"]]).squeeze("rho", drop=True))
+    axes = ["realization", "contact_y", "contact_x"]
+    every = xr.concat(found, "realization").stack(place=axes).isel(place=slice(PLACES))
+    over, smooth = ("contact_model", "place"), float(dmt_pull_off(1.0, row["radius"]))
+    relative = every["pull_off_force"].transpose(*over).values / smooth
+    level = -every["closest_approach"].transpose(*over).values / row["rms_height"]
+    return xr.Dataset(
+        {
+            "log_force": (over, np.log(relative), {"units": "1", "long_name": "ln(F/2 pi R W)"}),
+            "level": (over, level, {"units": "1", "long_name": "closest approach, rms heights"}),
+            **{name: value for name, value in row.items() if name != "surface"},
+        },
+        {"contact_model": ["rigid", "plastic"], "surface": row["surface"]},
+    )
+
+
+def main() -> None:
+    """Compute the surfaces that the dataset lacks, and write it after each."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--surfaces", type=int, default=80, help="of the design")
+    parser.add_argument("--dataset", type=Path, default=DATASET)
+    arguments = parser.parse_args()
+    path: Path = arguments.dataset
+    done = [dataset.read(str(path))] if path.exists() else []
+    for row in design(arguments.surfaces)[len(done and done[0]["surface"]) :]:
+        done = [xr.concat([*done, computed(row).expand_dims("surface")], "surface")]
+        rounded = {"dtype": "int16", "scale_factor": 1e-3, "zlib": True, "_FillValue": -32768}
+        done[0].to_netcdf(path, encoding=dict.fromkeys(("log_force", "level"), rounded))
+
+
+if __name__ == "__main__":
+    main()

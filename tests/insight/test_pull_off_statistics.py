@@ -1,0 +1,112 @@
+"""The distribution of forces: Weibull's law, gamma functions, sums of Poisson clumps."""
+
+import numpy as np
+import pytest
+from known_spectra import rounded
+from scipy import special, stats
+
+from hardcontact.insight.closed_form import Contact
+from hardcontact.insight.pull_off_statistics import (
+    ForceStatistics,
+    field_variation,
+    force_statistics,
+    summit_variation,
+)
+from hardcontact.insight.summits import LEVELS, banded, closest_approaches, clumps_above
+from hardcontact.numbers.random import generator
+
+#: A sphere so flat that its highest summits obey the laws of high levels.
+FLAT = 1e12
+SIGMA = 4.0
+SURFACE = rounded(SIGMA, 100)
+
+
+def flat_contact(modulus, clumps=0.0):
+    """Return a contact of a modulus whose area is that of a number of mean clumps."""
+    waves = banded(SURFACE, 0, np.inf)
+    _, number, bearing = clumps_above(waves, FLAT)
+    highest = closest_approaches(waves, FLAT, 0.0).mean()
+    area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
+    level = closest_approaches(waves, FLAT, area).mean()
+    return Contact(FLAT, modulus * SIGMA / level, 1.0, area)
+
+
+def drawn_sums(modulus, places=4000, points=400):
+    """Return sums of clumps over places: Σ R_i (G_1/G_i)^(1/k), R_i the radii of summits."""
+    rng = generator(1, "clumps")
+    arrivals = rng.exponential(size=(places, points)).cumsum(axis=1)
+    level = closest_approaches(banded(SURFACE, 0, np.inf), FLAT, 0.0).mean()
+    radii = rng.choice(drawn_radii(rng, level), (places, points))
+    return (radii * (arrivals[:, :1] / arrivals) ** (1 / modulus)).sum(axis=1)
+
+
+def drawn_radii(rng, level, count=400000):
+    """Return 1/sqrt(K) of summits of SURFACE, drawn by the curvatures of points at a level."""
+    # Of exp(-d²/2) the fourth moment is 3: h_xx and h_yy have the mean -t and the covariance
+    # [[2, 0], [0, 2]] given the height t, h_xy the variance 1.
+    xx, yy = -level + np.sqrt(2) * rng.standard_normal((2, count))
+    curvature = xx * yy - rng.standard_normal(count) ** 2
+    summit = (curvature > 0) & (xx < 0)
+    weight = curvature[summit] / curvature[summit].sum()
+    return 1 / np.sqrt(rng.choice(curvature[summit], count, p=weight))
+
+
+def test_radii_of_summits_scatter_as_drawn_ones():
+    waves = banded(SURFACE, 0, np.inf)
+    levels = closest_approaches(waves, FLAT, 0.0)
+    radii = drawn_radii(generator(1, "radii"), levels.mean())
+    assert summit_variation(waves, levels) == pytest.approx(radii.std() / radii.mean(), rel=0.05)
+
+
+@pytest.mark.parametrize("modulus", [2.0, 4.0, 8.0])
+def test_many_points_make_weibull_s_law(modulus):
+    found = force_statistics(SURFACE, flat_contact(modulus))
+    weibull = stats.weibull_min(found.modulus, scale=1 / special.gamma(1 + 1 / found.modulus))
+    assert found.modulus == pytest.approx(modulus, rel=1e-3)
+    shares = np.array([0.05, 0.25, 0.5, 0.75, 0.95])
+    assert found.quantile(shares) / found.force == pytest.approx(weibull.ppf(shares), rel=0.08)
+
+
+@pytest.mark.parametrize("clumps", [3.0, 30.0])
+def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
+    found = force_statistics(SURFACE, flat_contact(3.0, clumps))
+    # Exponential areas fill the contact with 1 + Poisson's number of clumps.
+    number = 1 + np.arange(200)
+    chance = stats.poisson.pmf(number - 1, found.clumps - 1)
+    centre = chance @ special.digamma(number)
+    spread = chance @ (special.polygamma(1, number) + (special.digamma(number) - centre) ** 2)
+    assert found.spread == pytest.approx(np.sqrt(spread) / found.modulus, rel=0.1)
+
+
+@pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
+def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
+    found, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
+    assert found.summits == pytest.approx(1 / (1 - modulus), rel=0.05)
+    assert found.spread == pytest.approx(np.log(sums).std(), rel=0.1)
+    assert found.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
+
+
+def test_a_field_of_small_heights_scatters_as_its_mean_height():
+    contact = Contact(250e3, 400.0, 1.0, 0.0)
+    spot = 2 * contact.radius * contact.rho  # exp(-d²/2l²) averaged over exp(-d²/2 spot)
+    expected = SIGMA / contact.rho / np.sqrt(1 + spot / 100**2)
+    assert field_variation(banded(SURFACE, 0, np.inf), contact) == pytest.approx(expected, rel=0.02)
+
+
+def test_moments_and_quantiles_are_those_of_the_mixture():
+    found = ForceStatistics(
+        1.0, 1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
+    )
+    shares = np.linspace(0, 1, 200001)[1:-1]
+    forces = found.quantile(shares)
+    assert found.force == pytest.approx(forces.mean(), rel=1e-3)
+    assert found.variation == pytest.approx(forces.std() / forces.mean(), rel=0.01)
+    assert found.spread == pytest.approx(np.log(forces).std(), rel=1e-3)
+    assert found.probability(forces[::20000]) == pytest.approx(shares[::20000], abs=1e-4)
+
+
+def test_without_roughness_all_places_are_alike():
+    smooth = force_statistics(rounded(1e-6, 1e5), Contact(250e3, 5.6, 1.0, 400.0))
+    assert smooth.spread == 0
+    assert smooth.quantile(0.3) == pytest.approx(smooth.force)
+    assert smooth.force > 2 * np.pi * 250e3 * 1e-9
