@@ -1,5 +1,6 @@
 """How often the long edge, from a scan and the spectrum measured on it, is inside its interval."""
 
+from dataclasses import replace
 from functools import cache
 
 import numpy as np
@@ -11,7 +12,7 @@ from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
 from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.joined_spectrum import drawn_spectrum, joined_spectrum
+from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
 from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import spectrum_from
@@ -69,21 +70,23 @@ def interval(rolloff, number):
         "a", "", "", "nm", "map", scan.heights, PIXEL_SIZE, 1.0, notes=(), undefined=0
     )
     spectrum = spectrum_from(joined_spectrum([measured], [None]))
-    spectra = {
-        "as measured": [spectrum] * REALIZATIONS,
-        "drawn": [
-            drawn_spectrum(generator(3, number, draw), [measured], [None])
-            for draw in range(REALIZATIONS)
-        ],
+    rngs = (generator(3, number, draw) for draw in range(REALIZATIONS))
+    of_masters = {
+        "as measured": [(spectrum, np.ones(1))] * REALIZATIONS,
+        "drawn": [*drawn_spectra(rngs, [measured], [None])],
     }
     of_spectra = (
         forces(
             large_scale_master(
-                generator(4, number, draw), mirror_stitch(scan), TILES, 0.4 * SIZE, spectrum
+                generator(4, number, draw),
+                mirror_stitch(replace(scan, heights=scan.heights * factor)),
+                TILES,
+                0.4 * SIZE,
+                spectrum,
             )
-            for draw, spectrum in enumerate(used)
+            for draw, (spectrum, (factor,)) in enumerate(used)
         )
-        for used in spectra.values()
+        for used in of_masters.values()
     )
     edges = band_edges(with_spectrum_shifts(*of_spectra), Masters({"a": 1}, TILES), 0.1, 0.95)
     return edges.edge_interval.sel(side="large").values.ravel()

@@ -15,8 +15,8 @@ DRAWN = {f"draw_{name}" for name in FIGURES}
 APART = {"compare_finer_master", *(f"draw_{name}" for name in OF_ATOMIC)}
 #: Rules that a study of own surfaces has and the paper's has not.
 OF_OWN_SURFACES = {
-    "aggregate_spectra", "vary_spectrum", "find_band_edges", "predict_force", "fit_forces",
-    "answer_surfaces",
+    "aggregate_spectra", "draw_spectra", "vary_spectrum", "find_band_edges", "predict_force",
+    "fit_forces", "answer_surfaces",
 }  # fmt: skip
 BLOCKS = dict(
     re.findall(

@@ -4,6 +4,8 @@ from hardcontact.config.configuration import NONE, left_out
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
+OF_ALL_REALIZATIONS = PATTERNS.drawn_spectrum.replace("/realization-{realization}", "")
+
 
 rule aggregate_spectra:
     """Gather the spectra of all surfaces, measured or described: spectra.nc."""
@@ -30,10 +32,38 @@ rule aggregate_spectra:
         "../scripts/aggregate_spectra.py"
 
 
+rule draw_spectra:
+    """Draw a spectrum for each realization, within what the measurements of a surface leave open."""
+    input:
+        scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
+        code=code_inputs("draw_spectra.py"),
+    output:
+        expand(
+            PATTERNS.drawn_spectrum,
+            realization=range(1, STUDY["scales"]["realizations"] + 1),
+            allow_missing=True,
+        ),
+    log:
+        PATTERNS.log("draw_spectra", OF_ALL_REALIZATIONS),
+    benchmark:
+        PATTERNS.benchmark("draw_spectra", OF_ALL_REALIZATIONS)
+    params:
+        canonical=lambda w: canonical(
+            {
+                "surface": w.surface,
+                "seed": STUDY["seed"],
+                "contact_places": SELECTION.contact_places(w.surface),
+                "measuring": FILES.measuring(w.surface),
+            }
+        ),
+    script:
+        "../scripts/draw_spectra.py"
+
+
 rule vary_spectrum:
     """Compute the forces of the masters of one realization with a spectrum that is drawn."""
     input:
-        scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
+        spectrum=PATTERNS.drawn_spectrum,
         stitched=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
         sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
         code=code_inputs("vary_spectrum.py"),
@@ -51,7 +81,6 @@ rule vary_spectrum:
                 "surface": w.surface,
                 "realization": int(w.realization),
                 "seed": STUDY["seed"],
-                "measuring": FILES.measuring(w.surface),
                 "sides": {side: STUDY["scales"][side] for side in SIDES},
                 "radius": STUDY["sphere"]["radius"],
                 "rho": STUDY["scales"]["range"],

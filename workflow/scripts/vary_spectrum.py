@@ -1,30 +1,29 @@
 """Plastic pull-off of masters whose spectrum is drawn within what the measurements leave open."""
 
+from dataclasses import replace
+
 from hardcontact.numbers.random import generator
+from hardcontact.records import dataset
 from hardcontact.records.job import job
 from hardcontact.scales.filtered_masters import filtered_pull_off
 from hardcontact.surfaces.height_map import read_height_map
-from hardcontact.surfaces.joined_spectrum import drawn_spectrum
-from hardcontact.surfaces.scans import flat_measurements
+from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.surfaces.synthesis import SIDES, synthesized_master
 
 with job(snakemake) as this:
     given = this.parameters
     of_master = given["seed"], given["surface"], given["realization"]
-    density = drawn_spectrum(
-        generator(*of_master, "drawn spectrum"),
-        flat_measurements(this.input.scans, given["measuring"]),
-        given["measuring"]["tip_radii"],
-    )
+    drawn, scan = dataset.read(this.input.spectrum), read_height_map(this.input.stitched)
+    scan = replace(scan, heights=scan.heights * drawn.attrs["height_factor"])
     sphere = read_height_map(this.input.sphere) if this.input.sphere else None
     for output, side in enumerate(SIDES):
         scales = given["sides"][side]
         master = synthesized_master(
             side,
             generator(*of_master, f"{side}-scale master"),  # as in the master that it is set beside
-            read_height_map(this.input.stitched),
+            scan,
             scales,
-            density,
+            spectrum_from(drawn),
         )
         this.write(
             filtered_pull_off(master, sphere, {**given, "side": side, "scales": scales}),

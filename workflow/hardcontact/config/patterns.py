@@ -68,7 +68,8 @@ class Patterns:
         self.large_master = self.master.replace("{side}", "large")
         loaded = f"{{radius}}/{{load}}/{{range}}/{_REALIZATION}"
         self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}.nc"
-        # Of a spectrum drawn within what measurements leave open.
+        # A spectrum drawn within what measurements leave open, and forces on its masters.
+        self.drawn_spectrum = f"{store}/drawn_spectra/{_REALIZATION}.nc"
         self.varied_spectrum = f"{store}/scales/{loaded}/{{side}}-varied-spectrum.nc"
 
         self.varied_adhesion = f"{store}/robustness/{of_surface}/forces.nc"

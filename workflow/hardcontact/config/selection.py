@@ -66,6 +66,11 @@ class Selection:
         radii = [magnitude(text, "nm") if text else None for text in rows.tip_radius]
         return [Measured(*names) for names in zip(rows.path, rows.dataset, radii, strict=True)]
 
+    def contact_places(self, surface: str) -> list[int]:
+        """Return which of the measured scans of a surface contacts are made on, from 0."""
+        uses = self._all_rows.use[self._all_rows.surface == surface]
+        return [place for place, use in enumerate(uses) if use == CONTACT]
+
     def own_scan(self, surface: str, realization: int) -> int:
         """Return the number of the substitute scan that belongs to one realization alone.
 

@@ -3,7 +3,7 @@
 It is continued beyond its band within bounds on slope and curvature.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,7 +11,7 @@ import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.long_waves import LongWaves, with_rolloff
+from hardcontact.surfaces.long_waves import BIN, LongWaves, with_rolloff
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION,
     bias_of_log,
@@ -44,8 +44,9 @@ GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
 #: Radii in nm of tips that are not known: from new ones to blunt ones.
 TIPS = (5.0, 50.0)
 #: Standard deviations of the Hurst exponent beyond what is measured, for surfaces are self-affine
-#: over some decades at best, and of the slope d ln C/d ln q within a gap between measurements.
-HURST_SCATTER, KINK = 0.1, 1.0
+#: over some decades at best, and of the change of the slope d ln C/d ln q along a root of a decade:
+#: at a roll-off it is 2 + 2H, some 3.6, once in the three decades that surfaces are measured on.
+HURST_SCATTER, KINK = 0.1, 2.0
 #: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
 FLATTEST = -2.0
 
@@ -103,15 +104,16 @@ def joined_spectrum(
 
     The radius of the tip of each measurement is in nm; None is that which its file states, if any.
     Returned are `spectrum` (wavevector) in nm⁴ over all scales; `joined` (bin_wavevector) in nm⁴,
-    the mean logarithm of what is reliable, weighted by independent waves and freed of the bias of
-    the logarithm, NaN where nothing is; `psd` and `reliable` (measurement, bin_wavevector), and
-    what is known of each measurement. Fewer than three reliable bins of wavelengths are a
-    ValueError of one line.
+    the mean logarithm of what is reliable, weighted by independent waves, freed of the bias of the
+    logarithm and smoothed where waves are few, NaN where nothing is; `psd` and `reliable`
+    (measurement, bin_wavevector), and what is known of each measurement. Fewer than three reliable
+    bins of wavelengths are a ValueError of one line.
     """
     data = _data(measurements, tip_radii)
     reliable = data.reliable(data.bands)
-    joined, variance = _log_mean(reliable, data.densities, data.waves)
-    spectrum, tail, rolloff = _continued(joined, variance, data.long_waves, probability=0.5)
+    points = _smooth(*_log_mean(reliable, data.densities, data.waves))
+    joined = np.where(reliable.any(axis=0), Spectrum(*points[:2])(BIN_CENTRES), np.nan)
+    spectrum, tail, rolloff = _continued(points, data.long_waves, probability=0.5)
     used = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
     found = with_measurements(
         spectrum_dataset(spectrum),
@@ -131,40 +133,41 @@ def joined_spectrum(
     )
 
 
-def drawn_spectrum(
-    rng: np.random.Generator,
+def drawn_spectra(
+    rngs: Iterable[np.random.Generator],
     measurements: Sequence[Measurement],
     tip_radii: Sequence[float | None],
-) -> Spectrum:
-    """Draw a spectrum of a surface within what its measurements leave open.
+) -> Iterator[tuple[Spectrum, Floats]]:
+    """Draw spectra of a surface within what its measurements leave open.
 
-    Arguments are those of `joined_spectrum`. Drawn are the power of the few waves in each bin; the
-    calibrations, relative to their mean; the radii of tips that are not known, even in their
-    logarithm within TIPS; a kink in each gap between measurements; the Hurst exponent below them;
-    and the roll-off above.
+    Measurements and radii are those of `joined_spectrum`; each generator draws one spectrum. Drawn
+    are the power of the few waves in each bin and the bends between them; the calibrations; the
+    radii of tips that are not known, even in their logarithm within TIPS; the Hurst exponent of the
+    tail; and the roll-off above. Beside the spectrum stand the factors (measurement,) of heights by
+    which it takes the calibrations to be wrong.
     """
     data = _data(measurements, tip_radii)
-    bands = [
-        band
-        if radius is not None or one.kind != "map"
-        else with_tip(band, one, float(np.exp(rng.uniform(*np.log(TIPS)))))
-        for one, radius, band in zip(measurements, data.radii, data.bands, strict=True)
-    ]
-    reliable = data.reliable(bands)
-    if reliable.any(axis=0).sum() < FEWEST:
-        reliable = data.reliable(data.bands)
-    calibration = CALIBRATION * rng.standard_normal((len(bands), 1))
-    scatter = np.sqrt(variance_of_log(data.waves)) * rng.standard_normal(data.waves.shape)
-    densities = data.densities * np.exp(calibration - calibration.mean() + scatter)
-    joined, variance = _with_kinks(rng, *_log_mean(reliable, densities, data.waves))
-    change = HURST_SCATTER * rng.standard_normal()
-    spectrum, *_ = _continued(joined, variance, data.long_waves, rng.uniform(), change)
-    return Spectrum(WAVEVECTORS, spectrum)
+    for rng in rngs:
+        bands = [
+            band
+            if radius is not None or one.kind != "map"
+            else with_tip(band, one, float(np.exp(rng.uniform(*np.log(TIPS)))))
+            for one, radius, band in zip(measurements, data.radii, data.bands, strict=True)
+        ]
+        reliable = data.reliable(bands)
+        if reliable.any(axis=0).sum() < FEWEST:
+            reliable = data.reliable(data.bands)
+        calibration = CALIBRATION * rng.standard_normal(len(bands))
+        common = calibration.mean()
+        densities = data.densities * np.exp(calibration - common)[:, None]
+        points = _smooth(*_log_mean(reliable, densities, data.waves), rng)
+        change = HURST_SCATTER * rng.standard_normal()
+        spectrum, *_ = _continued(points, data.long_waves, rng.uniform(), change)
+        yield Spectrum(WAVEVECTORS, spectrum * np.exp(common)), np.exp(calibration / 2)
 
 
 def _continued(
-    joined: Floats,
-    variance: Floats,
+    points: tuple[Floats, Floats, Floats],
     long_waves: LongWaves,
     probability: float,
     hurst_change: float = 0.0,
@@ -173,43 +176,52 @@ def _continued(
 
     The roll-off is that which is not exceeded with a probability.
     """
-    known = np.isfinite(joined)
-    points = BIN_CENTRES[known], joined[known], variance[known]
     density, tail = continued_spectrum(*points, hurst_change)
     slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
     return with_rolloff(density, longest, slope, rolloff), tail, rolloff
 
 
-def _with_kinks(
-    rng: np.random.Generator, joined: Floats, variance: Floats
-) -> tuple[Floats, Floats]:
-    """Return a joined spectrum with a kink in each gap: C_iso (bins,) in nm⁴ and variances."""
+def _smooth(
+    joined: Floats, variance: Floats, rng: np.random.Generator | None = None
+) -> tuple[Floats, Floats, Floats]:
+    """Return the wavevectors from the first to the last that is known, C_iso there, its variance.
+
+    C_iso (bins,) in nm⁴ has the variance (bins,) of its logarithm by the number of waves. The slope
+    d ln C/d ln q changes at random by KINK a root of a decade (an integrated Wiener process): the
+    mean of all curves that may be, given the points, is a smoothing spline (Wahba, J. R. Stat. Soc.
+    B 40 (1978) 364). It passes through bins of many waves, joins bins of few and bridges gaps. With
+    random numbers one of the curves is drawn, with the same variance.
+    """
     known = np.flatnonzero(np.isfinite(joined))
-    place = np.arange(known[0], known[-1] + 1)
-    log_q, log_density = np.log(BIN_CENTRES), np.full(len(joined), np.nan)
-    log_density[place] = np.interp(place, known, np.log(joined[known]))
-    for first, last in zip(known[:-1], known[1:], strict=True):
-        bins, half = np.arange(first + 1, last), (log_q[last] - log_q[first]) / 2
-        if len(bins):
-            depth = 1 - np.abs(log_q[bins] - log_q[first] - half) / half
-            log_density[bins] += KINK * rng.standard_normal() * half / 2 * depth
-    filled = np.full(len(joined), np.nan)
-    filled[place] = np.interp(place, known, variance[known])
-    return np.exp(log_density), filled
+    bins = slice(known[0], known[-1] + 1)
+    weight = np.where(np.isfinite(joined), 1 / variance, 0.0)[bins]
+    count, change = len(weight), KINK * np.sqrt(BIN / np.log(10))
+    bends = np.diff(np.eye(count), n=2, axis=0) / (BIN * change)
+    posterior = np.linalg.inv(np.diag(weight) + bends.T @ bends)
+    logs = np.log(np.where(weight > 0, joined[bins], 1.0))
+    curve = np.zeros(count)
+    if rng is not None:
+        curve = BIN * np.cumsum(np.cumsum(change * rng.standard_normal(count)))
+        noise = np.where(weight > 0, np.sqrt(variance[bins]), 0.0)
+        logs = logs - curve - noise * rng.standard_normal(count)
+    smooth = curve + posterior @ (weight * logs)
+    return BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION**2
 
 
 def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
     """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
 
     Each measurement (measurement, bins) counts by the inverse of its variance, and ln C is raised
-    by what the logarithm of few waves lies too low on average.
+    by what the logarithm of few waves lies too low on average. The variance returned is that by the
+    number of waves alone.
     """
-    weight = np.where(reliable, 1 / (variance_of_log(waves) + CALIBRATION**2), 0.0)
-    total = weight.sum(axis=0)
+    of_waves = variance_of_log(waves)
+    weight = np.where(reliable, 1 / (of_waves + CALIBRATION**2), 0.0)
     logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
-        return np.exp((weight * logs).sum(axis=0) / total), 1 / total
+        weight = weight / weight.sum(axis=0)
+    return np.exp((weight * logs).sum(axis=0)), (weight**2 * of_waves).sum(axis=0)
 
 
 def _too_few(measurements: Sequence[Measurement], bands: Sequence[ReliableBand], count: int) -> str:

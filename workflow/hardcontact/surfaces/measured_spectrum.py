@@ -105,7 +105,7 @@ def waves_in_bins(kind: str, size: float) -> Floats:
         count = np.pi / 2 * np.diff(BIN_EDGES**2) * (INDEPENDENT * size / (2 * np.pi)) ** 2
     else:
         count = np.diff(BIN_EDGES) * INDEPENDENT * size / (2 * np.pi)
-    return np.asarray(np.maximum(count, 1.0), float)
+    return np.asarray(np.maximum(count, INDEPENDENT), float)
 
 
 def variance_of_log(waves: Floats) -> Floats:
@@ -116,7 +116,7 @@ def variance_of_log(waves: Floats) -> Floats:
     """
     from scipy.special import polygamma
 
-    return np.asarray(polygamma(1, waves), float)
+    return np.asarray(polygamma(1, np.maximum(waves, 1.0)) / np.minimum(waves, 1.0), float)
 
 
 def bias_of_log(waves: Floats) -> Floats:
@@ -126,6 +126,7 @@ def bias_of_log(waves: Floats) -> Floats:
     """
     from scipy.special import digamma
 
+    waves = np.maximum(waves, 1.0)
     return np.asarray(np.log(waves) - digamma(waves), float)
 
 

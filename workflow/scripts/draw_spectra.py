@@ -1,0 +1,27 @@
+"""Spectra drawn within what the measurements of a surface leave open, one a realization."""
+
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
+from hardcontact.surfaces.joined_spectrum import drawn_spectra
+from hardcontact.surfaces.scans import flat_measurements
+from hardcontact.surfaces.spectrum import spectrum_dataset
+
+with job(snakemake) as this:
+    given = this.parameters
+    surface, measuring, places = given["surface"], given["measuring"], given["contact_places"]
+    drawn = drawn_spectra(
+        (
+            generator(given["seed"], surface, realization, "drawn spectrum")
+            for realization in range(1, len(this.output) + 1)
+        ),
+        flat_measurements(this.input.scans, measuring),
+        measuring["tip_radii"],
+    )
+    for output, (spectrum, factors) in enumerate(drawn):
+        # Realizations build on the scans in turn, as do the masters that theirs are set beside.
+        factor = factors[places[output % len(places)]]
+        this.write(
+            spectrum_dataset(spectrum.density).assign_attrs(height_factor=factor),
+            title=f"a spectrum that the measurements of {surface} allow",
+            output=output,
+        )
