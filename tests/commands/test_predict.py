@@ -20,7 +20,7 @@ from hardcontact.insight.prediction import coordinates, nearest_errors, rough_pa
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.joined_spectrum import continued_spectrum, joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
 
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 
@@ -312,14 +312,18 @@ def test_scans_are_measured_where_they_are_reliable(kind, tmp_path, monkeypatch,
         path = path.with_suffix(".xyz")
         scan_files.write_coordinates(scan_files.line(one.heights, size), path)
     joined = joined_spectrum([measurement(one.heights, PIXEL)], [None])
-    spectrum, (note,) = own_spectrum([path])
+    spectrum, (note,), _ = own_spectrum([path])
     known = np.isfinite(joined.joined.values)
     assert spectrum.density == pytest.approx(joined.joined.values[known], rel=1e-4)
     assert 2 * np.pi / spectrum.wavevector[-1] >= 4 * PIXEL
     assert_says(note, f"scan{path.suffix}", "reliable from", "a third of the size")
     told = numbers_of(capsys, monkeypatch, str(path))
-    force = closed_form(spectrum, Contact(250e3, 5.6, 0.0463, 400.0)).force
-    assert told["pull_off_force"]["value"] == pytest.approx(force)
+    contact = Contact(250e3, 5.6, 0.0463, 400.0)
+    assert told["pull_off_force"]["value"] == pytest.approx(closed_form(spectrum, contact).force)
+    # It is continued as the masters of the study are, up to a roll-off beyond the scan.
+    force = closed_form(spectrum_from(joined), contact).force
+    assert told["continued_force"]["value"] == pytest.approx(force, rel=1e-3)
+    assert told["continued_rolloff"]["value"] == pytest.approx(joined.attrs["rolloff"], rel=1e-3)
 
 
 def test_members_of_a_container_are_joined_or_chosen(tmp_path):

@@ -31,7 +31,7 @@ from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.filtered_masters import FilteredContacts, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scans import flat_measurement, height_map
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
 from hardcontact.surfaces.topography import metrics as metrics
@@ -105,7 +105,7 @@ def read_spectrum(
         As of `read_scan`.
     continued : bool
         Whether the spectrum of scans goes on beyond the wavelengths at which they are reliable, as
-        the study continues it for its masters: artificial, constant above and self-affine below.
+        the study continues it for its masters: artificial, up to a roll-off and self-affine below.
 
     Returns
     -------
@@ -117,15 +117,15 @@ def read_spectrum(
     >>> spectrum = hc.read_spectrum("scan.nc")
     >>> shortest = 2 * np.pi / spectrum.wavevector[-1]  # nm
     """
-    return own_spectrum(
+    own = own_spectrum(
         files,
         dataset=dataset,
         tip_radius=tip_radius,
         undefined_pixels=undefined_pixels,
         levelling=levelling,
         sphere_radius=sphere_radius,
-        continued=continued,
-    ).spectrum
+    )
+    return spectrum_from(own.joined) if continued and own.joined is not None else own.spectrum
 
 
 def pull_off_forces(

@@ -114,9 +114,9 @@ def predict(arguments: Namespace) -> str:
         tip_radius=tip,
         unit=arguments.unit,
     )
-    _, (spectrum, notes) = refuse_all([partial(refuse_lines, faults), reader])
+    _, (spectrum, notes, joined) = refuse_all([partial(refuse_lines, faults), reader])
     tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
-    numbers = prediction(spectrum, contact, tolerance, arguments.file)
+    numbers = prediction(spectrum, contact, tolerance, arguments.file, joined)
     modulus = given["modulus"].number if "modulus" in given else _modulus()
     stated = Number("modulus", modulus, "Pa", status="given" if "modulus" in given else "paper")
     numbers |= {"modulus": stated, "tabor_parameter": tabor(contact, modulus)}
@@ -189,11 +189,14 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
         f"{print_quantity(numbers['smooth_force'].value, 'N')} of a smooth surface"
     )
     if "continued_force" in numbers:
+        hurst, longest = numbers["continued_hurst"].value, lengths["longest_wavelength"]
+        above = f"rises above {longest} to a roll-off at {lengths['continued_rolloff']}"
+        below = f" and goes on below {lengths['shortest_wavelength']} to {lengths['continued_to']}"
         yield (
-            f"pull-off force if the spectrum is level above {lengths['longest_wavelength']} and "
-            f"goes on below {lengths['shortest_wavelength']} to {lengths['continued_to']}, with a "
-            f"Hurst exponent of {numbers['continued_hurst'].value:.2g}: "
-            f"{_printed(numbers['continued_force'])}"
+            "pull-off force if the spectrum "
+            + (above if _rises(numbers) else f"is level above {longest}")
+            + f"{below}, with a Hurst exponent of {hurst:.2g}" * math.isfinite(hurst)
+            + f": {_printed(numbers['continued_force'])}"
         )
     yield f"closest approach: {lengths['closest_approach']} above the mean plane"
     regime = freezing.status.replace("_", " ")
@@ -215,6 +218,12 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
         f"({'as given' if modulus.status == 'given' else 'of the paper; --modulus changes it'})"
     )
     yield from _cautions(numbers)
+
+
+def _rises(numbers: Mapping[str, Number]) -> bool:
+    """Return whether the continued spectrum rises above the longest wavelength there is."""
+    rolloff = numbers.get("continued_rolloff")
+    return rolloff is not None and rolloff.value > 1.001 * numbers["longest_wavelength"].value
 
 
 def _printed(one: Number) -> str:
@@ -239,6 +248,8 @@ def _cautions(numbers: Mapping[str, Number]) -> Iterator[str]:
     for name, (side, end) in ends.items():
         change = numbers[f"{name}_change"]
         beyond = f"waves {side} than {print_length(numbers[f'{end}_wavelength'].value)}"
+        if name == "continued" and _rises(numbers):
+            beyond += f" and longer than {print_length(numbers['longest_wavelength'].value)}"
         if change.status == MATTERS:
             by = (
                 "its last octave alone changes"

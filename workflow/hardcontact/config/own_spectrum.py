@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 
 from hardcontact.config.schema import plain, refuse_lines
 from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
@@ -20,7 +21,7 @@ from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scans import flat_measurement, list_measurements
-from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
+from hardcontact.surfaces.spectrum import Spectrum
 
 #: Columns of which a table has one of each pair, each with a column of its unit.
 WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
@@ -49,6 +50,7 @@ class OwnSpectrum(NamedTuple):
 
     spectrum: Spectrum
     notes: tuple[str, ...]
+    joined: xr.Dataset | None  #: Of scans, as by `joined_spectrum`; None of a table.
 
 
 def own_spectrum(
@@ -56,7 +58,6 @@ def own_spectrum(
     *,
     dataset: str = "",
     tip_radius: float | None = None,
-    continued: bool = False,
     **reading: Any,
 ) -> OwnSpectrum:
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
@@ -65,7 +66,7 @@ def own_spectrum(
     containers, joined as `joined_spectrum` does; of these the dataset is the only member of a
     container that counts, or empty. The radius of the tip, in nm, is of files that state none; they
     are read as `flat_measurement` is told, with undefined pixels filled if it is told nothing. The
-    spectrum of scans ends where they are reliable, or is continued as in the study. Faults are a
+    spectrum of scans ends where they are reliable. Faults are a
     ValueError, a line each.
     """
     if not files:
@@ -77,7 +78,7 @@ def own_spectrum(
         spectrum = table_spectrum(tables[0])
         zeros = np.count_nonzero(spectrum.density == 0)
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
-        return OwnSpectrum(spectrum, (note,) if zeros else ())
+        return OwnSpectrum(spectrum, (note,) if zeros else (), None)
     reading.setdefault("undefined_pixels", "harmonic")
     measurements = [
         flat_measurement(path, member, **reading)
@@ -103,7 +104,7 @@ def own_spectrum(
     )
     names = [f"{one.path} {one.dataset}".strip() for one in measurements]
     notes += [f"take care: {line}" for line in told_contradictions(differing, names)]
-    return OwnSpectrum(spectrum_from(joined) if continued else reliable, tuple(notes))
+    return OwnSpectrum(reliable, tuple(notes), joined)
 
 
 def _is_table(path: Path) -> bool:

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pandas as pd
+import xarray as xr
 
 from hardcontact.contact.smooth_sphere import (
     maugis_parameter,
@@ -113,15 +114,20 @@ def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
 
 
 def prediction(
-    spectrum: Spectrum, contact: Contact, tolerance: float, name: str = "spectrum"
+    spectrum: Spectrum,
+    contact: Contact,
+    tolerance: float,
+    name: str = "spectrum",
+    joined: xr.Dataset | None = None,
 ) -> dict[str, Number]:
     """Return all that the closed form says of a sphere on a surface of a spectrum, by name.
 
     Without the roughness beyond an edge the force changes by the tolerance, a relative change.
     Intervals are those of `nearest_errors` where contact and spectrum
     lie within the table; otherwise there are none and the force has the status ``"outside"``. The
-    ``continued_force`` is that of the spectrum continued as in the study, unless it ends with a
-    density of zero. What is no spectrum is refused as by `rough_part`, with the name.
+    ``continued_force`` is that of the spectrum continued as in the study: that of scans, `joined`
+    as by `joined_spectrum`, rises above its longest wavelength as their rms height says; a table is
+    level there, and does not go on below a density of zero at its end. What is no spectrum is refused as by `rough_part`, with the name.
     """
     waves = rough_part(spectrum, name)
     height, gradient, _ = map(float, all_scales_moments(waves))
@@ -133,7 +139,7 @@ def prediction(
         Number("widest_gap", gap, status=UNKNOWN if gap > GAP else NEGLIGIBLE),
     ]
     known = all(one.status == NEGLIGIBLE for one in checks)
-    *of_tail, change = _continued(spectrum, contact, found.force, known)
+    *of_tail, change = _continued(spectrum, joined, contact, found.force, known)
     checks += [change, *_tried(waves, contact, found)]
     sure = all(one.status in (NEGLIGIBLE, INSIDE) for one in checks)
     place = coordinates(waves, contact, found)
@@ -233,7 +239,9 @@ def _force(name: str, found: ClosedForm, place: Mapping[str, Any], sure: bool) -
     return Number(name, found.force, "N", *interval, INSIDE if sure else OUTSIDE)
 
 
-def _continued(spectrum: Spectrum, contact: Contact, force: float, known: bool) -> Iterator[Number]:
+def _continued(
+    spectrum: Spectrum, joined: xr.Dataset | None, contact: Contact, force: float, known: bool
+) -> Iterator[Number]:
     """Yield the force with the waves beyond the ends; at last, how much they change the force.
 
     There is nothing beyond a density of zero. What has a zero within is not continued. The error is
@@ -241,21 +249,30 @@ def _continued(spectrum: Spectrum, contact: Contact, force: float, known: bool) 
     """
     waves = rough_part(spectrum)
     change, status = math.nan, NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
-    if status == UNKNOWN and len(waves.density) >= FEWEST and waves.density.all():
+    longest = rolloff = float(2 * np.pi / waves.wavevector[0])
+    density, hurst, ended_by = None, math.nan, ""
+    if joined is not None:
+        density = joined["spectrum"].values
+        rolloff, hurst, ended_by = (
+            joined.attrs[name] for name in ("rolloff", "tail_hurst", "tail_ended_by")
+        )
+    elif status == UNKNOWN and len(waves.density) >= FEWEST and waves.density.all():
         variance = np.full(waves.density.shape, CALIBRATION**2)
         density, tail = continued_spectrum(waves.wavevector, waves.density, variance)
-        # Without an exponent nothing is added: slope or curvature are at their bounds already.
-        if math.isnan(tail.tail_hurst):
-            status = NEGLIGIBLE
-        else:
-            whole = rough_part(Spectrum(WAVEVECTORS, density))
-            found = closed_form(whole, contact)
-            inside = known and all(one.status == INSIDE for one in _tried(whole, contact, found))
-            yield _force("continued_force", found, coordinates(whole, contact, found), inside)
-            yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
-            yield Number("continued_hurst", tail.tail_hurst, status=tail.tail_ended_by)
-            change = abs(found.force / force - 1)
-            status = MATTERS if change > CHANGE else NEGLIGIBLE
+        hurst, ended_by = tail.tail_hurst, tail.tail_ended_by
+    # Without an exponent nothing is added: slope or curvature are at their bounds already.
+    if density is not None and math.isnan(hurst) and rolloff <= longest:
+        status = NEGLIGIBLE
+    elif density is not None:
+        whole = rough_part(Spectrum(WAVEVECTORS, density))
+        found = closed_form(whole, contact)
+        inside = known and all(one.status == INSIDE for one in _tried(whole, contact, found))
+        yield _force("continued_force", found, coordinates(whole, contact, found), inside)
+        yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
+        yield Number("continued_rolloff", rolloff, "nm")
+        yield Number("continued_hurst", hurst, status=ended_by)
+        change = abs(found.force / force - 1)
+        status = MATTERS if change > CHANGE else NEGLIGIBLE
     yield Number("continued_change", change, status=status)
 
 
