@@ -107,7 +107,10 @@ def _anchored(tokens: Sequence[Token], level: int) -> list[tuple[str, str]]:
 
 
 def _label_cells(tokens: Sequence[Token]) -> None:
-    """Give each cell of a Markdown table its column's name, for a page too narrow for a header."""
+    """Say of each heading of a Markdown table that it is its column's, and name it in each cell.
+
+    Cells show the name on a page that is too narrow for a header.
+    """
     labels: list[str] = []
     column = 0
     for token, content in pairwise(tokens):
@@ -117,6 +120,7 @@ def _label_cells(tokens: Sequence[Token]) -> None:
         elif token.type == "tr_open":
             column = 0
         elif token.type == "th_open":
+            token.attrSet("scope", "col")
             labels.append(content.content)
         elif token.type == "td_open":
             token.attrSet("data-label", labels[column])
