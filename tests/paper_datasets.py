@@ -79,6 +79,7 @@ def make_adhesion(surfaces=SUBSTRATES):
         "pull_off_force": force.transpose(*dims),
         "closest_approach": (dims[:4] + dims[5:], apex),
         "window_change": (("surface", "scan"), np.full((4, 5), 1e-3)),
+        "finer_pixel_change": (("surface", "scan"), scattered([0.25] * 4)),
         "contact_pixels": ("contact_model", [1, 4]),
     }
     coords = {"surface": SUBSTRATES, "contact_model": MODELS, "rho": RHO}
@@ -216,6 +217,14 @@ def make_laws(surfaces=SUBSTRATES):
     return xr.Dataset(data, coords, {"confidence": CONFIDENCE})
 
 
+def make_scaling(surfaces=SUBSTRATES):
+    """Long edges that follow √R."""
+    over = ("side", "surface", "part", "length")
+    data = with_interval("exponent", over, np.ones((2, len(surfaces), 1, 1)))
+    coords = {"side": ["small", "large"], "surface": surfaces, "part": ["all"]}
+    return xr.Dataset(data, {**coords, "length": ["radius"]}, {"confidence": CONFIDENCE})
+
+
 def make_datasets(basis="substitute", surfaces=SUBSTRATES):
     return {
         "topography": make_topography(basis, [*surfaces, "ruby"]),
@@ -228,4 +237,5 @@ def make_datasets(basis="substitute", surfaces=SUBSTRATES):
         "asperities": make_asperities(surfaces),
         "classical": make_classical(surfaces),
         "laws": make_laws(surfaces),
+        "scaling": make_scaling(surfaces),
     }

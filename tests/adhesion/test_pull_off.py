@@ -7,7 +7,12 @@ import pytest
 from direct_sum import direct_total
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 
-from hardcontact.adhesion.pull_off import mean_pull_off_of_pair, pull_off_of_pair, window_change
+from hardcontact.adhesion.pull_off import (
+    finer_pixel_change,
+    mean_pull_off_of_pair,
+    pull_off_of_pair,
+    window_change,
+)
 from hardcontact.adhesion.traced_contact import traced_contact
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import bodies, gap_map
@@ -74,6 +79,18 @@ def test_window_change_is_that_of_the_direct_sum():
             changes.append(abs(wide / narrow - 1))
     arrays = window_change(iter(pairs), LOAD, rho)
     assert arrays["window_change"].values == pytest.approx(max(changes), rel=1e-6)
+
+
+@pytest.mark.parametrize(("pixels", "expected"), [(1, 1 / 4), (4, 1), (40, 1)])
+def test_at_a_small_range_finer_pixels_change_the_area_in_contact_alone(pixels, expected):
+    """One pixel of any size touches at least; a larger area is the same on all pixels."""
+    load = {"preload": pixels / 4 * 25e9 * 64e-18, "hardness": 25e9}
+    change = finer_pixel_change(pair(), load, 0.02)["finer_pixel_change"]
+    assert change == pytest.approx(expected, rel=0.05)
+
+
+def test_at_a_large_range_the_force_does_not_depend_on_the_pixels():
+    assert finer_pixel_change(pair(), LOAD, 20.0)["finer_pixel_change"] == pytest.approx(1, rel=0.1)
 
 
 SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]

@@ -2,18 +2,18 @@
 
 import numpy as np
 import xarray as xr
-from paper_claims import near
+from paper_claims import NUMBERS, near
 from paper_datasets import make_adhesion, make_elastic, make_topography
 from paper_numbers import SUBSTRATES
 
 from hardcontact.claims.contact_quantities import (
     contact_height,
-    contact_pixel_share,
     deformation_over_adhesion,
     elastic_change,
     peak_over_hardness,
     plastic_contact_area,
     plastic_over_elastic_area,
+    tabor_at_range,
 )
 from hardcontact.numbers.statistics import bounds
 
@@ -26,12 +26,14 @@ def test_contact_height_is_taken_scan_by_scan():
 
 
 def test_contact_pixels():
-    adhesion = make_adhesion()
-    near(plastic_contact_area(adhesion), [100, 400])
-    attraction = 0.0463 * 400e-18 / 0.05e-9
-    adhesion["pull_off_force"].loc[{"rho": 0.05}] = 4 * attraction
-    adhesion = adhesion.assign_attrs(work_of_adhesion=0.0463)
-    near(contact_pixel_share(adhesion).sel(contact_model="plastic"), [0.25] * 4)
+    near(plastic_contact_area(make_adhesion()), [100, 400])
+
+
+def test_tabor_parameter_with_the_range_as_the_spacing():
+    modulus = 289.7e9  # Pa, of ruby and diamond
+    expected = np.cbrt(0.25e-3 * 0.0463**2 / (modulus**2 * 5.6e-9**3))
+    own = np.cbrt(0.25e-3 * 0.0463**2 / (modulus**2 * 0.3e-9**3))
+    near(tabor_at_range(xr.Dataset({"tabor_parameter": own}), NUMBERS), expected)
 
 
 def test_elastic_contact():

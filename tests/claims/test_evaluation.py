@@ -37,10 +37,14 @@ def test_numbers_of_the_paper_reproduce_it():
     assert tuple(result.reset_index().columns) == COLUMNS
     assert list(result.index) == list(STATEMENTS["id"])
     verdicts = {name: set(rows.index) for name, rows in result[["verdict"]].groupby("verdict")}
-    # Forces that are log-normal, as these are, follow neither of the other distributions.
-    assert verdicts["not reproduced"] == {"half_gaussian_misfit", "inverse_gaussian_misfit"}
+    # Forces that are log-normal, as these are, follow neither of the other distributions, and the
+    # published pair has a strength and a Tabor parameter of its own, whatever the scans.
+    of_forces = {"half_gaussian_misfit", "inverse_gaussian_misfit", "no_force_at_vanishing_range"}
+    of_pair = {"strength_of_casimir", "strength_of_van_der_waals", "tabor_at_range"}
+    assert verdicts["not reproduced"] == of_forces | of_pair
     assert verdicts["by construction"] == {"area_growth_order", "plastic_contact_area"}
     without_interval = {"stitching_change", "slope_by_scales_polished_uncd"}
+    without_interval |= {"laws_hard_to_distinguish"}
     without_interval |= {"small_scales_are_steep", "small_scales_are_curved"}
     assert verdicts["consistent"] == without_interval | table1_rows(
         "all_rms_height", "all_rms_slope", "all_rms_curvature"
@@ -184,15 +188,16 @@ def test_an_edge_that_is_not_reached_bounds_and_has_no_number():
     datasets["band"]["critical_wavelength"][:] = np.nan
     row = judge_one("critical_wavelength_large_pooled", datasets)
     assert (row.computed, row.verdict) == (200.0, "reproduced")
+    assert judge_one("edge_large_pooled", datasets).verdict == "not reproduced"
     row = judge_one("interaction_radius_is_critical", datasets)
-    assert row.verdict == "not reproduced" and "No value exists." in row.note
+    assert row.verdict == "undecided" and "No value exists." in row.note
 
 
-def test_no_region_of_small_error_is_not_reproduced():
+def test_no_region_of_small_error_decides_nothing():
     datasets = make_datasets()
     datasets["inference"]["region_range"][:] = np.nan
     row = judge_one("half_width_of_range", datasets)
-    assert row.verdict == "not reproduced" and "No value exists." in row.note
+    assert row.verdict == "undecided" and "No value exists." in row.note
 
 
 @pytest.mark.parametrize(
@@ -285,7 +290,10 @@ FLIPS = [
     ("plasticity_is_crucial", "inference", "model_error_ratio", {}, 0.7),
     ("fit_is_unique", "inference", "minimum_error", {"minimum": 2}, 0.07),
     ("contact_height", "adhesion", "closest_approach", {"surface": "uncd"}, -17.4),
-    ("touching_pixels_rise", "adhesion", "pull_off_force", {"rho": 0.05}, 1e-3),
+    ("touching_pixels_rise", "adhesion", "finer_pixel_change", {"surface": "ncd"}, 1.0),
+    ("edge_small_ncd", "band", "critical_wavelength", {"side": "small"}, 60.0),
+    ("edge_large_pooled", "band", "critical_wavelength", {"side": "large"}, 1.2e3),
+    ("long_edge_follows_radius", "scaling", "exponent", {"surface": "uncd"}, 0.1),
     ("stiff_interfaces", "topography", "psd_isotropic", {"surface": "ncd"}, 1e-3),
     ("similar_with_retarded", "laws", "fit_error", {"law": "retarded"}, 0.2),
 ]  # fmt: skip

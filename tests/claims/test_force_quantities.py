@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
-from paper_claims import judge_one, make_sets, near
+from paper_claims import NUMBERS, judge_one, make_sets, near
 from paper_datasets import RADIUS, make_adhesion, make_datasets
 from scipy import stats
 
@@ -12,6 +12,7 @@ from hardcontact.claims.force_quantities import (
     area_slope,
     force_decades,
     force_slope,
+    least_force,
     lognormal_misfit,
     plastic_over_rigid,
     short_range_rise,
@@ -46,6 +47,13 @@ def test_rise_at_short_ranges():
     datasets = make_datasets() | {"adhesion": adhesion}
     alike = make_sets(datasets, [1.0])
     assert judge_one("short_range_rise", datasets, alike).verdict == "not reproduced"
+
+
+def test_least_force_is_that_before_the_rise_at_the_published_work():
+    adhesion = make_adhesion()
+    force = adhesion["pull_off_force"].sel(rho=2.0)
+    expected = 0.0463 * force.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
+    near(least_force(adhesion, NUMBERS).sel(surface="mcd"), expected.sel(surface="mcd"))
 
 
 def test_smooth_sphere_has_the_same_force_at_all_ranges():

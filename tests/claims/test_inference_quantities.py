@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 from paper_claims import NUMBERS, PARAMETERS, near
-from paper_datasets import RADIUS, make_inference
+from paper_datasets import RADIUS, make_inference, make_laws
+from scipy import constants
 from scipy.integrate import quad
 
 from hardcontact.claims.inference_quantities import (
+    error_overlap,
     half_width_of_range,
     half_width_of_work,
     interaction_radius,
@@ -18,6 +20,7 @@ from hardcontact.claims.inference_quantities import (
     only_plastic_fits,
     short_range_force,
     sinusoid_share,
+    strength_over_known,
 )
 
 
@@ -28,6 +31,27 @@ def test_sinusoid_share(rho):
 
     expected = quad(attraction, 0, np.pi / 2)[0] / quad(attraction, 0, np.pi)[0]
     near(sinusoid_share(NUMBERS).sel(rho=rho), expected)
+
+
+@pytest.mark.parametrize(
+    ("law", "known"),
+    [
+        ("retarded", lambda gap: np.pi**2 * constants.hbar * constants.c / (240 * gap**4)),
+        ("van_der_waals", lambda gap: 5e-19 / (6 * np.pi * gap**3)),
+        ("electrostatic", lambda gap: constants.epsilon_0 / (2 * gap**2)),  # of one volt
+    ],
+)
+def test_strength_is_the_largest_ratio_of_pressures_at_any_gap(law, known):
+    rho, gaps = 5.6e-9, np.geomspace(1e-10, 1e-6, 4001)
+    expected = (0.0463 / rho * np.exp(-gaps / rho) / known(gaps)).max()
+    near(strength_over_known(NUMBERS).sel(law=law), expected, rtol=1e-5)
+
+
+def test_errors_overlap_if_they_have_a_value_in_common():
+    laws = make_laws()
+    near(error_overlap(laws), [1.01 / 0.99] * 3)
+    laws["fit_error_interval"].loc[{"law": "electrostatic", "case": "fitted"}] = [0.4, 0.5]
+    near(error_overlap(laws).sel(case="fitted"), 0.3 * 1.01 / 0.4)
 
 
 def test_interaction_radius():

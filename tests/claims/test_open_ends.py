@@ -16,11 +16,11 @@ BANDS = [band(), sets().sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_w
 def marked(side, computed, low, high, group="mcd"):
     """The open end of the interval of an edge, beside one that is no edge."""
     numbers = {"computed": computed, "low": low, "high": high}
-    claims = pd.DataFrame([{"id": f"critical_wavelength_{side}_{group}", **numbers},
-                           {"id": "range_of_adhesion", **numbers}])  # fmt: skip
-    found = with_open_ends(claims, BANDS)
-    assert found["open_end"].iloc[1] == "" and "open_end" not in claims
-    return found["open_end"].iloc[0]
+    names = [f"edge_{side}_{group}", f"critical_wavelength_{side}_{group}", "range_of_adhesion"]
+    claims = pd.DataFrame([{"id": name, **numbers} for name in names])
+    found = with_open_ends(claims, BANDS)["open_end"]
+    assert found.iloc[0] == found.iloc[1] and found.iloc[2] == "" and "open_end" not in claims
+    return found.iloc[0]
 
 
 def test_the_last_cutoff_is_the_one_that_removes_most():

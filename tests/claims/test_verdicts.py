@@ -22,8 +22,8 @@ TWO_SIDED = [
     (3.0, (2.0, 3.5), "not reproduced"),
     (7.0, (7.0, 7.0), "not reproduced"),
     (7.0, NONE, "not reproduced"),
-    (np.nan, (4.5, 5.5), "not reproduced"),
-    (np.nan, NONE, "not reproduced"),
+    (np.nan, (4.5, 5.5), "undecided"),
+    (np.nan, NONE, "undecided"),
 ]
 
 

@@ -14,6 +14,7 @@ rule evaluate_claims:
         asperities=rules.aggregate_asperities.output[0],
         classical=rules.apply_classical_models.output[0],
         laws=PATTERNS.dataset("laws"),
+        scaling=PATTERNS.dataset("scaling"),
         sets=rules.judge_sets.output[0],
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED["published_constants"],

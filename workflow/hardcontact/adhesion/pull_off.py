@@ -21,6 +21,7 @@ from hardcontact.contact.bearing_area import (
     stacked_gaps,
 )
 from hardcontact.contact.geometry import Bodies
+from hardcontact.surfaces.filters import interpolate
 
 #: Dimension, values and attributes of a coordinate.
 Axis = tuple[tuple[str], Any, dict[str, str]]
@@ -150,6 +151,35 @@ def mean_pull_off_of_pair(
         load_axis(loads) | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
+
+
+def finer_pixel_change(bodies: Bodies, load: Load, rho: float) -> xr.Dataset:
+    """Return the mean plastic force on pixels of half the size over that on those of a pair.
+
+    Both maps are Fourier interpolated, so that the surfaces stay the same; rho is in nm.
+    ``finer_pixel_change`` is over all contacts.
+    """
+    geometry = bodies.geometry
+    substrate, sphere = bodies.substrate, bodies.roughness
+    halved = replace(
+        geometry,
+        pixel_size=geometry.pixel_size / 2,
+        window=2 * geometry.window,
+        positions=2 * geometry.positions,
+    )
+    finer = Bodies(
+        interpolate(substrate, 2 * substrate.pixels),
+        sphere and interpolate(sphere, 2 * sphere.pixels),
+        halved,
+    )
+    forces = []
+    for pair in (bodies, finer):
+        size = pair.geometry.pixel_size
+        totals = plastic_totals(pair, [contact_pixel_count(load, size)], rho)
+        forces.append(pull_off_force(totals, rho, size, WORK_OF_ADHESION).mean())
+    attributes = {"units": "1", "long_name": "force on half as large pixels over that on the own"}
+    change = ((), forces[1] / forces[0], attributes | {"rho": rho})
+    return xr.Dataset({"finer_pixel_change": change})
 
 
 def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> xr.Dataset:

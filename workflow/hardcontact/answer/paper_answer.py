@@ -22,8 +22,8 @@ from hardcontact.scales.critical_band import POOLED
 
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
-    "shortest_wavelength": "critical_wavelength_small_pooled",
-    "longest_wavelength": "critical_wavelength_large_pooled",
+    "shortest_wavelength": "edge_small_pooled",
+    "longest_wavelength": "edge_large_pooled",
     "range_of_adhesion": "range_of_adhesion",
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
@@ -32,6 +32,8 @@ ANSWERS = {
 }
 #: The findings that matter most, by their claims, in the order of the page.
 MAIN_FINDINGS = (
+    "edge_small_pooled",
+    "edge_large_pooled",
     "critical_wavelength_small_pooled",
     "critical_wavelength_large_pooled",
     "interaction_radius_is_critical",

@@ -37,6 +37,16 @@ def classical_over_numerical(classical: xr.Dataset, inference: xr.Dataset) -> xr
     )
 
 
+def tabor_at_range(classical: xr.Dataset, paper: xr.Dataset) -> xr.Dataset:
+    """Return the Tabor parameter with the published range of adhesion as the spacing ().
+
+    It is inversely proportional to the spacing.
+    """
+    wider = paper["range_of_adhesion"] / paper["equilibrium_spacing"]
+    at_range: xr.Dataset = variable_as_number(classical, "tabor_parameter") / wider
+    return at_range
+
+
 def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
     """Return the height of the sphere's apex in contact over the mean plane.
 
@@ -49,23 +59,13 @@ def contact_height(adhesion: xr.Dataset, topography: xr.Dataset) -> xr.Dataset:
 
 def plastic_contact_area(adhesion: xr.Dataset) -> xr.Dataset:
     """Return the area in nm² of the pixels in contact (contact_model)."""
-    return number(_contact_area(adhesion))
-
-
-def contact_pixel_share(adhesion: xr.Dataset) -> xr.Dataset:
-    """Return the share of the force on contact pixels at the smallest range.
-
-    A contact pixel of area A attracts with W A / rho, Eq. 3 at gap zero (surface, contact_model).
-    """
-    force = mean_over_contacts(adhesion["pull_off_force"]).sortby("rho").isel(rho=0)
-    work, rho = adhesion.attrs["work_of_adhesion"], 1e-9 * force["rho"]
-    share = work * NM2 * _contact_area(adhesion) / rho / force
-    return mean_over_scans(share.drop_vars("rho"), adhesion.attrs["confidence"])
-
-
-def _contact_area(adhesion: xr.Dataset) -> xr.DataArray:
     pixel_area: float = adhesion.attrs["pixel_size"] ** 2
-    return adhesion["contact_pixels"] * pixel_area
+    return number(adhesion["contact_pixels"] * pixel_area)
+
+
+def finer_pixel_change(adhesion: xr.Dataset) -> xr.Dataset:
+    """Return the plastic force at the smallest range on finer pixels over the study's (surface)."""
+    return mean_over_scans(adhesion["finer_pixel_change"], adhesion.attrs["confidence"])
 
 
 def elastic_change(elastic: xr.Dataset) -> xr.Dataset:

@@ -66,7 +66,7 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
 #: Datasets of a study that claims are about. A claim may also name `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "band", "inference", "elastic", "indent", "asperities",
-    "classical", "laws",
+    "classical", "laws", "scaling",
 )  # fmt: skip
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",

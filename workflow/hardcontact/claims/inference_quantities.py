@@ -17,6 +17,7 @@ from hardcontact.claims.numbers import (
     quotient,
     variable_as_number,
 )
+from hardcontact.insight.interaction_laws import EXPONENTIAL, LAWS
 from hardcontact.numbers.statistics import bounds
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -67,6 +68,29 @@ def _only_second_fits(misfit: xr.Dataset, fit: xr.Dataset, paper: xr.Dataset) ->
     """Return the smaller of the first error over the threshold and its inverse for the second."""
     threshold = number(paper["error_threshold"], paper["error_threshold"], paper["error_threshold"])
     return least(quotient(misfit, threshold), quotient(threshold, fit))
+
+
+def error_overlap(laws: xr.Dataset) -> xr.Dataset:
+    """Return the least upper over the greatest lower end of the errors of all laws (case).
+
+    Above one the intervals of all errors overlap.
+    """
+    low, high = bounds(laws, "fit_error")
+    return number(high.min("law") / low.max("law"))
+
+
+def strength_over_known(paper: xr.Dataset) -> xr.Dataset:
+    """Return the largest pressure of Eq. 1 at the published pair, over the most of a mechanism.
+
+    Over law, of those but Eq. 1. An energy C/g^m gives the pressure m C/g^(m + 1). At the gap g the
+    ratio goes as g^(m + 1) exp(-g/rho), which is largest at (m + 1) rho.
+    """
+    others = [law for law in LAWS if law != EXPONENTIAL]
+    power = xr.DataArray([law.exponent + 1 for law in others], dims="law")
+    known = xr.DataArray([law.known for law in others], {"law": [law.name for law in others]})
+    rho = 1e-9 * paper["range_of_adhesion"]
+    pressure = paper["work_of_adhesion"] / rho * np.exp(-power)
+    return number(pressure * (power * rho) ** power / ((power - 1) * known))
 
 
 def least_ratio_error(inference: xr.Dataset) -> xr.Dataset:

@@ -68,8 +68,8 @@ def verdict(
     """Judge one number and its interval, by the same logic whatever the rule: one of `VERDICTS`.
 
     Reproduced: all of the interval is accepted. Undecided: it holds accepted and rejected numbers.
-    Not reproduced: all of it is rejected, or there is no number. A number without an interval is
-    consistent if it is accepted, else not reproduced.
+    Not reproduced: all of it is rejected. A number without an interval is consistent if it is
+    accepted, else not reproduced. Where there is no number nothing is decided.
 
     The ends are those of the interval that holds the number, in the unit of the limits; NaN ends
     mean no interval, equal ends one that is known to be of zero width. Rule, limits and errors are
@@ -77,7 +77,7 @@ def verdict(
     """
     limits = published_low, published_high
     if np.isnan(computed):
-        return "not reproduced"
+        return "undecided"
     if np.isnan(low) or np.isnan(high):
         return "consistent" if accepts(rule, computed, *limits) else "not reproduced"
     if accepts(rule, [low, high], *limits).all():
@@ -178,9 +178,10 @@ def with_open_ends(claims: pd.DataFrame, bands: Sequence[xr.Dataset]) -> pd.Data
     for side, end in OPEN_END.items():
         last = np.array([last_cutoff(band["scale_change"].sel(side=side), side) for band in bands])
         for group in bands[0]["group"].values:
-            place = marked["id"] == f"critical_wavelength_{side}_{group}"
-            for number, limit in marked.loc[place, ["computed", end]].values:
+            names = [f"{name}_{side}_{group}" for name in ("edge", "critical_wavelength")]
+            for row in marked.index[marked["id"].isin(names)]:
+                number, limit = marked.loc[row, ["computed", end]]
                 beyond = number >= last if end == "high" else number <= last
                 if np.isclose(limit, last).any() or (beyond.any() and np.isclose(limit, number)):
-                    marked.loc[place, "open_end"] = end
+                    marked.loc[row, "open_end"] = end
     return marked
