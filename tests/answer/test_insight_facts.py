@@ -306,4 +306,8 @@ def test_forces_and_areas_of_the_elastic_limit():
     facts = elastic_limit_facts(elastic_limit())
     assert column(facts, "larger_area") == pytest.approx([3, 2, 1.2, 1])
     assert column(facts, "yields") == pytest.approx([0, 50, 90, 100])
+    assert column(facts, "below") == [None, 1, 1, 10]  # of (0.1, 1, 2, 4)/√λ at decades of λ
+    assert column(facts, "all_scales") == pytest.approx(np.array([0.1, 1, 2, 4]) * 10**0.5)
+    at_ten = np.array([0.1, 1, 2, 4]) * 10**-0.5
+    assert column(facts, "at_pixels") == pytest.approx(at_ten)
     assert facts["estimated"][1:5:2] == pytest.approx((0.5, 0.5)) and facts["cases"] == 24

@@ -13,7 +13,10 @@ def elastic_limit() -> xr.Dataset:
     scale = np.reshape([0.2, 1, 2, 4], (4, 1, 1, 1))
     solved = rng.lognormal(6, 0.5, (4, 3, 2))
     shares = np.array([0.0, 0.5, 0.9, 1.0])
-    ratios = np.stack([np.ones(4), 3 - 2 * shares, shares, 0.5 * np.ones(4)], axis=1)
+    ratios = np.stack([np.ones(4), shares, 3 - 2 * shares, 0.5 * np.ones(4)], axis=1)
+    wavelengths = xr.Variable("shortest_wavelength", [0.1, 1.0, 10.0, 100.0])
+    slope = xr.Variable("surface", [0.1, 1.0, 2.0, 4.0]) * wavelengths**-0.5
+    slope = xr.DataArray(slope, {"shortest_wavelength": wavelengths})
     return (
         named()
         .assign_coords(scan=[1, 2, 3], variant=VARIANTS)
@@ -30,5 +33,6 @@ def elastic_limit() -> xr.Dataset:
             solved_area=(("surface", "scan", "contact"), solved),
             estimated_area=(("surface", "scan", "contact"), solved / 2),
         )
-        .assign_attrs(bearing_area=405.0)
+        .assign(slope_index=slope)
+        .assign_attrs(bearing_area=405.0, pixel_size=5.0)
     )

@@ -46,7 +46,7 @@ def test_no_mark_lies_behind_a_legend_or_on_the_frame():
         data[f"{name}_interval"] = data[f"{name}_interval"].clip(0, 1)
     figure = fig_elastic_limit.draw(data)
     figure.canvas.draw()
-    _, shares, _, forces = figure.axes
+    _, shares, _, forces, _ = figure.axes
     for axes in (shares, forces):
         within = axes.transData.inverted()
         legend = axes.get_legend().get_window_extent().transformed(within)

@@ -11,7 +11,13 @@ from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.smooth_sphere import hertz_contact
-from hardcontact.insight.elastic_limit import elastic_limit, elastic_limit_of_pair
+from hardcontact.insight.elastic_limit import (
+    SLOPE_OVER_PRESSURE,
+    elastic_limit,
+    elastic_limit_of_pair,
+    slope_index,
+)
+from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
 LOAD = {"preload": 10e-6, "hardness": 25e9}
 PIXEL, RHO, WORK = 10.0, 5.6, 0.05
@@ -37,7 +43,7 @@ def test_forces_are_direct_sums_with_each_contact():
         one = limit.isel(contact_y=place[0], contact_x=place[1])
         larger = max(bearing, round(one.elastic_area.item() / PIXEL**2))
         recovered = bearing if one.plasticity_index >= 1 else 1
-        for variant, count in zip(one.variant.values, (bearing, larger, recovered, 1), strict=True):
+        for variant, count in zip(one.variant.values, (bearing, recovered, larger, 1), strict=True):
             total = direct_total(gap_map(bodies, place), count, RHO)
             expected = pull_off_force(total, RHO, PIXEL, WORK)
             assert one.pull_off_force.sel(variant=variant).item() == pytest.approx(
@@ -66,6 +72,20 @@ def test_a_smooth_sphere_has_the_area_of_hertz_and_the_rigid_force():
     gain = np.exp(radius**2 / (2 * RADIUS) / RHO)
     assert (force.sel(variant="larger_area") <= force.sel(variant="rigid") * gain).all()
     assert (force.sel(variant="larger_area") > force.sel(variant="bearing_area")).all()
+
+
+def test_every_octave_of_a_fourth_power_adds_the_same_to_the_squared_slope():
+    q = np.geomspace(1e-3, 10, 401)
+    spectra = {"flat": Spectrum(q, 5 * q**-4.0), "cut": Spectrum(q, 5 * q**-4.0 * (q < 0.1))}
+    index = slope_index(spectra, MODULUS, 25e9)
+    slope = index * SLOPE_OVER_PRESSURE * 25e9 / MODULUS
+    expected = np.sqrt(5 * np.log(q / q[0]) / (2 * np.pi))
+    np.testing.assert_allclose(slope.sel(surface="flat")[::-1], expected, rtol=1e-6, atol=1e-9)
+    for name, spectrum in spectra.items():
+        at_all_scales = all_scales_moments(spectrum)[1]
+        assert slope.sel(surface=name)[0] == pytest.approx(at_all_scales)
+    cut = slope.sel(surface="cut")
+    assert cut.sel(shortest_wavelength=60, method="nearest") == pytest.approx(cut[0])
 
 
 def solved(pairs):

@@ -35,6 +35,7 @@ rule aggregate_elastic_limit:
     input:
         scans=FILES.paths(PATTERNS.elastic_limit, FILES.pairs_in_turn),
         elastic=PATTERNS.dataset("elastic"),
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         code=code_inputs("aggregate_elastic_limit.py"),
     output:
         PATTERNS.dataset("elastic_limit"),
@@ -46,6 +47,7 @@ rule aggregate_elastic_limit:
         canonical=canonical(
             {
                 "scans": FILES.substrate_scans,
+                "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
                 "confidence": STUDY["inference"]["confidence"],
             }

@@ -177,8 +177,19 @@ def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:
             "says": _yielding(one),
             "area": number("area", area, "1", "not_solved"),
         }
-        for variant in ("larger_area", "recovered", "rigid"):
+        for variant in ("recovered", "larger_area", "rigid"):
             row[variant] = number_of(one.sel(variant=variant), "force_ratio")
+        index = one["slope_index"]
+        wavelength, two_pixels = index["shortest_wavelength"], 2 * limit.attrs["pixel_size"]
+        row |= {
+            "at_pixels": number(
+                "at_pixels", index.interp(shortest_wavelength=two_pixels).item(), "1", ""
+            ),
+            "all_scales": number("all_scales", index.values[0], "1", ""),
+            "below": number(
+                "below", float(wavelength.where(index >= 1).max()), "nm", "not_reached"
+            ),
+        }
         rows.append(row)
     answer = "open" if count(rows, "says", "disputed") else "yes"
     factors = limit["estimated_area"].values / limit["solved_area"].values
@@ -193,6 +204,7 @@ def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:
             "disputed": count(rows, "says", "disputed"),
         },
         "estimated": Number("estimated", middle, low=low, high=high),
+        "pixel_size": Number("pixel_size", limit.attrs["pixel_size"], "nm"),
         "cases": solved.size,
     }
 

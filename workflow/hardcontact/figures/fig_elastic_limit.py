@@ -1,4 +1,4 @@
-"""Where the bearing area is wrong: plasticity indices, areas, forces of the variants."""
+"""Where the bearing area is wrong: plasticity indices, areas, forces, slopes by scale."""
 
 import numpy as np
 import pandas as pd
@@ -14,11 +14,12 @@ OPEN: dict[str, style.Look] = {"plastic_share": {}, "solved_plastic_share": {"mf
 AREAS = ("solved_area", "estimated_area")
 NAMES = {
     "bearing_area": "bearing area",
-    "larger_area": "larger area",
     "recovered": "elastic ones recover",
+    "larger_area": "larger area",
     "rigid": "rigid",
 }
 STEPS = np.linspace(0, 1, 101)  # of the distributions
+LEAST_INDEX = 0.01  # that is drawn over wavelengths
 
 
 def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
@@ -26,18 +27,26 @@ def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
 
     The plasticity index that a `share` of contacts does not exceed (panel a), shares of plastic
     contacts (b), solved and estimated areas in nm2 of single contacts (c), ratios of forces by
-    variant (d), and the bearing area.
+    variant (d), indices of all waves down to a shortest wavelength in nm (e), and the bearing area.
     """
     computed = tables.drawn_rows(
-        elastic_limit.assign(plasticity_index=_distribution(elastic_limit)),
+        _drawn_indices(elastic_limit).assign(plasticity_index=_distribution(elastic_limit)),
         ("a", "plasticity_index", "1"),
         *(("b", name, "1") for name in SHARES),
         *(("c", name, "nm2") for name in AREAS),
         ("d", "force_ratio", "1"),
+        ("e", "slope_index", "1"),
     )
     bearing = {"panel": "c", "origin": "given", "quantity": "bearing_area", "unit": "nm2"}
     given = pd.DataFrame([{**bearing, "value": elastic_limit.attrs["bearing_area"]}])
-    return tables.tidy([computed, given], elastic_limit, "variant", "scan", "contact", "share")
+    between = ("variant", "scan", "contact", "share", "shortest_wavelength")
+    return tables.tidy([computed, given], elastic_limit, *between)
+
+
+def _drawn_indices(limit: xr.Dataset) -> xr.Dataset:
+    """Return the dataset without indices of long waves that are far below one."""
+    index = limit["slope_index"]
+    return limit.assign(slope_index=index.where(index > LEAST_INDEX))
 
 
 def _distribution(limit: xr.Dataset) -> xr.DataArray:
@@ -48,13 +57,14 @@ def _distribution(limit: xr.Dataset) -> xr.DataArray:
 
 
 def draw(elastic_limit: xr.Dataset) -> Figure:
-    """Draw (a) plasticity indices, (b) plastic shares, (c) elastic areas, (d) forces."""
-    figure = drawing.create(4.8, elastic_limit)
-    indices, shares, areas, forces = figure.subplots(2, 2).ravel()
+    """Draw (a) indices, (b) plastic shares, (c) elastic areas, (d) forces, (e) indices by scale."""
+    figure, rows = drawing.create_rows(6.6, elastic_limit, (1, [1, 1]), (1, [1, 1]), (0.8, [1]))
+    indices, shares, areas, forces, scales = np.concatenate(rows)
     _draw_indices(indices, elastic_limit)
     _draw_shares(shares, elastic_limit)
     _draw_areas(areas, elastic_limit)
     _draw_forces(forces, elastic_limit)
+    _draw_scales(scales, elastic_limit)
     for axes in (shares, forces):
         axes.set_xticks(range(elastic_limit.sizes["surface"]), elastic_limit["label"].values)
         axes.set_xlim(-0.5, elastic_limit.sizes["surface"] - 0.5)
@@ -113,6 +123,20 @@ def _draw_forces(axes: Axes, limit: xr.Dataset) -> None:
     axes.set_ylabel("force / that of the bearing area")
     _draw_legend_within(axes)
     style.label_panel(axes, "d", "pull-off force")
+
+
+def _draw_scales(axes: Axes, limit: xr.Dataset) -> None:
+    """Draw the index of the slope of all waves down to a shortest one; line: two pixels."""
+    for look, of_surface in style.by_surface(_drawn_indices(limit)):
+        index = of_surface["slope_index"]
+        axes.plot(index["shortest_wavelength"], index, color=look["color"])
+    axes.axhline(1, color="black", lw=0.9)
+    axes.axvline(2 * limit.attrs["pixel_size"], color="0.5", lw=0.9, ls="--", label="two pixels")
+    axes.set(xscale="log", yscale="log", xlabel="shortest wavelength (nm)")
+    axes.set_ylabel("E*h'/(1.67 H)")
+    axes.legend(loc="lower left")
+    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
+    style.label_panel(axes, "e", "slope of all waves down to a shortest one")
 
 
 def _draw_legend_within(axes: Axes) -> None:

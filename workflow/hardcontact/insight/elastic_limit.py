@@ -7,16 +7,21 @@ Gibson and Thomas, Wear 35 (1975) 87). The first is taken here. The elastic area
 lowest gaps, as the bearing area is, on which E* h' A/k reaches the preload; h' depends on A.
 
 The bearing area F/H takes every contact as plastic. Where the plasticity index of a contact is
-below one, elastic contact carries the preload on a larger area at less than the hardness. Its force
-is bracketed: with the larger area flattened for good it is larger than that of the bearing area,
-with all deformation recovered before pull-off it is that of rigid bodies.
+below one, elastic contact carries the preload on a larger area at less than the hardness. Elastic
+deformation recovers before pull-off: the force is then that of rigid bodies. With the larger area
+flattened for good it is larger than that of the bearing area, an upper bound.
+
+All this holds at the pixels at hand: shorter waves have higher slopes, and yield first.
 """
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
+from scipy.integrate import cumulative_trapezoid
 
 from hardcontact.adhesion.all_surfaces import CONTACT_AXES, Described, Parts, with_names
 from hardcontact.adhesion.pull_off import opened_total, pull_off_force
@@ -31,6 +36,7 @@ from hardcontact.contact.bearing_area import (
 from hardcontact.contact.geometry import Bodies, gaps_at
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
+from hardcontact.surfaces.spectrum import Spectrum
 
 Floats = NDArray[np.float64]
 
@@ -40,9 +46,9 @@ SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 GROWTH = 4
 
 NEIGHBOURS = np.array([(0, 1), (0, -1), (1, 0), (-1, 0)])
-#: Contact of the forces: all yield; the larger of both areas is flattened; what does not yield
-#: recovers; all recover.
-VARIANTS = ["bearing_area", "larger_area", "recovered", "rigid"]
+#: Contact of the forces: all yield; what does not yield recovers; the larger of both areas is
+#: flattened; all recover.
+VARIANTS = ["bearing_area", "recovered", "larger_area", "rigid"]
 
 
 class ElasticEstimate(NamedTuple):
@@ -119,7 +125,7 @@ def elastic_limit_of_pair(
         )
         index[place], pixels[place] = one.plasticity_index, one.elastic_pixels
         recovered = plastic if one.plasticity_index >= 1 else rigid
-        totals[(slice(None), *place)] = plastic, larger, recovered, rigid
+        totals[(slice(None), *place)] = plastic, recovered, larger, rigid
     numbers = np.arange(len(outside))
     force = pull_off_force(totals, rho, pixel_size, work_of_adhesion)
     return xr.Dataset(
@@ -130,8 +136,26 @@ def elastic_limit_of_pair(
         },
         {"variant": VARIANTS, "contact_y": numbers, "contact_x": numbers},
         {**load, "effective_modulus": modulus, "rho": rho, "work_of_adhesion": work_of_adhesion}
-        | {"bearing_area": bearing * pixel_size**2},
+        | {"bearing_area": bearing * pixel_size**2, "pixel_size": pixel_size},
     )
+
+
+def slope_index(spectra: Mapping[str, Spectrum], modulus: float, hardness: float) -> xr.DataArray:
+    """Return E* h'/(k H), h' the rms slope of all waves down to the shortest, from spectra.
+
+    Over surface and shortest_wavelength (nm), rising; modulus and hardness are in Pa. It does not
+    grow where a spectrum has no shorter waves. h'² = 1/(2 pi) ∫ q³ C_iso dq.
+    """
+    indices = []
+    for spectrum in spectra.values():
+        q = spectrum.wavevector
+        squared = cumulative_trapezoid(q**4 * spectrum.density, np.log(q), initial=0) / (2 * np.pi)
+        index = modulus * np.sqrt(squared) / (SLOPE_OVER_PRESSURE * hardness)
+        wavelength = {"shortest_wavelength": 2 * np.pi / q}
+        indices.append(xr.DataArray(index, wavelength, ["shortest_wavelength"]))
+    named: xr.DataArray = xr.concat(indices, pd.Index(list(spectra), name="surface"))
+    named["shortest_wavelength"].attrs = {"units": "nm"}
+    return named.sortby("shortest_wavelength").assign_attrs(units="1")
 
 
 def elastic_limit(
