@@ -1,0 +1,64 @@
+"""Formulas of the edges on the designed surfaces of prediction.csv and on two nitrides: edges.csv.
+
+    python tests/benchmarks/validate_edges.py [--table FILE]
+
+Nothing is computed on surfaces: a changed formula is held to the edges that prediction.csv has, in
+seconds. The columns are described in resources/validation/README.md.
+"""
+
+import argparse
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pandas as pd
+from validate_prediction import SURFACES, TOLERANCE, WORK, design, spectrum_of
+
+from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.insight.closed_form_errors import spectrum_of_grid
+from hardcontact.insight.edge_formulas import formula_edges
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, roll_off
+from hardcontact.surfaces.substitute_spectra import from_description
+
+RESOURCES = Path(__file__).parents[2] / "resources"
+TABLE = RESOURCES / "validation/edges.csv"
+#: Published spectra, under the sphere, range and load of the paper.
+NITRIDES = ("crn_rougher", "crn_smoother")
+OF_PAPER = Contact(radius=250e3, rho=5.6, work=WORK, area=400.0)
+
+
+def placed(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
+    """Return where a surface lies on the map of the regimes, and its edges by the formulas."""
+    found, edges = closed_form(spectrum, contact), formula_edges(spectrum, contact, TOLERANCE)
+    return {
+        "over_range": found.rms_height / contact.rho,
+        "level": found.closest_approach / found.rms_height,
+        "contact_over_rolloff": np.sqrt(contact.area) / roll_off(spectrum),
+        "short_edge": edges.short,
+        "long_edge": edges.long,
+    }
+
+
+def rows(surfaces: int = SURFACES) -> list[dict[str, Any]]:
+    """Return the rows of the first surfaces of the design and of the nitrides."""
+    designed = []
+    for row in design(surfaces):
+        waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
+        contact = Contact(row["radius"], row["rho"], WORK, row["area"])
+        designed.append({"surface": str(row["surface"])} | placed(waves, contact))
+    for name in NITRIDES:  # No band of theirs is calibrated to the paper's Table 1.
+        density, _, _ = from_description(RESOURCES / f"spectra/{name}.csv", pd.DataFrame(), {})
+        designed.append({"surface": name} | placed(Spectrum(WAVEVECTORS, density), OF_PAPER))
+    return designed
+
+
+def main() -> None:
+    """Write the table, five digits a number."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--table", type=Path, default=TABLE)
+    table = parser.parse_args().table
+    pd.DataFrame(rows()).to_csv(table, index=False, float_format="%.5g", lineterminator="\n")
+
+
+if __name__ == "__main__":
+    main()
