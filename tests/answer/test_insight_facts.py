@@ -37,7 +37,7 @@ def column(facts, name, rows="rows"):
 
 
 def test_an_interval_that_bounds_nothing_is_left_out():
-    of_uncd = scaling().sel(part="all", side="small", surface="uncd", length="rho")
+    of_uncd = scaling().sel(side="small", surface="uncd", length="rho")
     of_uncd["exponent"][...] = 0.5
     for low, high, status in (
         (0.4, 0.6, ""), (np.nan, np.nan, "no_interval"), (-4e3, 4e3, "not_bounded"),
@@ -67,7 +67,7 @@ def test_the_band_is_computed_of_each_and_of_all_and_published():
 def test_edges_that_change_with_a_length_are_counted():
     data = scaling()
     assert scaling_facts(data)["verdict"] == "not_seen"
-    of_ncd = {"surface": "ncd", "part": "all"}
+    of_ncd = {"surface": "ncd"}
     data["dependence"].loc[{"side": "large", "length": "radius", **of_ncd}] = "undecided"
     assert scaling_facts(data)["verdict"] == "open"
     data["dependence"].loc[{"side": "small", "length": "rho", **of_ncd}] = "partly"
@@ -76,43 +76,29 @@ def test_edges_that_change_with_a_length_are_counted():
     assert facts["counts"] == {"small": [0, 1, 0], "large": [0, 0, 0]}
 
 
-def test_every_exponent_is_that_of_the_dataset():
+def test_local_exponents_are_those_at_both_sides_of_the_paper():
     data = scaling()
-    data["edges_found"].loc[{"side": "large", "surface": "ncd"}] = 9
+    place = {"side": "large", "surface": "ncd", "radius": 250e3, "area": 400.0, "rho": 5.6}
+    above = place | {"area": 3200.0}
+    data["local_bound"].loc[{"length": "contact", **above}] = 1
     row = scaling_facts(data)["rows"][5]
-    assert (row["surface"], row["edge"], row["contact_says"]) == ("NCD", "large", "independent")
-    of_ncd = {"side": "large", "surface": "ncd", "part": "all", "length": "contact"}
-    expected = data["exponent"].sel(of_ncd).item()
-    assert row["contact"][1:5:2] == (expected, pytest.approx(0.8 * expected))
-    assert row["found"].value == pytest.approx(100 / 3)
+    assert (row["surface"], row["edge"]) == ("NCD", "large")
+    local = data["local_exponent"].sel(length="contact")
+    assert row["contact"].status == "more_than"
+    for name, origin in (("contact", "computed"), ("contact_formula", "formula")):
+        of_both = [local.sel(one | {"origin": origin}).item() for one in (place, above)]
+        assert row[name].low == pytest.approx(min(of_both), abs=0.01)
+    assert row["contact_formula"].high == pytest.approx(max(of_both), abs=0.01)
 
 
-@pytest.mark.parametrize(
-    ("ends", "says"),
-    [
-        ((1100.0, 2e3), "above"),
-        ((500.0, 900.0), "below"),
-        ((900.0, 1100.0), "open"),
-        ((np.nan, np.nan), "open"),
-    ],
-)
-def test_whether_a_length_stops_the_long_edge_is_what_the_interval_says(ends, says):
-    data = scaling()
-    of_uncd = {"side": "large", "surface": "uncd", "radius": 250e3, "area": 400.0, "rho": 5.6}
-    data["edge_interval"].loc[of_uncd] = [*ends]
-    facts = scaling_facts(data)
-    assert column(facts, "long_says", "lengths")[1] == says
-    assert column(facts, "short_says", "lengths") == ["none", "range", "range", "contact"]
-    assert column(facts, "predicted", "lengths") == [None, 40, 50, 20]
-
-
-def test_causes_are_judged_by_their_intervals():
-    data = scaling()
-    data["cause_exponent_interval"].loc[{"cause": "range", "length": "radius"}] = [-0.2, -0.1]
-    facts = scaling_facts(data)
-    assert column(facts, "cause", "causes") == ["contact", "range"]
-    assert column(facts, "edges", "causes") == [20, 70]
-    assert column(facts, "radius_says", "causes") == ["partly", "falling"]
+def test_causes_stand_beside_the_formulas_and_errors_by_regime():
+    facts = scaling_facts(scaling())
+    assert column(facts, "cause", "causes") == ["contact", "contact", "range", "range"]
+    assert column(facts, "rho", "causes") == [0.4, 0.5, 1.1, 1.0]
+    assert [row.get("rho_steps", None) is None for row in facts["causes"]] == [False, True] * 2
+    assert column(facts, "surfaces", "errors") == [1, 1, 2, 1]
+    errors = scaling()["designed_error"].sel(prediction="formula", side="large", designed="2")
+    assert facts["errors"][3]["formula"].value == pytest.approx(errors.item())
 
 
 def test_sizes_of_scans_and_the_error_of_the_rule():

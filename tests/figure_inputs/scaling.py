@@ -4,50 +4,63 @@ import numpy as np
 import xarray as xr
 
 from figure_inputs.building import bounded, named
-from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
-from hardcontact.insight.edge_scaling import CONTACT, LENGTHS, PARTS, RANGE, REACH, ROLL_OFF
+from hardcontact.insight.edge_scaling import (
+    CLOSED_FORM,
+    COMPUTED,
+    CONTACT,
+    FORMULA,
+    LENGTHS,
+    RANGE,
+)
 
 RADII, AREAS, RANGES = [5e3, 250e3, 1e6], [50.0, 400.0, 3200.0], [1.4, 5.6, 11.2]
 CASES = ("side", "surface", "radius", "area", "rho")
+DESIGNED = ["0", "1", "2", "crn_rougher", "crn_smoother"]
 
 
 def scaling() -> xr.Dataset:
     """Return edges that differ by all they depend on; one of them is open."""
     edge = 40 + np.arange(2 * 4 * 27.0).reshape(2, 4, 3, 3, 3)
     edge[1] *= 20
+    formula = 1.1 * edge
     edge[1, 0, 0, 1, 0] = np.nan
-    exponent = np.linspace(-0.2, 1.2, 2 * 4 * 3 * 3).reshape(2, 4, 3, 3)
-    fits = ("side", "surface", "part")
+    exponent = np.linspace(-0.2, 1.2, 2 * 4 * 3).reshape(2, 4, 3)
+    local = np.linspace(-0.5, 1.5, 2 * 3 * edge.size).reshape(2, 3, *edge.shape)
+    errors = np.linspace(0.5, 2, 2 * 2 * 5).reshape(2, 2, 5)
+    errors[..., 3:] = np.nan
     data = named().assign_coords(
         side=["small", "large"],
         radius=RADII,
         area=AREAS,
         rho=RANGES,
-        part=PARTS,
-        length=LENGTHS,
+        length=list(LENGTHS),
         cause=[CONTACT, RANGE],
+        origin=[COMPUTED, FORMULA],
+        prediction=[FORMULA, CLOSED_FORM],
+        designed=DESIGNED,
     )
+    of_causes = np.array([[[0.0, 0.4, 0.9], [-0.1, 1.1, 0.4]], [[0.0, 0.5, 0.9], [0.0, 1.0, 0.5]]])
     data = data.assign(
         bounded("edge", CASES, edge, unit="nm")
-        | bounded("exponent", (*fits, "length"), exponent)
-        | bounded("reach_exponent", fits, exponent[..., 0])
-        | bounded("cause_exponent", ("cause", "length"), np.array([[0.1, 0.2, 1], [0.1, 0.9, 0.3]]))
+        | bounded("exponent", ("side", "surface", "length"), exponent)
+        | bounded("cause_exponent", ("origin", "cause", "length"), of_causes)
     )
     return data.assign(
-        dependence=((*fits, "length"), np.full(exponent.shape, "independent", "<U12")),
-        edges_found=(fits, np.full(exponent.shape[:3], 27)),
+        dependence=(("side", "surface", "length"), np.full(exponent.shape, "independent", "<U12")),
+        formula_edge=(CASES, formula),
+        local_exponent=(("origin", "length", *CASES), local),
+        local_bound=(("length", *CASES), np.zeros(local.shape[1:], "int8")),
+        cause_steps=(("cause", "length"), np.arange(6).reshape(2, 3)),
+        cause_bounds=(("cause", "length"), np.ones((2, 3), int)),
         reach=np.sqrt(2 * data["radius"] * data["rho"]),
         contact_area=(("side", "area"), [AREAS, AREAS]),
-        rms_height=("surface", [4.0, 17, 97, 101]),
-        roll_off=("surface", [740.0, 1000, 2500, 2700]),
-        rough_height=("surface", [4.0, 17, 97, 101]),
-        approach=("surface", [10.0, 60, 300, 330]),
-        freezing=("surface", [0.3, 0.9, 5.6, 5.5]),
-        regime=("surface", [MANY_POINTS, MANY_POINTS, SINGLE_PEAKS, SINGLE_PEAKS]),
-        predicted_edge=(("surface", "side"), [[np.nan, 1200], [40, 1500], [50, 1600], [20, 1800]]),
-        short_edge_from=("surface", ["", RANGE, RANGE, CONTACT]),
-        long_edge_from=("surface", [ROLL_OFF, ROLL_OFF, REACH, REACH]),
-        cause_edges=("cause", [20, 70]),
-        contact_diameter=((), 22.6),
-        attraction_reach=((), 1673.0),
-    ).assign_attrs(sphere_radius=250e3, rho=5.6, area=400.0)
+        over_range=("surface", [0.6, 3.2, 20.0, 23.0]),
+        approach_level=("surface", [2.5, 3.2, 3.0, 3.0]),
+        contact_over_rolloff=("surface", [0.03, 0.02, 0.01, 0.01]),
+        designed_over_range=("designed", [0.5, 1.0, 9.0, 167.0, 1.8]),
+        designed_level=("designed", [3.0, 2.0, 2.5, 1.5, 2.9]),
+        designed_contact_over_rolloff=("designed", [0.03, 0.02, 0.01, 3e-4, 4e-3]),
+        held_back=("designed", [1, 1, 1, 0, 0]),
+        designed_error=(("prediction", "side", "designed"), errors),
+        designed_bound=(("side", "designed"), [[0, 1, 0, 0, 0], [0] * 5]),
+    ).assign_attrs(sphere_radius=250e3, rho=5.6, area=400.0, tolerance=0.1)

@@ -6,8 +6,9 @@ import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
-from figure_inputs.scaling import AREAS, scaling
+from figure_inputs.scaling import scaling
 from figure_rows import select
+from matplotlib.colors import to_rgb
 from paper_numbers import SUBSTRATES
 
 from hardcontact.figures import fig_scaling, style
@@ -21,7 +22,7 @@ def drawn():
     return fig_scaling.draw(scaling(), PUBLISHED)
 
 
-def test_table_holds_every_edge_but_the_open_one_and_every_exponent():
+def test_table_holds_every_edge_but_the_open_one_and_all_that_is_drawn():
     data, rows = scaling(), fig_scaling.table(scaling(), PUBLISHED)
     edges = select(rows, quantity="edge", origin="computed")
     assert len(edges) == 2 * 4 * 27 - 1
@@ -30,54 +31,36 @@ def test_table_holds_every_edge_but_the_open_one_and_every_exponent():
     assert row["value"] == data["edge"].sel(chosen).item()
     assert row["high"] == data["edge_interval"].sel({**chosen, "bound": "high"}).item()
     assert row["reach"] == pytest.approx(np.sqrt(2 * 1e6 * 5.6))
-    assert len(select(rows, quantity="exponent", dependence="independent")) == 2 * 4 * 3 * 3
+    assert len(select(rows, quantity="formula_edge")) == 2 * 4 * 27
+    assert len(select(rows, quantity="designed_error")) == 2 * 2 * 3
     assert select(rows, origin="published")["value"].tolist() == [43.0, 1800.0]
-    assert select(rows, quantity="roll_off", surface="uncd")["value"].item() == 1000.0
+    place = select(rows, quantity="designed_over_range", designed="crn_rougher")
+    assert place["value"].item() == 167.0
     assert rows["unit"].notna().all()
 
 
 def test_sections_go_through_the_paper_and_leave_out_open_edges():
     data = scaling()
-    short, long, contact, _ = drawn().axes
+    short, long, *_ = drawn().axes
     counts = {"small": [9] * 4, "large": [8, 9, 9, 9]}
     for axes, side in ((short, "small"), (long, "large")):
         marks = [container.lines[0] for container in axes.containers]
         assert [len(line.get_xdata()) for line in marks] == counts[side]
         of_uncd = data["edge"].sel(side=side, surface="uncd", area=400.0)
         assert sorted(marks[1].get_ydata()) == pytest.approx(sorted(of_uncd.values.ravel()))
-    (line, *_) = [container.lines[0] for container in contact.containers]
-    assert line.get_xdata() == pytest.approx(np.sqrt(AREAS))
-    expected = data["edge"].sel(side="small", surface=SUBSTRATES[0], radius=250e3, rho=5.6)
-    assert line.get_ydata() == pytest.approx(expected.values)
+    place = {"side": "small", "surface": SUBSTRATES[0], "radius": 250e3, "area": 400.0}
+    formula = data["formula_edge"].sel(place).values
+    assert any(np.array_equal(line.get_ydata(), formula) for line in short.lines)
 
 
-def test_every_surface_keeps_its_colour_and_every_exponent_its_line():
-    exponents = drawn().axes[3]
-    colours = [container.lines[0].get_color() for container in exponents.containers]
-    each = list(style.colours(SUBSTRATES).values())
-    assert colours == [colour for colour in each for _ in fig_scaling.EXPONENTS]
-    labels = [text.get_text() for text in exponents.get_yticklabels()]
-    assert labels == [name for *_, name in fig_scaling.EXPONENTS]
-
-
-def test_no_exponent_lies_outside_of_the_axes():
-    data = scaling()
-    data["exponent"][:] = 2.5
-    exponents = fig_scaling.draw(data, PUBLISHED).axes[3]
-    least, most = exponents.get_xlim()
-    marks = [container.lines[0].get_xdata().item() for container in exponents.containers]
-    assert max(marks) == 2.5 < most and least <= -1
-
-
-def test_intervals_that_leave_the_panel_end_in_arrows():
-    data = scaling()
-    place = {"side": "small", "surface": "uncd", "part": "all", "length": "rho"}
-    data["exponent_interval"].loc[place] = [-7.0, 9.0]
-    exponents = fig_scaling.draw(data, PUBLISHED).axes[3]
-    arrows = [line for line in exponents.lines if line.get_marker() in ("<", ">")]
-    assert [line.get_xdata()[0] for line in arrows] == list(exponents.get_xlim())
-    assert {line.get_color() for line in arrows} == {style.colours(SUBSTRATES)["uncd"]}
-    assert not [line for line in drawn().axes[3].lines if line.get_marker() in ("<", ">")]
+def test_marks_have_the_colours_of_the_surfaces_and_bounds_are_open():
+    _, _, errors, regimes = drawn().axes
+    faces = [line.get_markerfacecolor() for line in errors.lines if line.get_marker() == "v"]
+    assert faces == [fig_scaling.SIDES["small"][0], "white"]
+    marked = [tuple(to_rgb(one.get_facecolor()[0])) for one in regimes.collections[-4:]]
+    assert marked == [to_rgb(colour) for colour in style.colours(SUBSTRATES).values()]
+    offsets = [one.get_offsets()[0].tolist() for one in regimes.collections[-4:]]
+    assert offsets[1] == [3.2, 3.2]
 
 
 def test_substitutes_are_named_and_measured_surfaces_are_not():

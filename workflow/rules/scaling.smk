@@ -42,6 +42,8 @@ rule scale_edges:
     input:
         masters=FILES.paths(PATTERNS.scaled, FILES.scaled_masters),
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        computed="resources/validation/prediction.csv",
+        formulas="resources/validation/edges.csv",
         code=code_inputs("scale_edges.py"),
     output:
         PATTERNS.dataset("scaling"),

@@ -1,11 +1,13 @@
 """How the edges of the critical band scale with R, rho and the contact area: scaling.nc."""
 
+import pandas as pd
+
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.edge_scaling import (
-    cause_exponents,
-    edge_regimes,
+    designed_edges,
     edge_scaling,
+    formula_scaling,
     stacked_scaling,
 )
 from hardcontact.numbers.statistics import Sampling
@@ -28,11 +30,10 @@ with job(snakemake) as this:
         Sampling(given["seed"], given["samples"], given["confidence"]),
     )
     contact = Contact(given["sphere_radius"], given["rho"], WORK_OF_ADHESION, given["area"])
-    regimes = edge_regimes(spectra, contact, given["tolerance"])
-    causes = cause_exponents(edges, spectra, contact, given["tolerance"])
+    tables = (pd.read_csv(path) for path in (this.input.computed, this.input.formulas))
     this.write(
-        edges.merge(regimes)
-        .merge(causes)
+        edges.merge(formula_scaling(edges, spectra, contact))
+        .merge(designed_edges(*tables))
         .assign_attrs({name: given[name] for name in ("sphere_radius", "rho", "area")}),
         title="edges of the critical band over radii, ranges of adhesion and contact areas",
     )

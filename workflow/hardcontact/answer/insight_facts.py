@@ -23,15 +23,16 @@ from hardcontact.answer.facts import (
     span,
     surfaces,
 )
-from hardcontact.insight.closed_form import SMOOTH, at_transition
+from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
 from hardcontact.insight.edge_scaling import (
+    CLOSED_FORM,
+    COMPUTED,
     CONTACT,
+    FORMULA,
     INDEPENDENT,
     LENGTHS,
-    PARTS,
     RANGE,
     UNDECIDED,
-    dependence,
 )
 from hardcontact.insight.prediction import validated_errors
 from hardcontact.numbers.number import Number
@@ -68,10 +69,9 @@ def _band_edges(of_group: xr.Dataset) -> Cells:
 
 
 def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
-    """Return exponents of both edges of every surface, and which lengths set the edges."""
-    of_all = scaling.sel(part=PARTS[0])
-    changes = ~of_all["dependence"].isin([INDEPENDENT, UNDECIDED])
-    undecided = (of_all["dependence"] == UNDECIDED).any()
+    """Return local exponents of both edges, what sets them, and how far the formulas are off."""
+    changes = ~scaling["dependence"].isin([INDEPENDENT, UNDECIDED])
+    undecided = (scaling["dependence"] == UNDECIDED).any()
     varied = {"radius": "nm", "rho": "nm", "area": "nm2"}
     return {
         "verdict": "changes" if changes.any() else "open" if undecided else "not_seen",
@@ -79,59 +79,73 @@ def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
             side: [int(changes.sel(side=side, length=one).sum()) for one in LENGTHS]
             for side in SIDES
         },
+        "surfaces": scaling.sizes["surface"],
         "varied": {name: span(name, scaling[name], unit) for name, unit in varied.items()},
         "rows": [
-            row | {"edge": side} | _exponents(one.sel(side=side))
-            for row, one in surfaces(of_all)
+            row | {"edge": side} | _local_exponents(one.sel(side=side), scaling.attrs)
+            for row, one in surfaces(scaling)
             for side in SIDES
         ],
-        "contact": number_of(scaling, "contact_diameter", "nm"),
-        "reach": number_of(scaling, "attraction_reach", "nm"),
-        "lengths": list(_lengths(scaling)),
-        "causes": [_cause(scaling.sel(cause=one)) for one in (CONTACT, RANGE)],
+        "causes": [
+            _cause(scaling.sel(cause=cause, origin=origin))
+            for cause in (CONTACT, RANGE)
+            for origin in (COMPUTED, FORMULA)
+        ],
+        "bounds": int(scaling["cause_bounds"].sum()),
+        "errors": list(_edge_errors(scaling)),
+        "tolerance": percent(Number("tolerance", scaling.attrs["tolerance"])),
     }
 
 
-def _exponents(edge: xr.Dataset) -> Cells:
-    """Return the exponents of one edge of one surface, and what their intervals say."""
-    found = edge["edges_found"].item() / edge["edge"].size
-    row: Cells = {"found": percent(Number("found", found))}
-    for length in LENGTHS:
-        of_length = edge.sel(length=length)
-        row[length] = number_of(of_length, "exponent")
-        row[f"{length}_says"] = str(of_length["dependence"].item())
+def _local_exponents(edge: xr.Dataset, place: dict[str, float]) -> Cells:
+    """Return the exponents of one edge of one surface at both sides of the paper's combination."""
+    axes = {"radius": place["sphere_radius"], "rho": place["rho"], "area": place["area"]}
+    row: Cells = {}
+    for length, axis in LENGTHS.items():
+        others = {name: value for name, value in axes.items() if name != axis}
+        along = edge.sel(length=length).sel(others, method="nearest")
+        middle = int(abs(along[axis].values - axes[axis]).argmin())
+        beside = along.isel({axis: slice(middle, middle + 2)})
+        value, bound = beside["local_exponent"], beside["local_bound"]
+        row[length] = _both(value.sel(origin=COMPUTED).values, bound.values)
+        row[f"{length}_formula"] = _both(value.sel(origin=FORMULA).values, 0 * bound.values)
     return row
 
 
-def _lengths(scaling: xr.Dataset) -> Iterator[Cells]:
-    """Yield the lengths that may set the edges at the sphere, range and load of the paper."""
-    place = {"radius": scaling.attrs["sphere_radius"]}
-    place |= {name: scaling.attrs[name] for name in ("rho", "area")}
-    for row, one in surfaces(scaling.sel(place, method="nearest")):
-        short, long = (one.sel(side=side) for side in SIDES)
-        stop = min(one["roll_off"].item(), one["attraction_reach"].item())
-        yield row | {
-            "predicted": number_of(short, "predicted_edge", "nm", "no_edge"),
-            "short": number_of(short, "edge", "nm", "no_edge"),
-            "short_says": str(one["short_edge_from"].item()) or "none",
-            "roll_off": number_of(one, "roll_off", "nm"),
-            "shorter": str(one["long_edge_from"].item()),
-            "long": number_of(long, "edge", "nm", "no_edge"),
-            "long_says": against(stop, long, "edge"),
-            "below": number_of(long.sel(part=PARTS[1]), "reach_exponent"),
-            "above": number_of(long.sel(part=PARTS[2]), "reach_exponent"),
-        }
+def _both(values: np.ndarray, bound: np.ndarray) -> Number:
+    """Return the least and the greatest of known values; 1 marks one that is at least that."""
+    known = np.isfinite(values)
+    low = np.where(bound < 0, -np.inf, values)[known].min(initial=np.inf)
+    high = np.where(bound > 0, np.inf, values)[known].max(initial=-np.inf)
+    # Hundredths: what is far below them is no dependence.
+    return between("local_exponent", round(low, 2) + 0.0, round(high, 2) + 0.0)
 
 
 def _cause(of_cause: xr.Dataset) -> Cells:
-    """Return how short edges scale on one side of the width of the contact."""
-    edges = number_of(of_cause, "cause_edges")
-    row: Cells = {"cause": str(of_cause["cause"].item()), "edges": edges}
+    """Return local exponents of short edges that one cause sets."""
+    row: Cells = {"cause": str(of_cause["cause"].item()), "origin": str(of_cause["origin"].item())}
     for length in LENGTHS:
         of_length = of_cause.sel(length=length)
         row[length] = number_of(of_length, "cause_exponent")
-        row[f"{length}_says"] = str(dependence(*ends(of_length, "cause_exponent")))
+        if row["origin"] == COMPUTED:
+            row[f"{length}_steps"] = number_of(of_length, "cause_steps")
     return row
+
+
+def _edge_errors(scaling: xr.Dataset) -> Iterator[Cells]:
+    """Yield how far edges of designed surfaces that were held back are off, by regime."""
+    held_back = scaling.sel(designed=scaling["held_back"] == 1)
+    many = held_back["designed_level"] > held_back["designed_over_range"]
+    for side in SIDES:
+        for regime, chosen in ((MANY_POINTS, many), (SINGLE_PEAKS, ~many)):
+            found = held_back["designed_bound"].sel(side=side) == 0
+            errors = held_back["designed_error"].sel(side=side, designed=chosen & found)
+            row: Cells = {"edge": side, "regime": regime}
+            for prediction in (FORMULA, CLOSED_FORM):
+                known = errors.sel(prediction=prediction).dropna("designed")
+                low, median, high = known.quantile([0.05, 0.5, 0.95]).values
+                row[prediction] = Number("error", median, "1", low, high)
+            yield row | {"surfaces": Number("surfaces", known.size)}
 
 
 def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:

@@ -1,4 +1,6 @@
-"""Scaling of the band: edges against the reach of the attraction and the contact, exponents."""
+"""Scaling of the band: edges beside their formulas, the errors of these, a map of the regimes."""
+
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -7,143 +9,127 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from hardcontact.figures import drawing, style, tables
-from hardcontact.insight.edge_scaling import LENGTHS, PARTS
+from hardcontact.insight.closed_form import TRANSITION
+from hardcontact.insight.edge_scaling import FORMULA
 
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
-CONTACT = "$\\sqrt{F/H}$"
-#: Exponents that are drawn, from above: edge, length or part of the combinations, name.
-EXPONENTS = [
-    *((side, length, name)
-      for side in TITLES
-      for length, name in zip(LENGTHS, ("$\\sqrt{R}$", "$\\sqrt{\\rho}$", CONTACT), strict=True)),
-    ("large", PARTS[1], f"{REACH}, below"),
-    ("large", PARTS[2], f"{REACH}, above"),
-]  # fmt: skip
-#: In the table, the exponent of the reach in place of those of the radius and the range apart.
-REACH_LENGTH = "reach"
-BETWEEN = ("side", "radius", "area", "rho", "reach", "part", "length", "dependence")  # columns
 PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+#: Edges of designed surfaces.
+SIDES = {"small": ("#332288", "v", "short edge"), "large": ("#999933", "^", "long edge")}
+#: Names of published spectra on the map.
+NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
+BETWEEN = ("side", "radius", "area", "rho", "reach", "length", "designed", "prediction")  # columns
 
 
 def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
-    Edges (nm) of all combinations (panel a: short edges at the paper's contact area, b: long edges,
-    c: short edges at other areas), exponents with what they say (d), rms height and roll-off (nm)
-    of each surface, and the published edges.
+    Edges (nm) of all combinations, computed and by the formula, with the published ones (panel a:
+    short, b: long edges), those computed over those predicted on designed surfaces (c), what places
+    all surfaces on the map (d).
     """
     edges = tables.bounded(scaling, "edge").assign(reach=scaling["reach"])
-    exponents = _exponents(scaling).assign(dependence=scaling["dependence"])
-    spectra = scaling[["rms_height", "roll_off"]].to_array("quantity", "value")
-    area = scaling["area"].sel(area=scaling.attrs["area"], method="nearest").item()
+    formulas = scaling["formula_edge"].to_dataset(name="value").assign(reach=scaling["reach"])
 
     def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
-        return np.select([rows["side"] == "large", rows["area"] == area], ["b", "a"], "c")
+        return np.where(rows["side"] == "large", "b", "a")
 
     of_paper = [tables.published_edge(published_constants, side) for side in TITLES]
     published = pd.DataFrame({"side": list(TITLES), "value": of_paper})
+    places = ("over_range", "approach_level", "contact_over_rolloff")
+    of_designed = ("over_range", "level", "contact_over_rolloff")
     frames = [
         tables.computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
-        tables.computed_rows(exponents, panel="d", quantity="exponent", unit="1"),
-        tables.computed_rows(spectra.to_dataset(), panel="b", unit="nm"),
+        tables.computed_rows(formulas, panel=panel_of_edge, quantity="formula_edge", unit="nm"),
         published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
+        tables.drawn_rows(scaling, ("c", "designed_error", "1")),
+        tables.drawn_rows(scaling, *(("d", name, "1") for name in places)),
+        tables.drawn_rows(scaling, *(("d", f"designed_{name}", "1") for name in of_designed)),
     ]
     return tables.tidy(frames, scaling, *BETWEEN)
 
 
-def _exponents(scaling: xr.Dataset) -> xr.Dataset:
-    """Return all exponents with their bounds; the length of that of the reach is REACH_LENGTH."""
-    of_reach = tables.bounded(scaling, "reach_exponent").assign_coords(length=REACH_LENGTH)
-    return xr.concat([tables.bounded(scaling, "exponent"), of_reach], "length")
-
-
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
-    """Draw edges against (a) the range and (b) reach of the attraction, (c) contact, (d) exponents.
+    """Draw edges against (a) the range and (b) the reach, (c) errors, (d) a map of the regimes.
 
-    Sections go through the combination nearest to the paper's radius, range (nm) and area (nm²).
+    Sections go through the contact area nearest to the paper's.
     """
     figure = drawing.create(5.6, scaling)
-    (short, long), (contact, exponents) = figure.subplots(2, 2)
+    (short, long), (errors, regimes) = figure.subplots(2, 2)
     at_area = scaling.sel(area=scaling.attrs["area"], method="nearest")
-    _draw_edges(short, at_area, "small", "rho", ["radius", "rho"])
-    short.set(xlabel="range of adhesion ρ (nm)")
-    _draw_edges(long, at_area, "large", "reach", ["radius", "rho"])
-    long.set(xlabel=f"reach of the attraction {REACH} (nm)")
-    for axes, letter in ((short, "a"), (long, "b")):
-        style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²")
-    _draw_proportional(long, scaling)
-    radius, rho = scaling.attrs["sphere_radius"], scaling.attrs["rho"]
-    at_paper = scaling.sel(radius=radius, rho=rho, method="nearest")
-    width = np.sqrt(at_paper["contact_area"].sel(side="small"))
-    _draw_edges(contact, at_paper.assign(width=width), "small", "width", ["area"])
-    contact.set(xlabel=f"width of the contact {CONTACT} (nm)")
-    radius = at_paper["radius"].item() / 1e3
-    style.label_panel(contact, "c", f"R = {radius:g} µm, ρ = {at_paper['rho']:g} nm")
-    for axes, side in ((short, "small"), (long, "large"), (contact, "small")):
+    for axes, side, along, letter in ((short, "small", "rho", "a"), (long, "large", "reach", "b")):
+        _draw_edges(axes, at_area, side, along)
         axes.axhline(tables.published_edge(published_constants, side), **PUBLISHED)
-    _draw_exponents(exponents, scaling)
+        style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²; lines: formula")
+    short.set(xlabel="range of adhesion ρ (nm)")
+    long.set(xlabel=f"reach of the attraction {REACH} (nm)")
+    _draw_errors(errors, scaling)
+    _draw_regimes(regimes, scaling)
     style.legend_above(figure, style.surface_handles(scaling, ls="none"))
     return figure
 
 
-def _draw_edges(
-    axes: Axes, cases: xr.Dataset, side: str, along: str, dimensions: list[str]
-) -> None:
-    """Draw the edges of one side, all surfaces, with intervals, against a length of the cases.
-
-    Edges that differ in the last dimension alone are connected.
-    """
-    edges = tables.bounded(cases, "edge").assign(along=cases[along]).sel(side=side)
-    for look, of_surface in style.by_surface(edges.transpose(..., *dimensions)):
-        stacked = of_surface.stack(case=dimensions).dropna("case", subset=["value"])
+def _draw_edges(axes: Axes, cases: xr.Dataset, side: str, along: str) -> None:
+    """Draw the edges of one side, all surfaces, with intervals, and a line a sphere by formula."""
+    edges = tables.bounded(cases, "edge").assign(along=cases[along], formula=cases["formula_edge"])
+    for look, of_surface in style.by_surface(edges.sel(side=side)):
+        stacked = of_surface.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
         style.draw_bars(axes, stacked["along"], stacked, ls="none", ms=3, elinewidth=0.4, **look)
-        lines = (
-            one.broadcast_like(of_surface["value"]).transpose(*dimensions).values
-            for one in (of_surface["along"], of_surface["value"])
-        )
-        last = edges.sizes[dimensions[-1]]
-        for line in zip(*(one.reshape(-1, last) for one in lines), strict=True):
-            axes.plot(*line, color=look["color"], lw=0.5, alpha=0.6)
+        for radius in of_surface["radius"]:
+            line = of_surface.sel(radius=radius)
+            axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
     axes.set(xscale="log", yscale="log", ylabel=TITLES[side])
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
 
 
-def _draw_proportional(axes: Axes, scaling: xr.Dataset) -> None:
-    """Draw the edge that is the reach, and at the right the roll-off of every surface."""
-    ends = np.array([scaling["reach"].min(), scaling["reach"].max()])
-    axes.plot(ends, ends, color="0.7", lw=0.8, zorder=0)
-    at_right = axes.get_yaxis_transform()
+def _draw_errors(axes: Axes, scaling: xr.Dataset) -> None:
+    """Draw computed edges over those of the formula against t rho/sigma, designed surfaces."""
+    held_back = scaling.sel(designed=scaling["held_back"] == 1)
+    modulus = held_back["designed_level"] / held_back["designed_over_range"]
+    known = held_back["designed_error"].sel(prediction=FORMULA)
+    for side, (colour, marker, label) in SIDES.items():
+        bound = held_back["designed_bound"].sel(side=side) != 0
+        look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
+        axes.plot(modulus[~bound], known.sel(side=side)[~bound], **look, label=label)
+        axes.plot(modulus[bound], known.sel(side=side)[bound], **look, mfc="white")
+    axes.axhspan(0.5, 2, color="0.92", lw=0, zorder=0)
+    axes.axhline(1, color="0.7", lw=0.6, zorder=0)
+    axes.axvline(1, color="0.7", lw=0.6, ls=":", zorder=0)
+    axes.set(xscale="log", yscale="log", xlim=(0.03, None))
+    axes.set(xlabel="modulus $k = \\rho m/\\sigma^2$", ylabel="computed / formula")
+    axes.legend(loc="upper right", handletextpad=0.2)
+    style.label_logarithmic(axes.xaxis, axes.yaxis)
+    style.label_panel(axes, "c", "designed surfaces, held back")
+
+
+def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
+    """Draw all surfaces over sigma/rho and t; the area of a mark is sqrt(F/H) over the roll-off."""
+    place = np.geomspace(0.1, 300, 200)
+    axes.plot(place, place, color="0.4", lw=0.8)
+    axes.fill_between(place, place - TRANSITION, place + TRANSITION, color="0.92", lw=0, zorder=0)
+
+    def draw_marks(rows: xr.Dataset, names: tuple[str, str, str], **look: Any) -> None:
+        x, y, contact = (rows[name] for name in names)
+        axes.scatter(x, y, s=8 + 600 * contact, **look)
+
+    placed = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
+    named = scaling["designed"].isin(list(NITRIDES))
+    modulus = scaling["designed_level"] / scaling["designed_over_range"]
+    for many, colour in ((True, "#88CCEE"), (False, "#DDCC77")):
+        chosen = scaling.sel(designed=~named & ((modulus > 1) == many))
+        draw_marks(chosen, placed, c=colour, lw=0, alpha=0.8)
+    own = ("over_range", "approach_level", "contact_over_rolloff")
     for look, of_surface in style.by_surface(scaling):
-        roll_off, colour = of_surface["roll_off"].item(), look["color"]
-        axes.plot(1.0, roll_off, "<", transform=at_right, color=colour, ms=6, clip_on=False)
-
-
-def _draw_exponents(axes: Axes, scaling: xr.Dataset) -> None:
-    """Draw EXPONENTS of all surfaces with their intervals, each surface a little lower."""
-    exponents, drawn = _exponents(scaling), [-0.8, 1.8]
-    intervals: list[tuple[float, float, float, str]] = []
-    places = -np.arange(len(EXPONENTS), dtype=float)
-    beside = np.linspace(0.27, -0.27, scaling.sizes["surface"])
-    for (look, of_surface), offset in zip(style.by_surface(exponents), beside, strict=True):
-        for place, (side, which, _) in zip(places + offset, EXPONENTS, strict=True):
-            part, length = (which, REACH_LENGTH) if which in PARTS else (PARTS[0], which)
-            one = of_surface.sel(side=side, part=part, length=length)
-            axes.errorbar([one["value"]], [place], xerr=style.reach(one), ms=3, lw=0.8, **look)
-            drawn.append(one["value"].item())
-            intervals.append((one["low"].item(), one["high"].item(), place, look["color"]))
-    for value in (0.0, 1.0):
-        axes.axvline(value, color="0.7", lw=0.6, zorder=0)
-    in_italics: style.Look = {"ha": "right", "va": "top", "fontsize": 7, "style": "italic"}
-    for name, place in (("short edge", 0.5), ("long edge", -2.5)):
-        axes.text(0.98, place - 0.06, name, transform=axes.get_yaxis_transform(), **in_italics)
-        axes.axhline(place, color="0.7", lw=0.4)
-    axes.set_yticks(places, [name for *_, name in EXPONENTS])
-    axes.set(xlabel="exponent", xlim=(np.nanmin(drawn) - 0.2, np.nanmax(drawn) + 0.2))
-    left, right = axes.get_xlim()
-    # Arrows where intervals reach beyond the panel.
-    for low, high, height, colour in intervals:
-        for end, marker, cut in ((left, "<", low < left), (right, ">", high > right)):
-            if cut:
-                axes.plot(end, height, marker, color=colour, ms=4, clip_on=False)
-    style.label_panel(axes, "d", "1: in proportion, 0: independent")
+        draw_marks(of_surface, own, **look, edgecolors="black", lw=0.5, zorder=3)
+    for name, label in NITRIDES.items():
+        one = scaling.sel(designed=name)
+        x, y = one["designed_over_range"].item(), one["designed_level"].item()
+        axes.plot(x, y, "x", color=style.PUBLISHED, ms=5)
+        axes.annotate(label, (x, y), (-3, 4), textcoords="offset points", ha="right", fontsize=7)
+    axes.set(xscale="log", xlim=(0.2, 300), ylim=(-0.5, 5))
+    axes.set(xlabel="$\\sigma/\\rho$", ylabel="level of closest approach $t = m/\\sigma$")
+    axes.text(0.25, 4.6, "many points", fontsize=7, style="italic", va="top")
+    axes.text(280, 4.6, "single peaks", fontsize=7, style="italic", ha="right", va="top")
+    style.label_logarithmic(axes.xaxis)
+    style.label_panel(axes, "d", "regimes; area of a mark: $\\sqrt{F/H}/\\lambda_r$")

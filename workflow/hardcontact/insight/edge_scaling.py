@@ -1,51 +1,49 @@
 """How both edges of the critical band scale with R, rho and the contact area, and what sets them.
 
-The attraction reaches sqrt(2 R rho) along the surface (Eq. 3 of the paper) and the contact
-sqrt(F/H). If one of them set an edge, the edge would be proportional to it: exponents of 1 for
-sqrt(R) and sqrt(rho), or for sqrt(F/H). An edge that belongs to the surface has the exponents 0.
-
-Which regime a surface is in follows from three comparisons of lengths, all of the closed form
-(`closed_form`) at one sphere, range and load:
-
-- sigma/rho against m/sigma: the attraction comes from many points, or is frozen to single peaks.
-- The diameter 2 sqrt(F/(pi H)) of the contact against the short edge. The closed form knows the
-  range of adhesion, and that a contact flattens what is smaller than itself. If the longer of
-  both set the edge, this would follow the contact alone where that is wider, otherwise the range
-  alone; exponents of computed edges say how far that holds (`cause_exponents`).
-- The reach sqrt(2 R rho) of the attraction against the roll-off of the spectrum. Roughness much
-  longer than the reach lifts sphere and attraction alike, and far beyond the roll-off there is
-  none: if one length stops the long edge, it is the shorter of the two. Neither is a sharp end: at
-  the reach the attraction of a smooth sphere has fallen to 1/e, and the roll-off is the middle of
-  an octave. Whether the edge stops there is for computed edges to say.
+An edge that belongs to the surface has the exponents 0 against sqrt(R), sqrt(rho) and sqrt(F/H),
+one that a length sets has 1. One exponent for all combinations hides a crossover: local exponents
+are those between neighbours of the grid. They are those of computed edges and of the formulas
+(`edge_formulas`), which say where the contact sets the short edge and where the range does: on
+waves that the contact flattens, t < 0, or not. An open edge is a bound, the last cutoff, and so is
+an exponent from or to it.
 """
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.all_surfaces import Described, Parts, stacked_forces, with_names
-from hardcontact.insight.closed_form import Contact, closed_form, edges
-from hardcontact.numbers.statistics import Sampling, bounds, jackknife_interval, with_interval
-from hardcontact.scales.critical_band import POOLED, critical_band
+from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.insight.edge_formulas import formula_edges
+from hardcontact.numbers.statistics import (
+    Sampling,
+    bounds,
+    jackknife_interval,
+    percentile_interval,
+    with_interval,
+)
+from hardcontact.scales.critical_band import POOLED, critical_band, last_cutoff
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
 from hardcontact.surfaces.synthesis import SIDES
 
-#: What an edge may follow: sqrt(R) and sqrt(rho), together the reach of the attraction, sqrt(F/H).
-LENGTHS = ["radius", "rho", "contact"]
-#: Combinations that an exponent is fitted to: all, and those of either side of the roll-off.
-PARTS = ["all", "reach below roll-off", "reach above roll-off"]
+#: What an edge may follow: sqrt(R), sqrt(rho) and sqrt(F/H), by the axis of the grid.
+LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
 #: What the interval of an exponent says of an edge and a length: see `dependence`.
 PROPORTIONAL, INDEPENDENT, PARTLY = "proportional", "independent", "partly"
 STEEPER, FALLING, UNDECIDED = "steeper", "falling", "undecided"
 DEPENDENCE = [PROPORTIONAL, PARTLY, INDEPENDENT, STEEPER, FALLING, UNDECIDED]
 
-#: The longer of two lengths that may set the short edge.
+#: What sets the short edge by the formulas.
 CONTACT, RANGE = "contact", "range"
-#: The shorter of two lengths that may stop the long edge.
-ROLL_OFF, REACH = "roll-off", "reach"
+#: Where local exponents come from, and edges that designed surfaces are held to.
+COMPUTED, FORMULA, CLOSED_FORM = "computed", "formula", "closed form"
+#: Share of the local exponents between the ends of a `cause_exponent`.
+MIDDLE = 0.5
 
 COMBINATION = ["radius", "area", "rho"]
 
@@ -77,32 +75,34 @@ def edge_scaling(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     """Return edges, exponents and what they say of all surfaces, of `stacked_scaling`.
 
     The tolerance is the relative change of the force that counts. ``edge`` (side, surface, radius,
-    area, rho) is in nm with its interval over realizations, NaN where it is open; ``exponent``
-    (side, surface, part, length) by least squares of ln(edge) against the logarithms of LENGTHS,
-    with intervals by the jackknife over realizations, and ``reach_exponent`` (side, surface, part)
-    against sqrt(2 R rho) in place of R and rho apart; ``explained`` (side, surface, part), the
-    share of the variance of ln(edge) that the first explains, and ``edges_found`` of the same;
-    ``dependence`` as exponent; the variables of the surfaces, and ``reach`` (radius, rho), sqrt(2 R
-    rho) in nm. Exponents are those of the combinations that have an edge.
+    area, rho) is in nm with its interval over realizations, NaN where it is open; ``edge_bound``
+    (side) the last cutoff, beyond which such an edge lies; ``exponent`` (side, surface, length) by
+    least squares of ln(edge) against the logarithms of LENGTHS, of the edges that are there, with
+    intervals by the jackknife over realizations; ``dependence`` likewise; the variables of the
+    surfaces, and ``reach`` (radius, rho), sqrt(2 R rho) in nm.
     """
     reach = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
-    scaling = scaling.assign(reach=reach.assign_attrs(units="nm"))
     found = _edges(scaling, tolerance, sampling)
+    last = [last_cutoff(scaling["ratio"].sel(side=side), side) for side in found["side"].values]
     unsampled, count = replace(sampling, samples=0), scaling.sizes["realization"]
     left_out = [
         _fits(scaling, _edges(scaling.drop_isel(realization=one), tolerance, unsampled)["edge"])
         for one in range(count if count > 2 else 0)
     ]
-    fits, confidence = _fits(scaling, found["edge"]), sampling.confidence
+    exponent, confidence = _fits(scaling, found["edge"]), sampling.confidence
+    interval = exponent_interval(exponent.values, [one.values for one in left_out], confidence)
     attributes = {"units": "1", "long_name": "exponent of the edge of the band"}
-    for name in ("exponent", "reach_exponent"):
-        dimensions, value = [str(dimension) for dimension in fits[name].dims], fits[name].values
-        interval = exponent_interval(value, [one[name].values for one in left_out], confidence)
-        bounded = with_interval(name, dimensions, value, interval, attributes, confidence)
-        fits = fits.assign(bounded)
+    dims = [str(dim) for dim in exponent.dims]
+    fits = xr.Dataset(
+        with_interval("exponent", dims, exponent.values, interval, attributes, confidence)
+    )
     low, high = bounds(fits, "exponent")
-    fits = fits.assign(dependence=(low.dims, dependence(low, high)))
-    kept = scaling[["rms_height", "roll_off", "reach", "contact_area", "label", "basis"]]
+    fits = fits.assign_coords(length=list(LENGTHS)).assign(
+        dependence=(low.dims, dependence(low, high)),
+        edge_bound=("side", last, {"units": "nm"}),
+        reach=reach.assign_attrs(units="nm"),
+    )
+    kept = scaling[["rms_height", "roll_off", "contact_area", "label", "basis"]]
     return xr.merge([found, fits, kept]).assign_attrs(tolerance=tolerance, confidence=confidence)
 
 
@@ -147,143 +147,145 @@ def _edges(scaling: xr.Dataset, tolerance: float, sampling: Sampling) -> xr.Data
     return unstacked.reindex(surface=scaling["surface"])
 
 
-def _fits(scaling: xr.Dataset, edge: xr.DataArray) -> xr.Dataset:
-    """Return exponents, explained share and number of edges of every side, surface and part."""
-    below = scaling["reach"] < scaling["roll_off"]
-    taken = xr.concat([xr.ones_like(below), below, ~below], "part").assign_coords(part=PARTS)
+def _fits(scaling: xr.Dataset, edge: xr.DataArray) -> xr.DataArray:
+    """Return exponents (side, surface, length) of every side and surface."""
     logarithms = [np.log(scaling[name]) / 2 for name in ("radius", "rho", "contact_area")]
-    exponent, explained, found, of_reach = xr.apply_ufunc(
+    exponent: xr.DataArray = xr.apply_ufunc(
         _fit,
         np.log(edge),
-        taken,
         *logarithms,
-        input_core_dims=[COMBINATION, ["radius", "rho"], ["radius"], ["rho"], ["area"]],
-        output_core_dims=[["length"], [], [], []],
+        input_core_dims=[COMBINATION, ["radius"], ["rho"], ["area"]],
+        output_core_dims=[["length"]],
         vectorize=True,
     )
-    return xr.Dataset(
-        {
-            "exponent": exponent.transpose("side", "surface", "part", "length"),
-            "reach_exponent": of_reach.transpose("side", "surface", "part"),
-            "explained": explained.assign_attrs(units="1"),
-            "edges_found": found.assign_attrs(units="1"),
-        }
-    ).assign_coords(length=LENGTHS)
+    return exponent.transpose("side", "surface", "length")
 
 
-def _fit(
-    edge: Floats, taken: Floats, radius: Floats, rho: Floats, contact: Floats
-) -> tuple[np.ndarray, float, int, float]:
-    """Return exponents (3,), the explained share of the variance, edges, the exponent of the reach.
+def _fit(edge: Floats, radius: Floats, rho: Floats, contact: Floats) -> Floats:
+    """Return exponents (3,), NaN where the edges do not tell the lengths apart.
 
-    edge: logarithms (radius, area, rho), NaN where open; taken: (radius, rho); the others are
-    logarithms of square roots. Exponents of lengths that the edges do not tell apart are NaN.
+    edge: logarithms (radius, area, rho), NaN where open; others are logarithms of square roots.
     """
     lengths = np.broadcast_arrays(radius[:, None, None], rho, contact[:, None])
-    known = np.isfinite(edge) & taken.astype(bool)[:, None, :]
-    first, second, third = (length[known] for length in lengths)
-    values = edge[known]
-    exponents, share = _regression(values, [first, second, third])
-    (of_reach, _), _ = _regression(values, [first + second, third])
-    return exponents, share, len(values), float(of_reach)
+    known = np.isfinite(edge)
+    design = np.stack([np.ones(known.sum()), *(length[known] for length in lengths)], axis=-1)
+    if len(design) <= len(LENGTHS) + 1 or np.linalg.matrix_rank(design) <= len(LENGTHS):
+        return np.full(len(LENGTHS), np.nan)
+    return np.asarray(np.linalg.lstsq(design, edge[known])[0][1:])
 
 
-def _regression(values: Floats, predictors: list[Floats]) -> tuple[np.ndarray, float]:
-    """Return slopes of values (n,) against predictors (n,), and the explained share of variance."""
-    design = np.stack([np.ones(values.shape), *predictors], axis=-1)
-    count = len(predictors) + 1
-    if len(values) <= count or np.linalg.matrix_rank(design) < count:
-        return np.full(count - 1, np.nan), np.nan
-    solution = np.linalg.lstsq(design, values)[0]
-    spread = values.var()
-    share = 1 - (values - design @ solution).var() / spread if spread > 0 else np.nan
-    return solution[1:], float(share)
+def formula_scaling(
+    scaling: xr.Dataset, spectra: Mapping[str, Spectrum], contact: Contact
+) -> xr.Dataset:
+    """Return what the formulas say of every combination, beside `edge_scaling`.
 
-
-def edge_regimes(spectra: Mapping[str, Spectrum], contact: Contact, tolerance: float) -> xr.Dataset:
-    """Return the regime of every surface, and the lengths that decide it.
-
-    The tolerance is the change of the force that counts. Over surface, lengths in nm:
-    ``rough_height`` (sigma), ``approach`` (m), ``freezing``, (sigma/rho)/(m/sigma), ``regime`` of
-    `closed_form`, ``predicted_edge`` (surface, side), NaN where there is none, ``short_edge_from``,
-    empty there, and ``long_edge_from``, ROLL_OFF or REACH, the shorter of both. Of all:
-    ``contact_diameter`` and ``attraction_reach``.
+    ``formula_edge`` as ``edge``, in nm; ``level`` (surface, radius, area, rho), t on the waves
+    shorter than the short one; ``local_exponent`` (origin, length, side, surface, radius, area,
+    rho), from the next lower value of the length to that of the combination, with ``local_bound``
+    (length, side, ...) of computed ones: 1 where they are at least that, -1 where at most. Over
+    (origin, cause, length) ``cause_exponent``, their median, with an interval that holds MIDDLE,
+    of short edges between combinations of one cause; ``cause_steps`` and ``cause_bounds`` (cause,
+    length), their number and that of bounds among them. Over surface, at the given contact,
+    ``over_range``, ``approach_level`` and ``contact_over_rolloff`` place it among the regimes.
     """
-    diameter = 2 * np.sqrt(contact.area / np.pi)
-    reach = np.sqrt(2 * contact.radius * contact.rho)
+    grid = xr.broadcast(scaling["radius"], scaling["area"], scaling["rho"])
+    cases = list(zip(*(axis.values.ravel() for axis in grid), strict=True))
+    found = [
+        formula_edges(one, Contact(radius, rho, contact.work, area), scaling.attrs["tolerance"])
+        for one in spectra.values()
+        for radius, area, rho in cases
+    ]
+    shape = (len(spectra), *grid[0].shape, 3)
+    short, long, level = np.moveaxis(np.reshape(found, shape), -1, 0)
+    axes, coordinates = ["surface", *COMBINATION], {"surface": list(spectra), **grid[0].coords}
+    formula = xr.DataArray([short, long], {"side": list(SIDES), **coordinates}, ["side", *axes])
+    levels = xr.DataArray(level, coordinates, axes)
+    exponents, bound = _local_exponents(scaling, formula)
     forms = [closed_form(one, contact) for one in spectra.values()]
-    predicted = np.array([edges(one, contact, tolerance) for one in spectra.values()])
-    short = np.select([np.isnan(predicted[:, 0]), predicted[:, 0] < diameter], ["", CONTACT], RANGE)
-    ends = np.array([roll_off(one) for one in spectra.values()])
-    nm, one = {"units": "nm"}, {"units": "1"}
+    heights = np.array([[form.rms_height, form.closest_approach] for form in forms]).T
+    one = {"units": "1"}
     return xr.Dataset(
         {
-            "rough_height": ("surface", [form.rms_height for form in forms], nm),
-            "approach": ("surface", [form.closest_approach for form in forms], nm),
-            "freezing": ("surface", [form.freezing for form in forms], one),
-            "regime": ("surface", [form.regime for form in forms]),
-            "predicted_edge": (("surface", "side"), predicted, nm),
-            "short_edge_from": ("surface", short),
-            "long_edge_from": ("surface", np.where(reach < ends, REACH, ROLL_OFF)),
-            "contact_diameter": ((), diameter, nm),
-            "attraction_reach": ((), reach, nm),
-        },
-        {"surface": list(spectra), "side": list(SIDES)},
+            "formula_edge": formula.assign_attrs(units="nm"),
+            "level": levels.assign_attrs(one),
+            "local_exponent": exponents.assign_attrs(one),
+            "local_bound": bound.astype("int8"),
+            "over_range": ("surface", heights[0] / contact.rho, one),
+            "approach_level": ("surface", heights[1] / heights[0], one),
+            "contact_over_rolloff": ("surface", [
+                contact.area**0.5 / roll_off(spectrum) for spectrum in spectra.values()
+            ], one),
+        }
+        | _of_causes(exponents, bound, levels),
+    ).assign_coords(cause=[CONTACT, RANGE])  # fmt: skip
+
+
+def _local_exponents(
+    scaling: xr.Dataset, formula: xr.DataArray
+) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return local exponents of computed edges and of the formula, and which of them are bounds."""
+    opened, side = scaling["edge"].isnull(), scaling["side"]
+    edges = xr.concat([scaling["edge"].fillna(scaling["edge_bound"]), formula], "origin")
+    logarithms: xr.DataArray = xr.apply_ufunc(np.log, edges)
+    # An open short edge lies above the last cutoff, an open long one below it.
+    beyond = opened * side.copy(data=np.where(side == "small", 1, -1))
+    steps, bound = [], []
+    for axis, name in zip(LENGTHS.values(), ("radius", "rho", "contact_area"), strict=True):
+        length: xr.DataArray = xr.apply_ufunc(np.log, scaling[name])
+        step = 2 * logarithms.diff(axis) / length.diff(axis)
+        nothing = opened & opened.shift({axis: 1}, fill_value=False)
+        steps.append(xr.concat([step[0].where(~nothing), step[1]], "origin"))
+        bound.append(beyond.diff(axis))
+    names = pd.Index(list(LENGTHS), name="length")
+    exponents: xr.DataArray = xr.concat(steps, names, join="outer")
+    exponents = exponents.assign_coords(origin=[COMPUTED, FORMULA])
+    bounded: xr.DataArray = xr.concat(bound, names, join="outer", fill_value=0)
+    return exponents.reindex_like(formula), bounded.reindex_like(formula, fill_value=0)
+
+
+def _of_causes(exponents: xr.DataArray, bound: xr.DataArray, level: xr.DataArray) -> dict[str, Any]:
+    """Return medians of local exponents of the short edge where one cause sets both its ends."""
+    before: xr.DataArray = xr.concat(
+        [level.shift({axis: 1}) for axis in LENGTHS.values()], exponents["length"]
     )
+    causes = xr.concat([(level < 0) & (before < 0), (level > 0) & (before > 0)], "cause")
+    short = exponents.sel(side="small", drop=True).where(causes)
+    axes, dims = ["surface", *COMBINATION], ("origin", "cause", "length")
+    samples = short.transpose(*axes, *dims).values
+    samples = samples.reshape(-1, *samples.shape[len(axes) :])
+    middle, interval = (percentile_interval(samples, share) for share in (0.0, MIDDLE))
+    known = short.sel(origin=COMPUTED).notnull()
+    bounded = known & (bound.sel(side="small", drop=True) != 0)
+    attributes = {"units": "1", "long_name": "local exponents of the short edge"}
+    return with_interval("cause_exponent", dims, middle[..., 0], interval, attributes, MIDDLE) | {
+        "cause_steps": known.sum(axes).assign_attrs(units="1"),
+        "cause_bounds": bounded.sum(axes).assign_attrs(units="1"),
+    }
 
 
-def cause_exponents(
-    scaling: xr.Dataset, spectra: Mapping[str, Spectrum], contact: Contact, tolerance: float
-) -> xr.Dataset:
-    """Return how the short edge scales where the contact should set it, and where the range should.
+def designed_edges(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.Dataset:
+    """Return how far edges of designed surfaces are off, and where all lie among the regimes.
 
-    `scaling` is of `edge_scaling`. The closed form gives the short edge for the sphere and area of
-    `contact` at every range of it; the tolerance is the relative change of the force that counts.
-
-    By cause, CONTACT where its diameter exceeds that edge and RANGE where it does not:
-    ``cause_exponent`` (cause, length) by least squares of ln(edge) against the logarithms of
-    LENGTHS, with a constant for each surface and an interval by the jackknife over surfaces, and
-    ``cause_edges`` (cause), their number. NaN where too few edges tell the lengths apart.
+    The tables are prediction.csv and edges.csv of resources/validation. Over designed (surfaces):
+    ``designed_over_range``, ``designed_level``, ``designed_contact_over_rolloff``, and
+    ``held_back``, 0 of published spectra, which have no computed edge; ``designed_error`` (origin,
+    side, designed), computed edges over FORMULA and CLOSED_FORM; ``designed_bound`` (side,
+    designed), 1 or -1 where that is at least or at most it.
     """
-    small = scaling[["edge", "contact_area"]].sel(side="small", drop=True)
-    predicted = [
-        [edges(one, replace(contact, rho=rho), tolerance)[0] for rho in small["rho"].values]
-        for one in spectra.values()
+    table = formulas.astype({"surface": str}).set_index("surface").rename_axis("designed")
+    known = computed.astype({"surface": str}).set_index("surface").reindex(table.index)
+    edges, signs = ["short_edge", "long_edge"], {"at least": 1, "at most": -1}
+    errors = [
+        [known[name] / others[column] for name, column in zip(edges, columns, strict=True)]
+        for others, columns in ((table, edges), (known, [f"predicted_{name}" for name in edges]))
     ]
-    short = xr.DataArray(predicted, {"surface": list(spectra), "rho": small["rho"].values})
-    diameter: xr.DataArray = 2 * (small["contact_area"] / np.pi) ** 0.5
-    logarithms: xr.DataArray = xr.apply_ufunc(np.log, small["edge"])
-    lengths = [small["radius"], small["rho"], small["contact_area"]]
-    confidence, values, intervals, counts = scaling.attrs["confidence"], [], [], []
-    for taken in (diameter > short, diameter <= short):
-        known = logarithms.where(taken).dropna("surface", how="all")
-        surfaces = known.sizes["surface"]
-        left_out = [
-            _exponents(known.drop_isel(surface=one), lengths)
-            for one in range(surfaces if surfaces > 2 else 0)
-        ]
-        values.append(_exponents(known, lengths))
-        intervals.append(exponent_interval(values[-1], left_out, confidence))
-        counts.append(int(known.notnull().sum()))
-    attributes = {"units": "1", "long_name": "exponent of the short edge"}
-    axes = ["cause", "length"]
-    return xr.Dataset(
-        with_interval("cause_exponent", axes, values, intervals, attributes, confidence)
-        | {"cause_edges": ("cause", counts)},
-        {"cause": [CONTACT, RANGE], "length": LENGTHS},
+    bound = [known[f"{name}_is"].map(signs).fillna(0) for name in edges]
+    placed = table.drop(columns=edges).add_prefix("designed_").to_xarray()
+    one = {"units": "1"}
+    return placed.map(lambda values: values.assign_attrs(one)).assign(
+        held_back=("designed", known["held_back"].fillna(0).astype("int8")),
+        designed_error=(("prediction", "side", "designed"), errors, one),
+        designed_bound=(("side", "designed"), np.array(bound, "int8")),
+        prediction=[FORMULA, CLOSED_FORM],
+        side=list(SIDES),
     )
-
-
-def _exponents(logarithms: xr.DataArray, lengths: list[xr.DataArray]) -> np.ndarray:
-    """Return slopes (3,) of values (surface, ...) against ln(length)/2 within surfaces."""
-    parts = []
-    roots = [xr.apply_ufunc(np.log, length) / 2 for length in lengths]
-    for one in (logarithms, *roots):
-        known = one.broadcast_like(logarithms).where(logarithms.notnull())
-        parts.append(known - known.mean([dim for dim in known.dims if dim != "surface"]))
-    values, *design = (part.transpose(*logarithms.dims).values.ravel() for part in parts)
-    kept = np.isfinite(values)
-    matrix: np.ndarray = np.stack(design, axis=-1)[kept]
-    if len(matrix) <= len(lengths) or np.linalg.matrix_rank(matrix) < len(lengths):
-        return np.full(len(lengths), np.nan)
-    return np.asarray(np.linalg.lstsq(matrix, values[kept])[0])
