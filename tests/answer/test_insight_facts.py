@@ -6,6 +6,7 @@ from figure_inputs.closed_form import closed_form
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
+from figure_inputs.models import models
 from figure_inputs.published_tables import published_constants
 from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band
@@ -17,6 +18,7 @@ from hardcontact.answer.facts import between, number_of
 from hardcontact.answer.insight_facts import (
     band_facts,
     closed_form_facts,
+    model_facts,
     scaling_facts,
     scan_size_facts,
 )
@@ -232,6 +234,16 @@ def test_strengths_are_those_of_what_is_known():
     assert (hamaker.value, hamaker.unit) == (pytest.approx(1e-17), "J")
     assert (potential.value, potential.unit) == (2, "V")
     assert np.isnan(casimir.value) and casimir.status == "none"
+
+
+def test_models_have_a_factor_of_each_regime_and_where_they_fail():
+    data, facts = models(), model_facts(models())
+    assert facts["held_back"] == 4 and column(facts, "model") == data["model"].values.tolist()
+    for place, regime in enumerate(facts["regimes"]):
+        of_regime = data["median_factor"].values[:, place]
+        assert column(facts, regime) == pytest.approx(of_regime)
+        assert [row[regime].low for row in facts["rows"]] == pytest.approx(0.8 * of_regime)
+    assert column(facts, "wrong") == pytest.approx(data["last_wrong"].values)
 
 
 def test_maps_have_what_a_mean_needs_and_one_scan_tells_nothing_of_others():

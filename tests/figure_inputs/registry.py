@@ -13,6 +13,7 @@ from figure_inputs.contact import asperities, contact, elastic, indent
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
+from figure_inputs.models import models
 from figure_inputs.published_tables import (
     published_constants,
     published_pull_off,
@@ -45,6 +46,7 @@ INPUTS = {
         closed_form,
         laws,
         maps,
+        models,
         repeated_contact,
         elastic_limit,
         scaling,

@@ -27,6 +27,9 @@ def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
         found = closed_form(waves, contact)
         assert found.force == pytest.approx(row["predicted_force"], rel=1e-3)
         assert found.regime == row["regime"]
+        assert (found.rms_height, found.closest_approach) == pytest.approx(
+            (row["waves_height"], row["approach"]), rel=1e-3
+        )
     again = validate_prediction.predicted(row)
     assert again["predicted_short_edge"] == pytest.approx(row["predicted_short_edge"], rel=1e-3)
 

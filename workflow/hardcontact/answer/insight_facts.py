@@ -248,6 +248,22 @@ def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, An
     }
 
 
+def model_facts(models: xr.Dataset) -> dict[str, Any]:
+    """Return how far the forces of every model are off, by regime, and up to which modulus."""
+    regimes = models["regime"].values.tolist()
+    rows = []
+    for name in models["model"].values:
+        row: Cells = {"model": str(name), "wrong": number_of(models.sel(model=name), "last_wrong")}
+        for regime in regimes:
+            of_regime = models.sel(model=name, regime=regime)
+            row |= {
+                regime: number_of(of_regime, "median_factor", strict=False),
+                f"{regime}_rms": number_of(of_regime, "rms_factor"),
+            }
+        rows.append(row)
+    return {"rows": rows, "regimes": regimes, "held_back": int(models["held_back"].sum())}
+
+
 def _ratio(case: xr.Dataset) -> Number:
     """Return the closed form over one computed force, with the interval of that."""
     error = case["error"].item()

@@ -77,7 +77,7 @@ def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float)
 
 
 def rabinovich(
-    work: Values, radius: Values, rms_height: Values, peak_distance: Values, spacing: float
+    work: Values, radius: Values, rms_height: Values, peak_distance: Values, spacing: Values
 ) -> Values:
     """Return the van der Waals pull-off force of a sphere on flat spherical caps.
 
