@@ -264,6 +264,7 @@ def test_repeated_contact_changes_a_force_whose_interval_leaves_out_one():
     assert (facts["changed"], facts["surfaces"], facts["contacts"]) == (0, 4, 400)
     assert column(facts, "surface") == [*LABELS, "NCD", ""]
     assert facts["rows"][4]["preload"].value == 2e-5 and facts["rows"][4]["depth"].value == 8
+    assert facts["rows"][4]["separate"].value == 25 and facts["rows"][4]["median_size"].value == 40
     assert facts["rows"][5]["lateral_size"][3:5] == (150, 300)
     data["mean_ratio_interval"].loc[{"surface": "mcd", "preload": 1e-5}] = [1.1, 1.2]
     assert repeated_contact_facts(data)["changed"] == 1

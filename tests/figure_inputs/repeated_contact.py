@@ -15,10 +15,10 @@ def repeated_contact() -> xr.Dataset:
     there = np.ones((4, 2))
     there[[0, 1, 3], 1] = np.nan
     growth = there[..., None] * np.array([1, 1.2, 1.5, 2, 4])
-    sizes = there[:, :, None, None, None] * rng.uniform(5, 90, (4, 2, 2, 2, 30))
+    sizes = there[:, :, None, None] * rng.uniform(5, 90, (4, 2, 2, 30))
     place = np.arange(-20, 20) * 5.0
     pit = np.clip(9 - (place[:, None] ** 2 + place**2) / 100, 0, None)
-    indents = ("surface", "preload", "scan", "order", "indent")
+    indents = ("surface", "preload", "scan", "indent")
     return (
         named()
         .assign_coords(preload=PRELOADS, stage=STAGES, x=place, y=place)
@@ -26,6 +26,8 @@ def repeated_contact() -> xr.Dataset:
             bounded("force_ratio", BY, growth)
             | bounded("depth", BY, 2 * growth, unit="nm")
             | bounded("lateral_size", BY, 30 * growth, unit="nm")
+            | bounded("median_size", BY, 10 * growth, unit="nm")
+            | bounded("separate_share", BY, 1 / growth)
             | bounded("mean_ratio", BY[:2], there)
         )
         .assign(

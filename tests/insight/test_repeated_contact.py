@@ -3,14 +3,18 @@
 import numpy as np
 import pytest
 from direct_sum import direct_total
+from known_spectra import rough
 from periodic_maps import over, periodic_noise
 
 from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.contact.geometry import gap_map
 from hardcontact.insight.repeated_contact import (
+    LARGEST,
     Adhesion,
+    indents_at_random_places,
+    large_surface,
     repeated_contact,
-    repeated_contact_of_pair,
+    repeated_forces,
     repeated_totals,
 )
 
@@ -58,8 +62,9 @@ def small_pair(seed, rms=3.0):
 
 
 def of_pair(seed, orders=2):
-    rng = np.random.default_rng(seed)
-    return repeated_contact_of_pair(small_pair(seed), LOAD, Adhesion(5.6, 0.05), rng, orders)
+    pair, rng = small_pair(seed), np.random.default_rng(seed)
+    forces = repeated_forces(pair, LOAD, Adhesion(5.6, 0.05), rng, orders)
+    return forces.merge(indents_at_random_places(pair, LOAD, rng, 9))
 
 
 def test_an_order_begins_with_the_single_contact_and_visits_every_place_once():
@@ -72,22 +77,33 @@ def test_an_order_begins_with_the_single_contact_and_visits_every_place_once():
     assert len(np.unique(single[0])) == 9
 
 
-def test_a_flat_under_a_smooth_sphere_keeps_its_force():
+def test_a_flat_under_a_smooth_sphere_keeps_its_force_and_its_indent():
     pair = over(np.zeros((64, 64)), None, 10.0, 128, 3)
     rng = np.random.default_rng(1)
-    flat = repeated_contact_of_pair(pair, LOAD, Adhesion(5.6, 0.05), rng, 1)
+    flat = repeated_forces(pair, LOAD, Adhesion(5.6, 0.05), rng, 1)
     np.testing.assert_allclose(flat.pull_off_force, flat.single_pull_off_force, rtol=1e-10)
-    assert (flat.indented_area == flat.indented_area[0, 0]).all() and (flat.indents == 1).all()
+    indented = indents_at_random_places(pair, LOAD, rng, 9)
+    assert (indented.indented_area == indented.indented_area[0]).all()
+    assert (indented.indents == 1).all()
+    np.testing.assert_allclose(indented.separate_share, 1 / indented.stage)
 
 
 def test_indents_grow_and_their_map_holds_the_deepest():
     indented = of_pair(2)
     for name in ("depth", "indented_area"):
         assert (indented[name].diff("stage") >= 0).all()
-    last = indented.isel(order=0, stage=-1)
-    assert indented.indentation.max() == last.depth == indented.indent_depth[0].max()
-    assert indented.indented_area[0, 0] <= 4 * 100.0  # four contact pixels of 10 nm
+    last = indented.isel(stage=-1)
+    assert indented.indentation.max() == last.depth == indented.indent_depth.max()
+    assert last.median_size == np.median(indented.indent_size) and last.separate_share <= 1
+    assert indented.indented_area[0] <= 4 * 100.0  # four contact pixels of 10 nm
     assert indented.stage.values.tolist()[:2] == [1, 2] and indented.stage[-1] == 9
+
+
+def test_a_large_surface_has_pixels_of_the_scan_and_a_limit():
+    surface = large_surface(np.random.default_rng(1), rough(4, 500, 0.8, 40), 1000.0, 10.1)
+    assert (surface.pixels, surface.pixel_size) == (100, 10.1) and surface.periodic
+    huge = large_surface(np.random.default_rng(1), rough(4, 500, 0.8, 40), 1e9, 10.0)
+    assert huge.pixels == LARGEST
 
 
 def test_summary_of_scans():
@@ -113,7 +129,7 @@ def test_summary_of_scans():
     ]
     assert summary.force_ratio.isel(stage=-1).item() == pytest.approx(np.mean(last))
     assert summary.force_ratio.isel(stage=0).item() == pytest.approx(1, rel=1e-12)
-    depth = np.mean([pair.depth.mean("order")[-1] for pair in pairs.values()])
+    depth = np.mean([pair.depth[-1] for pair in pairs.values()])
     assert summary.depth.isel(stage=-1).item() == pytest.approx(depth)
     assert summary.label.values.tolist() == ["A"] and summary.attrs["confidence"] == 0.95
 

@@ -2,10 +2,11 @@
 
 
 rule repeat_contact:
-    """Press one place of the sphere onto all places of a scan, one after the other."""
+    """Press one place of the sphere onto places of a scan and of a large surface."""
     input:
         substrate=PATTERNS.stitched_substrate,
         sphere=PATTERNS.stitched_sphere,
+        spectrum=lambda w: FILES.spectrum(w.surface),
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("repeat_contact.py"),
     output:
@@ -27,6 +28,7 @@ rule repeat_contact:
                 },
                 "radius": STUDY["sphere"]["radius"],
                 "orders": INSIGHT["orders"],
+                "size": max(INSIGHT["sizes"]),
                 "seed": STUDY["seed"],
             }
         ),

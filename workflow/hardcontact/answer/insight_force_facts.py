@@ -146,10 +146,9 @@ def _contacts(one: xr.Dataset) -> Cells:
         "force": number_of(one, "mean_ratio"),
         "force_says": against(1, one, "mean_ratio"),
     }
-    for name in SIZES:
-        row[f"{name}_first"] = number_of(one.isel(stage=0), name, "nm")
-        row[name] = number_of(one.isel(stage=-1), name, "nm")
-    return row
+    last = one.isel(stage=-1)
+    row["separate"] = percent(number_of(last, "separate_share"))
+    return row | {name: number_of(last, name, "nm") for name in (*SIZES, "median_size")}
 
 
 def _reached(image: xr.Dataset, name: str) -> str:

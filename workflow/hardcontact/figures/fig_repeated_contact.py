@@ -42,7 +42,7 @@ def table(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> pd
         tables.drawn_rows(deepest, *of_image),
         published.assign(origin="published", unit="nm"),
     ]
-    return tables.tidy(frames, repeated_contact, "preload", "scan", "order", "indent", "stage")
+    return tables.tidy(frames, repeated_contact, "preload", "scan", "indent", "stage")
 
 
 def draw(repeated_contact: xr.Dataset, published_constants: pd.DataFrame) -> Figure:

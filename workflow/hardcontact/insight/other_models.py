@@ -71,8 +71,8 @@ class Cases(NamedTuple):
 def bearing_approach(rms_height: ArrayLike, radius: ArrayLike, area: ArrayLike) -> Floats:
     """Return the height m (nm) at which the mean surface above a sphere has a given area (nm²).
 
-    It solves 2 pi R sigma ∫_t^∞ Q(u) du = A, t = m/sigma: the bearing area of a sphere. The integral
-    is convex and falls, so that Newton's iteration goes up to the only root.
+    It solves 2 pi R sigma ∫_t^∞ Q(u) du = A, t = m/sigma. The integral is convex and falls, so that
+    Newton's iteration goes up to the only root.
     """
     height = np.asarray(rms_height)
     share = np.asarray(area) / (2 * np.pi * np.asarray(radius) * height)

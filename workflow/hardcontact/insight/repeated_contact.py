@@ -1,6 +1,8 @@
-"""Pull-off force of a sphere that meets a substrate at the same place of its own many times.
+"""A sphere that meets a substrate at the same place of its own many times, and keeps its indents.
 
-It keeps the indents of the contacts before.
+Forces are those at the places of the array on a scan, beside those of a sphere without indents at
+the same places. Indents are of places drawn at random on a large random surface of the same
+spectrum: in a mirrored scan every summit would press its indent into the points of a lattice.
 """
 
 from collections.abc import Iterator
@@ -8,12 +10,12 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from hardcontact.adhesion.all_surfaces import Described, Parts, of_first_scans, with_names
 from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
 from hardcontact.contact.bearing_area import Load, contact_pixel_count
-from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.geometry import Bodies, window_pixels
 from hardcontact.contact.repeated_contact import (
     Indentation,
     indent_sizes,
@@ -22,6 +24,9 @@ from hardcontact.contact.repeated_contact import (
 )
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
+from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.synthesis import random_surface
 
 Floats = NDArray[np.float64]
 
@@ -32,14 +37,18 @@ FROM_APEX = {"units": "nm", "long_name": "position from the apex"}
 STAGES = 12
 #: Attributes that all pairs share; their preloads differ.
 COMMON = ("hardness", "rho", "work_of_adhesion")
-#: What is measured of all indents at a stage; lengths and depth are the largest.
+#: What is measured of all indents at a stage: the greatest depth and lateral size, the median one,
+#: their number and area, and this area over that of as many separate contacts.
 SUMMARY = {
     "depth": "nm",
-    "edge_length": "nm",
     "lateral_size": "nm",
+    "median_size": "nm",
     "indents": "1",
     "indented_area": "nm2",
+    "separate_share": "1",
 }
+#: Most pixels along an edge of a large surface.
+LARGEST = 4096
 
 
 class _Attraction:
@@ -115,72 +124,79 @@ class Adhesion(NamedTuple):
     work: float
 
 
-def repeated_contact_of_pair(
+def repeated_forces(
     bodies: Bodies, load: Load, adhesion: Adhesion, rng: np.random.Generator, orders: int
 ) -> xr.Dataset:
-    """Return the forces and the indents of one place of a sphere that meets an array of places.
+    """Return the forces of one place of a sphere that meets an array of places.
 
     For each of some orders, which the generator draws, a sphere without indents meets all places.
-
     By order and number of the contact: ``pull_off_force`` and, at the same place by a sphere
-    without indents, ``single_pull_off_force`` (N), ``penetration`` (nm). By order and stage, a
-    number of contacts: ``depth``, ``edge_length`` and ``lateral_size`` (nm), each the largest of
-    all indents, ``indents`` and ``indented_area`` (nm2). By order and indent of the last contact
-    ``indent_depth`` and ``indent_size`` (nm). ``indentation`` (y, x) about the deepest indent of
-    the first order (nm).
+    without indents, ``single_pull_off_force`` (N).
     """
     positions = bodies.geometry.positions
     places = np.stack(np.meshgrid(positions, positions, indexing="ij"), -1).reshape(-1, 2)
     contact_pixels = contact_pixel_count(load, bodies.geometry.pixel_size)
     (single,) = plastic_totals(bodies, [contact_pixels], adhesion.rho)
-    parts, maps = {}, []
-    for order in range(orders):
+    forces = []
+    for _ in range(orders):
         drawn = rng.permutation(len(places))
-        part, about_deepest = _one_order(bodies, places[drawn], contact_pixels, adhesion)
-        force = _force(single.ravel()[drawn], bodies, adhesion)
-        parts[(order,)] = part.assign(single_pull_off_force=("contact", force, {"units": "N"}))
-        maps.append(about_deepest)
-    return (
-        stack(parts, ["order"])
-        .merge(maps[0])
-        .assign_attrs(load, rho=adhesion.rho, work_of_adhesion=adhesion.work)
+        sums = repeated_totals(bodies, places[drawn], contact_pixels, adhesion.rho)
+        totals = np.array([[total for total, _ in sums], single.ravel()[drawn]])
+        forces.append(
+            pull_off_force(totals, adhesion.rho, bodies.geometry.pixel_size, adhesion.work)
+        )
+    over, newton = ("order", "contact"), {"units": "N"}
+    repeated, alone = np.stack(forces, axis=1)
+    return xr.Dataset(
+        {
+            "pull_off_force": (over, repeated, newton),
+            "single_pull_off_force": (over, alone, newton),
+        },
+        {"order": np.arange(orders), "contact": np.arange(1, len(places) + 1)},
+        {**load, "rho": adhesion.rho, "work_of_adhesion": adhesion.work},
     )
 
 
-def _force(total: ArrayLike, bodies: Bodies, adhesion: Adhesion) -> Floats:
-    """Return pull-off forces in N."""
-    return pull_off_force(total, adhesion.rho, bodies.geometry.pixel_size, adhesion.work)
+def large_surface(
+    rng: np.random.Generator, spectrum: Spectrum, size: float, pixel_size: float
+) -> HeightMap:
+    """Return a random surface of at most a size (nm), of at most LARGEST pixels along an edge."""
+    pixels = min(window_pixels(size, pixel_size), LARGEST)
+    return random_surface(rng, pixels, pixel_size, spectrum)
 
 
-def _one_order(
-    bodies: Bodies, positions: NDArray[np.int_], contact_pixels: int, adhesion: Adhesion
-) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return forces and indents of one order of contacts, and their map about the deepest."""
-    contacts, pixel_size = len(positions), bodies.geometry.pixel_size
+def indents_at_random_places(
+    bodies: Bodies, load: Load, rng: np.random.Generator, contacts: int
+) -> xr.Dataset:
+    """Return the indents of one place of a sphere that meets random places of a substrate.
+
+    By stage, a number of contacts: the quantities of SUMMARY. Of every indent after the last
+    contact ``indent_depth`` and ``indent_size`` (indent) in nm, and about the deepest
+    ``indentation`` (y, x) in nm.
+    """
+    pixel_size = bodies.geometry.pixel_size
+    contact_pixels = contact_pixel_count(load, pixel_size)
+    places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
     stages = np.unique(np.geomspace(1, contacts, STAGES).round().astype(int))
-    totals, penetration, summaries = [], [], []
-    for number, (total, one) in enumerate(
-        repeated_totals(bodies, positions, contact_pixels, adhesion.rho), 1
-    ):
-        totals.append(total)
-        penetration.append(one.contact.gaps[-1] - one.contact.gaps[0])
+    summaries = []
+    for number, one in enumerate(repeated_contacts(bodies, places, contact_pixels), 1):
         if number in stages:
             sizes = indent_sizes(one.depth, pixel_size)
-            largest = (float(values.max()) for values in sizes)
-            summaries.append([*largest, len(sizes.depth), float((sizes.edge_length**2).sum())])
-    of_stages = zip(SUMMARY.items(), np.transpose(summaries), strict=True)
+            largest = float(sizes.depth.max()), float(sizes.lateral_size.max())
+            area = float((sizes.edge_length**2).sum())
+            summaries.append([*largest, np.median(sizes.lateral_size), len(sizes.depth), area])
+    measured = np.transpose(summaries)
+    # The first contact is that of a sphere without indents, and so are as many separate ones.
+    measured = np.vstack([measured, measured[-1] / (stages * measured[-1, 0])])
     variables = {
-        "pull_off_force": ("contact", _force(totals, bodies, adhesion), {"units": "N"}),
-        "penetration": ("contact", penetration, {"units": "nm"}),
+        name: ("stage", values, {"units": unit})
+        for (name, unit), values in zip(SUMMARY.items(), measured, strict=True)
+    } | {
         "indent_depth": ("indent", sizes.depth, {"units": "nm"}),
         "indent_size": ("indent", sizes.lateral_size, {"units": "nm"}),
-    } | {name: ("stage", values, {"units": unit}) for (name, unit), values in of_stages}
-    coordinates = {
-        "contact": np.arange(1, contacts + 1),
-        "stage": stages,
-        "indent": np.arange(len(sizes.depth)),
     }
-    return xr.Dataset(variables, coordinates), _map_about_deepest(one.depth, pixel_size)
+    found = xr.Dataset(variables, {"stage": stages, "indent": np.arange(len(sizes.depth))})
+    return found.merge(_map_about_deepest(one.depth, pixel_size))
 
 
 def _map_about_deepest(depth: Floats, pixel_size: float) -> xr.Dataset:
@@ -199,15 +215,14 @@ def _map_about_deepest(depth: Floats, pixel_size: float) -> xr.Dataset:
 def repeated_contact(pairs: Parts, described: Described, confidence: float) -> xr.Dataset:
     """Return the force and the indents of repeated contact against the number of contacts.
 
-    The pairs are of `repeated_contact_of_pair`, by (surface, preload in N, scan). Intervals are by
-    Student's t over scans: the orders of a scan count as one; those of sizes and numbers are cut at
-    0.
+    The pairs are `repeated_forces` with `indents_at_random_places`, by (surface, preload in N,
+    scan). Intervals are by Student's t over scans: the orders of a scan count as one; those of
+    sizes and numbers are cut at 0.
 
     With intervals, by surface and preload: ``force_ratio`` (stage), mean force of the contacts
     since the stage before over that of single contacts at the same places; ``mean_ratio`` of all
-    contacts; ``depth``, ``edge_length``, ``lateral_size``, ``indents`` and ``indented_area``
-    (stage). ``indent_depth`` and ``indent_size`` (scan, order, indent), and ``indentation`` (y, x)
-    of the first scan.
+    contacts; the quantities of SUMMARY (stage). ``indent_depth`` and ``indent_size`` (scan,
+    indent), and ``indentation`` (y, x) of the first scan.
     """
     dimensions = ["surface", "preload", "scan"]
     stacked = stack({key: pair.drop_vars("indentation") for key, pair in pairs.items()}, dimensions)
@@ -224,9 +239,8 @@ def repeated_contact(pairs: Parts, described: Described, confidence: float) -> x
         summary[name] = ratio.mean("scan").assign_attrs(units="1")
         summary[f"{name}_interval"] = student_log_interval(ratio, confidence, "scan")
     for name in SUMMARY:
-        of_scans = stacked[name].mean("order", keep_attrs=True)
-        summary[name] = of_scans.mean("scan", keep_attrs=True)
-        interval = student_interval(of_scans, confidence, "scan")
+        summary[name] = stacked[name].mean("scan", keep_attrs=True)
+        interval = student_interval(stacked[name], confidence, "scan")
         summary[f"{name}_interval"] = interval.clip(0, keep_attrs=True)
     first = of_first_scans(pairs, ["indentation"])
     drawn = stack({key: _centred(one) for key, one in first.items()}, dimensions[:2])
