@@ -75,7 +75,7 @@ def test_models_take_the_roughness_of_the_scans_and_of_all_scales(classical):
 
 def test_every_interval_has_the_confidence_that_is_given(classical):
     intervals = [name for name in classical if str(name).endswith("_interval")]
-    assert len(intervals) == 14
+    assert len(intervals) == 10
     assert {classical[name].attrs["confidence"] for name in intervals} == {0.9}
     assert all(classical[name].dims[-1] == "bound" for name in intervals)
 

@@ -34,20 +34,14 @@ QUANTITIES = {  # panel, origin; empty: not drawn
     "pull_off_force": ("a", "computed"),
     "mean_relative_error": ("b", "computed"),
     "fitted_work_of_adhesion": ("", "computed"),
-    "error_at_published_work": ("", "computed"),
     "adhesion_index": ("", "computed"),
     "published_effective_work_of_adhesion": ("c", "published"),
     "effective_work_of_adhesion": ("c", "computed"),
-    "pull_off_coefficient": ("", "computed"),
-    "effective_tabor_parameter": ("", "computed"),
     "implied_pull_off_coefficient": ("d", "published"),
     "transition_coefficient": ("d", "computed"),
     "tabor_parameter": ("d", "computed"),
     "printed_tabor_parameter": ("d", "published"),
-    "rank_correlation": ("", "computed"),
-    "power_law_exponent": ("", "computed"),
     "power_law_error": ("", "computed"),
-    "prediction_error": ("", "computed"),
 }
 
 

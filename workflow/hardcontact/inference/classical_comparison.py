@@ -47,8 +47,7 @@ def effective_works(
 
     These are the printed one, that of the published work of adhesion, both in `value`, and the
     self-consistent one, that of the effective work itself. The work is computed with the fit of the
-    transition between JKR and DMT; `pull_off_coefficient`, F/πRW, is given by the fit and by the
-    exact pair of equations. Over transition, tabor and surface.
+    transition between JKR and DMT. Over tabor and surface.
     """
     forces = np.column_stack([force.value, force.interval])
     own = smooth_sphere.self_consistent_work_of_adhesion(forces, *contact)
@@ -63,13 +62,9 @@ def effective_works(
     fitted = smooth_sphere.transition_coefficient(smooth_sphere.maugis_parameter(tabor))
     work = smooth_sphere.effective_work_of_adhesion(forces, contact.radius, fitted)
     over, name = ("tabor", "surface"), "effective_work_of_adhesion"
-    data = xr.Dataset(
-        with_interval(name, over, work[..., 0], work[..., 1:], ENERGY, confidence)
-        | {"effective_tabor_parameter": (over, tabor[..., 0], ONE)},
+    return xr.Dataset(
+        with_interval(name, over, work[..., 0], work[..., 1:], ENERGY, confidence),
         {"tabor": ["printed", "computed", "self_consistent"]},
-    )
-    return data.assign(
-        pull_off_coefficient=pull_off_coefficients(data["effective_tabor_parameter"])
     )
 
 
@@ -241,7 +236,6 @@ def _smooth_sphere(contact: Contact, value: Mapping[Any, float]) -> dict[str, An
     return {
         "transition_coefficient": pull_off_coefficients(axis),
         "tabor_parameter": ((), tabor, ONE),
-        "maugis_parameter": ((), smooth_sphere.maugis_parameter(tabor), ONE),
         "printed_tabor_parameter": ((), value["tabor_parameter"], ONE),
         "effective_modulus": ((), contact.modulus, {"units": "Pa"}),
         "hertz_peak_pressure": ((), pressed.peak_pressure, {"units": "Pa"}),

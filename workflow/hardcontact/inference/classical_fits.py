@@ -4,11 +4,11 @@ Lengths in nm, forces in N, works of adhesion in J/m².
 """
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from scipy.stats import rankdata, truncnorm
+from scipy.stats import truncnorm
 
 from hardcontact.inference import error_map
 from hardcontact.inference.classical_models import MODELS, Contact, Model, Roughness, adhesion_index
@@ -31,20 +31,6 @@ class RoughnessSamples(NamedTuple):
     mean: Roughness  #: Of arrays (surface,).
     drawn: Roughness  #: Of arrays (draws, surface).
     sampling: Sampling  #: How they were drawn; its confidence is that of intervals over them.
-
-
-class PowerLaw(NamedTuple):
-    """How well a power of one roughness parameter gives the effective work of adhesion.
-
-    All are arrays (...); errors are means over surfaces of relative errors.
-    """
-
-    #: Spearman's; of four points it is 1 or -1 by chance in one case of twelve.
-    rank_correlation: np.ndarray
-    power_law_exponent: np.ndarray  #: Of the least-squares line through the logarithms.
-    power_law_error: np.ndarray  #: At the surfaces fitted to.
-    #: At each surface when the fit leaves it out: two parameters nearly always fit four points.
-    prediction_error: np.ndarray
 
 
 def sample_roughness(
@@ -98,28 +84,17 @@ def _best_work(
     return error_map.at_least(errors, work)
 
 
-def fit_power_law(parameter: np.ndarray, work: np.ndarray) -> PowerLaw:
-    """Fit a power of a roughness parameter (..., surface) to effective works (surface,)."""
-    x, y = (rankdata(values, axis=-1) - (len(work) + 1) / 2 for values in (parameter, work))
-    correlation = (x * y).sum(axis=-1) / np.sqrt((x**2).sum(axis=-1) * (y**2).sum())
-    exponent, fitted = _line(np.log(parameter), np.log(work), np.log(parameter))
-    left_out = []
-    for surface in range(len(work)):
-        others = np.arange(len(work)) != surface
-        known = np.log(parameter[..., others]), np.log(work[others])
-        left_out.append(_line(*known, np.log(parameter[..., [surface]]))[1][..., 0])
-    predicted = np.stack(left_out, axis=-1)
-    errors = (np.abs(np.exp(line) / work - 1).mean(axis=-1) for line in (fitted, predicted))
-    return PowerLaw(correlation, exponent, *errors)
+def power_law_error(parameter: np.ndarray, work: np.ndarray) -> np.ndarray:
+    """Return the mean relative error (...) of a power of a parameter (..., surface), fitted.
 
-
-def _line(x: np.ndarray, y: np.ndarray, at: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return the slope (...) of the least-squares line along the last axis, and values `at`."""
-    centre = x.mean(axis=-1, keepdims=True)
-    deviation = x - centre
-    with np.errstate(invalid="ignore"):  # one point has no slope
-        slope = (deviation * y).sum(axis=-1) / (deviation**2).sum(axis=-1)
-    return slope, y.mean() + slope[..., None] * (at - centre)
+    The line of least squares goes through the logarithms of parameters and works (surface,).
+    """
+    deviation = np.log(parameter) - np.log(parameter).mean(axis=-1, keepdims=True)
+    logarithm = np.log(work)
+    with np.errstate(invalid="ignore"):  # one surface has no exponent
+        exponent = (deviation * logarithm).sum(axis=-1) / (deviation**2).sum(axis=-1)
+    fitted = logarithm.mean() + exponent[..., None] * deviation
+    return np.asarray(np.abs(np.exp(fitted) / work - 1).mean(axis=-1))
 
 
 def compare_models(
@@ -147,11 +122,9 @@ def compare_models(
             )
             # Where the mean does not adhere, there is no interval.
             works = np.where(np.isnan(fitted), np.nan, works)
-            error, errors = (np.abs(one / target - 1).mean(axis=-1) for one in (force, drawn))
             fits[name, against] = xr.Dataset(
                 sampling.with_interval("fitted_work_of_adhesion", (), fitted, works, ENERGY)
                 | sampling.with_interval("mean_relative_error", (), least, leasts, ONE)
-                | sampling.with_interval("error_at_published_work", (), error, errors, ONE)
             )
     return stack(forces, ["model"]).merge(stack(fits, ["model", "against"])).assign(common)
 
@@ -159,15 +132,13 @@ def compare_models(
 def power_laws(samples: RoughnessSamples, works: Mapping[str, np.ndarray]) -> xr.Dataset:
     """Return how well a power of one roughness parameter gives the effective work of adhesion.
 
-    `works` (surface,) are by the forces that they follow from; the fields of `PowerLaw` are over
+    `works` (surface,) are by the forces that they follow from; ``power_law_error`` is over
     rms_parameter and against.
     """
     parts = {}
     for parameter, *both in zip(Roughness._fields, samples.mean, samples.drawn, strict=True):
         for against, work in works.items():
-            laws = [fit_power_law(values, work) for values in both]
-            variables: dict[str, Any] = {}
-            for name, value, drawn in zip(PowerLaw._fields, *laws, strict=True):
-                variables |= samples.sampling.with_interval(name, (), value, drawn, ONE)
+            error, errors = (power_law_error(values, work) for values in both)
+            variables = samples.sampling.with_interval("power_law_error", (), error, errors, ONE)
             parts[parameter, against] = xr.Dataset(variables)
     return stack(parts, ["rms_parameter", "against"])
