@@ -75,10 +75,8 @@ CONTENT = {
         "N": "pull_off_force pull_off_force_interval computed_mean_force_interval",
         "J m-2": "fitted_work_of_adhesion fitted_work_of_adhesion_interval "
         "effective_work_of_adhesion effective_work_of_adhesion_interval",
-        "1": "mean_relative_error error_at_published_work adhesion_index rank_correlation "
-        "power_law_exponent power_law_error prediction_error tabor_parameter maugis_parameter "
-        "effective_tabor_parameter pull_off_coefficient implied_pull_off_coefficient "
-        "transition_coefficient tabor_axis",
+        "1": "mean_relative_error adhesion_index power_law_error tabor_parameter "
+        "implied_pull_off_coefficient transition_coefficient tabor_axis",
         "Pa": "effective_modulus hertz_peak_pressure",
         "-": "label basis model_label model_roughness model_verified",
     },
