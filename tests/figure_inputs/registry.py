@@ -14,6 +14,7 @@ from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.maps import maps
 from figure_inputs.models import models
+from figure_inputs.next_sphere import next
 from figure_inputs.published_tables import (
     published_constants,
     published_pull_off,
@@ -49,6 +50,7 @@ INPUTS = {
         models,
         repeated_contact,
         elastic_limit,
+        next,
         scaling,
         scan_size,
         published_constants,

@@ -100,17 +100,40 @@ def coordinates(waves: Spectrum, contact: Contact, found: ClosedForm) -> dict[st
 
 
 def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place.
+    """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place."""
+    errors = _nearest(place, name)
+    return float(errors.min()), float(errors.max())
+
+
+def _nearest(place: Mapping[str, Any], name: str) -> pd.Series:
+    """Return the errors, of VALIDATED, of the NEAREST surfaces to a place, by their number.
 
     The distance is that of the logarithms of both `coordinates`; another regime is one further.
     """
-    known = validation().dropna(subset=f"{name}_error")
+    known = validation().dropna(subset=f"{name}_error").set_index("surface")
     axes = ["modulus", "contact_over_rolloff"]
     rows, here = known[axes].to_numpy(), [place[axis] for axis in axes]
     apart = np.log(np.maximum(rows, LEAST_MODULUS) / np.maximum(here, LEAST_MODULUS))
     distance = np.hypot(*apart.T) + (known["regime"] != place["regime"]).to_numpy()
-    errors = known[f"{name}_error"].to_numpy()[np.argsort(distance)[:NEAREST]]
-    return float(errors.min()), float(errors.max())
+    return known[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST]]
+
+
+def change_error(place: Mapping[str, Any], other: Mapping[str, Any]) -> float:
+    """Return the standard error of the logarithm of a change of the force between two places.
+
+    It is the root mean square by which the logarithms of the errors of the NEAREST surfaces to one
+    place differ from those of others near the other: bias that both share cancels, bias that they
+    do not share counts. Two contacts with one surface share more, so that it is rather too large.
+    """
+    near, far = (np.log(_nearest(one, "force")) for one in (place, other))
+    differences = near.to_numpy()[:, None] - far.to_numpy()
+    another = near.index.to_numpy()[:, None] != far.index.to_numpy()
+    return float(np.sqrt(np.mean(differences[another] ** 2)))
+
+
+def is_tried(waves: Spectrum, contact: Contact, found: ClosedForm) -> bool:
+    """Return whether the error of a closed form is known: its contact lies within the table."""
+    return all(one.status == INSIDE for one in _tried(waves, contact, found))
 
 
 def prediction(
@@ -266,7 +289,7 @@ def _continued(
     elif density is not None:
         whole = rough_part(Spectrum(WAVEVECTORS, density))
         found = closed_form(whole, contact)
-        inside = known and all(one.status == INSIDE for one in _tried(whole, contact, found))
+        inside = known and is_tried(whole, contact, found)
         yield _force("continued_force", found, coordinates(whole, contact, found), inside)
         yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
         yield Number("continued_rolloff", rolloff, "nm")

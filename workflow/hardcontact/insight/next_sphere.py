@@ -1,0 +1,216 @@
+"""Which second sphere tells two pairs of range and work of adhesion apart, on which surface.
+
+Both pairs fit the mean forces that were measured with one sphere, so that only the change of the
+force tells: x = ln[F(R, P)/F(R0, P0)] on the same surface, in which the work of adhesion cancels.
+Pair g predicts x_g; with the variance v_g of x about it, the pairs lie
+
+    z = |x_1 - x_2| / sqrt((v_1 + v_2)/2)
+
+standard errors apart. v has three parts. The spectrum: rms height and Hurst exponent move both
+forces at once, which cancels in part. The closed form: the mean square by which its logarithmic
+errors differ between designed surfaces like one contact and those like the other
+(`prediction.change_error`); an error that both contacts share cancels, one that both pairs share
+does not, because one measured change is held against either. And the tests: n contacts scatter by
+s about ln F, s = pi/(sqrt(6) k) of the Weibull law of modulus k, at most SATURATED; the published
+forces scatter by more, and what exceeds s may lie between tests or between spheres and samples.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray as xr
+
+from hardcontact.insight.closed_form import Contact, closed_form, contact_share
+from hardcontact.insight.prediction import change_error, coordinates, is_tried, rough_part
+from hardcontact.records.dataset import stack
+from hardcontact.surfaces.joined_spectrum import HURST_SCATTER
+from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
+
+#: The pairs that are to be told apart.
+PAIRS = ("long_range", "short_range")
+#: Where the scatter beyond that of the law lies.
+SCATTER = ("tests", "spheres")
+#: Largest standard deviation of ln F of the law: for k < 1 computed ones are 0.4 to 0.6.
+SATURATED = 0.5
+#: Standard errors between two pairs from which on 95 of 100 measured changes lie nearer to their
+#: own: half of them is the quantile of the normal distribution.
+RIGHT = 2 * 1.645
+#: Radii (nm) of the next sphere.
+RADII = (1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6)
+
+
+@dataclass(frozen=True)
+class Spheres:
+    """The sphere that was measured with, those that may be next, and how they are tested."""
+
+    radius: float  #: In nm, of the sphere that was measured with.
+    preload: float  #: In N, likewise.
+    hardness: float  #: In Pa.
+    radii: tuple[float, ...]  #: Of the next sphere.
+    preloads: tuple[float, ...]
+    tests: int  #: Contacts that a mean force is over.
+    spheres: int  #: Different ones that they are made with.
+    floor: float  #: The least force in N that is resolved.
+
+    def contact(self, radius: float, preload: float, rho: float) -> Contact:
+        """Return a contact at 1 J/m²."""
+        return Contact(radius, rho, 1.0, preload / self.hardness * 1e18)
+
+
+class Known(NamedTuple):
+    """What is known of a surface that was measured on."""
+
+    spectrum: Spectrum
+    height_error: float  #: Relative standard deviation of its rms height.
+    mean_force: float  #: Measured, in N.
+    scatter: float  #: Standard deviation of the logarithms of measured forces.
+
+
+class _Mean(NamedTuple):
+    """A mean force of the closed form."""
+
+    logarithms: Floats  #: ln F at 1 J/m²: of the spectrum, of more height, of another exponent.
+    scatter: float  #: Standard deviation of the logarithms of single forces.
+    place: Mapping[str, Any]  #: Among the designed surfaces.
+    tried: bool  #: Whether errors of the closed form are known there.
+
+
+def log_scatter(modulus: float) -> float:
+    """Return the standard deviation of ln F of single contacts, of a Weibull modulus k > 0."""
+    return min(np.pi / (np.sqrt(6) * modulus), SATURATED) if modulus > 0 else SATURATED
+
+
+def mean_variance(scatter: float, measured: float, spheres: Spheres) -> Floats:
+    """Return the variance (2,) of the logarithm of a mean force, by SCATTER.
+
+    Both scatters are of ln F, by the law and as measured. What the law gives lies between tests.
+    """
+    excess = max(measured**2 - scatter**2, 0.0)
+    shared = np.array([spheres.tests, spheres.spheres])
+    return np.asarray(np.expm1(scatter**2) / spheres.tests + excess / shared)
+
+
+def varied(known: Known) -> list[Spectrum]:
+    """Return the spectrum, and it changed by a standard deviation of rms height and of H."""
+    waves = rough_part(known.spectrum)
+    higher = waves.density * (1 + known.height_error) ** 2
+    finer = np.maximum(waves.wavevector * roll_off(waves) / (2 * np.pi), 1.0)
+    flatter = waves.density * finer ** (2 * HURST_SCATTER)
+    return [waves, *(Spectrum(waves.wavevector, density) for density in (higher, flatter))]
+
+
+def next_spheres(
+    surfaces: Mapping[str, Known], ranges: Mapping[str, float], spheres: Spheres
+) -> xr.Dataset:
+    """Return how far every next sphere separates the pairs on every surface.
+
+    The ranges of adhesion (nm) are by PAIRS. Over (surface, pair, preload, radius) stand
+    ``predicted_change`` of ln F, ``predicted_force`` (N), the measured one times this change, and
+    the roots of the parts of its variance, ``spectrum_error``, ``model_error`` and ``test_error``
+    (also over scatter). Over (surface, preload, radius) stand ``separation`` (also over scatter) in
+    standard errors; ``tried``, 1 where errors of the closed form are known at both pairs; and
+    ``resolved``, 1 where both forces exceed the floor.
+    """
+    found = stack(
+        {
+            (name, pair): _of_pair(known, ranges[pair], spheres)
+            for name, known in surfaces.items()
+            for pair in PAIRS
+        },
+        ["surface", "pair"],
+    )
+    variance = xr.zeros_like(found["test_error"])
+    for name in ("spectrum_error", "model_error", "test_error"):
+        variance = variance + found[name] ** 2
+    change = found["predicted_change"].sel(pair=list(PAIRS))
+    apart = abs(change.diff("pair").squeeze("pair", drop=True))
+    resolved = found["predicted_force"].min("pair") >= spheres.floor
+    return found.assign(
+        separation=(apart / variance.mean("pair") ** 0.5).assign_attrs(units="1"),
+        tried=found["tried"].min("pair"),
+        resolved=resolved.astype(int),
+    )
+
+
+def _of_pair(known: Known, rho: float, spheres: Spheres) -> xr.Dataset:
+    """Return the change of the force of one surface and pair, with its errors."""
+    spectra, over = varied(known), ("preload", "radius")
+    before = _mean(spectra, spheres.contact(spheres.radius, spheres.preload, rho))
+    rows: dict[str, list[Any]] = {name: [] for name in ("change", "spectrum", "model", "tests")}
+    tried = []
+    for preload, radius in product(spheres.preloads, spheres.radii):
+        after = _mean(spectra, spheres.contact(radius, preload, rho))
+        changes = after.logarithms - before.logarithms
+        variances = [mean_variance(one.scatter, known.scatter, spheres) for one in (after, before)]
+        rows["change"].append(changes[0])
+        rows["spectrum"].append(np.linalg.norm(changes[1:] - changes[0]))
+        rows["model"].append(change_error(after.place, before.place))
+        rows["tests"].append(np.sqrt(sum(variances)))
+        tried.append(int(after.tried and before.tried))
+    shape = len(spheres.preloads), len(spheres.radii)
+    change, spectrum, model = (
+        np.reshape(rows[name], shape) for name in ("change", "spectrum", "model")
+    )
+    force, tests = known.mean_force * np.exp(change), np.reshape(rows["tests"], (*shape, -1))
+    return xr.Dataset(
+        {
+            "predicted_change": (over, change, {"units": "1"}),
+            "predicted_force": (over, force, {"units": "N"}),
+            "spectrum_error": (over, spectrum, {"units": "1"}),
+            "model_error": (over, model, {"units": "1"}),
+            "test_error": ((*over, "scatter"), tests, {"units": "1"}),
+            "tried": (over, np.reshape(tried, shape)),
+        },
+        {
+            "preload": ("preload", list(spheres.preloads), {"units": "N"}),
+            "radius": ("radius", list(spheres.radii), {"units": "nm"}),
+            "scatter": list(SCATTER),
+        },
+    )
+
+
+def _mean(spectra: list[Spectrum], contact: Contact) -> _Mean:
+    """Return the mean force of a contact on a spectrum and on its variants."""
+    found = [closed_form(one, contact) for one in spectra]
+    place = coordinates(spectra[0], contact, found[0])
+    return _Mean(
+        np.log([one.force for one in found]),
+        log_scatter(place["modulus"]),
+        place,
+        is_tried(spectra[0], contact, found[0]) and contact_share(contact) < 1,
+    )
+
+
+def checked_changes(
+    forces: Mapping[str, xr.DataArray], spectra: Mapping[str, Spectrum], spheres: Spheres
+) -> dict[str, float]:
+    """Return how well the closed form knows computed changes of the force.
+
+    Mean forces by surface, over (radius, area, rho) in nm, nm² and nm, are of computed masters.
+    Their changes from the sphere and area that were measured with, at every range, are held to the
+    predicted ones. Returned are their number, the share within 1.96 of `change_error`, and the root
+    mean squares of the errors and of what was stated. Where no error is known none is counted.
+    """
+    misses, stated = [], []
+    for name, force in forces.items():
+        waves, computed = rough_part(spectra[name]), force.copy(data=np.log(force))
+        for rho in force["rho"].values:
+            measured = spheres.contact(spheres.radius, spheres.preload, rho)
+            at = {"radius": measured.radius, "area": measured.area, "rho": rho}
+            before, start = _mean([waves], measured), computed.sel(at, method="nearest").item()
+            for radius, area in product(force["radius"].values, force["area"].values):
+                after = _mean([waves], replace(measured, radius=radius, area=area))
+                change = computed.sel(radius=radius, area=area, rho=rho).item() - start
+                if change and after.tried and before.tried:
+                    misses.append(change - (after.logarithms[0] - before.logarithms[0]))
+                    stated.append(change_error(after.place, before.place))
+    errors, known = np.abs(misses), np.array(stated)
+    return {
+        "checked_changes": len(misses),
+        "checked_share": float(np.mean(errors <= 1.96 * known)),
+        "checked_error": float(np.sqrt(np.mean(errors**2))),
+        "checked_stated": float(np.sqrt(np.mean(known**2))),
+    }
