@@ -13,11 +13,11 @@ from hardcontact.insight.next_sphere import (
     Known,
     Spheres,
     checked_changes,
-    log_scatter,
     mean_variance,
     next_spheres,
 )
 from hardcontact.insight.prediction import change_error, validation
+from hardcontact.insight.pull_off_statistics import ForceStatistics
 
 SPHERES = Spheres(
     250e3, 1e-5, 25e9, radii=(2e4, 250e3), preloads=(1e-5, 5e-5), tests=2000, spheres=5, floor=1e-9
@@ -50,17 +50,12 @@ def test_the_parts_of_the_error_add_as_squares_and_fade_with_tests_and_spheres()
     apart = np.abs(np.diff(found["predicted_change"], axis=0)[0])
     expected = apart[..., None] / np.sqrt(variance.mean("pair").values)
     np.testing.assert_allclose(found["separation"].transpose("preload", "radius", ...), expected)
-    law = mean_variance(0.3, 0.7, SPHERES)
-    assert law[1] == pytest.approx(np.expm1(0.09) / 2000 + 0.4 / 5)
-    four = mean_variance(0.3, 0.7, replace(SPHERES, tests=8000, spheres=20))
-    np.testing.assert_allclose(four, law / 4)
-    assert mean_variance(0.3, 0.1, SPHERES)[0] == mean_variance(0.3, 0.1, SPHERES)[1]
-
-
-def test_a_weibull_law_scatters_as_its_modulus_says():
-    drawn = np.log(np.random.default_rng(3).weibull(4.0, 40_000))
-    assert log_scatter(4.0) == pytest.approx(drawn.std(), rel=0.02)
-    assert log_scatter(0.0) == log_scatter(0.2) < 0.6
+    law = ForceStatistics(4.0, 1.0, 1.0, np.ones(1), np.ones(1), np.array([0.3]))
+    variance = mean_variance(law, 0.7, SPHERES)
+    assert variance[1] == pytest.approx(np.expm1(0.09) / 2000 + 0.4 / 5)
+    four = mean_variance(law, 0.7, replace(SPHERES, tests=8000, spheres=20))
+    np.testing.assert_allclose(four, variance / 4)
+    assert np.ptp(mean_variance(law, 0.1, SPHERES)) == 0
 
 
 def test_95_of_100_changes_name_the_right_pair_from_the_stated_separation_on():

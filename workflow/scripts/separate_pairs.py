@@ -47,9 +47,7 @@ with job(snakemake) as this:
     found = next_spheres(surfaces, pairs["range_of_adhesion_nm"].to_dict(), spheres)
     this.write(
         with_names(found, {"labels": given["labels"], "basis": given["basis"]}).assign_attrs(
-            checked_changes(
-                {name: computed.sel(surface=name) for name in spectra}, spectra, spheres
-            ),
+            checked_changes(computed, spectra, spheres),
             sphere_radius=spheres.radius,
             preload=spheres.preload,
             tests=spheres.tests,

@@ -10,9 +10,9 @@ standard errors apart. v has three parts. The spectrum: rms height and Hurst exp
 forces at once, which cancels in part. The closed form: the mean square by which its logarithmic
 errors differ between designed surfaces like one contact and those like the other
 (`prediction.change_error`); an error that both contacts share cancels, one that both pairs share
-does not, because one measured change is held against either. And the tests: n contacts scatter by
-s about ln F, s = pi/(sqrt(6) k) of the Weibull law of modulus k, at most SATURATED; the published
-forces scatter by more, and what exceeds s may lie between tests or between spheres and samples.
+does not, because one measured change is held against either. And the tests: their forces scatter
+over places as the law says (`pull_off_statistics`); published ones scatter by more, and what
+exceeds the law may lie between tests or between spheres and samples.
 """
 
 from collections.abc import Mapping
@@ -25,6 +25,7 @@ import xarray as xr
 
 from hardcontact.insight.closed_form import Contact, closed_form, contact_share
 from hardcontact.insight.prediction import change_error, coordinates, is_tried, rough_part
+from hardcontact.insight.pull_off_statistics import ForceStatistics, force_statistics
 from hardcontact.records.dataset import stack
 from hardcontact.surfaces.joined_spectrum import HURST_SCATTER
 from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
@@ -33,13 +34,11 @@ from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
 PAIRS = ("long_range", "short_range")
 #: Where the scatter beyond that of the law lies.
 SCATTER = ("tests", "spheres")
-#: Largest standard deviation of ln F of the law: for k < 1 computed ones are 0.4 to 0.6.
-SATURATED = 0.5
 #: Standard errors between two pairs from which on 95 of 100 measured changes lie nearer to their
 #: own: half of them is the quantile of the normal distribution.
 RIGHT = 2 * 1.645
 #: Radii (nm) of the next sphere.
-RADII = (1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 2e5, 5e5, 1e6)
+RADII = (1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 5e5, 1e6)
 
 
 @dataclass(frozen=True)
@@ -73,24 +72,18 @@ class _Mean(NamedTuple):
     """A mean force of the closed form."""
 
     logarithms: Floats  #: ln F at 1 J/m²: of the spectrum, of more height, of another exponent.
-    scatter: float  #: Standard deviation of the logarithms of single forces.
     place: Mapping[str, Any]  #: Among the designed surfaces.
     tried: bool  #: Whether errors of the closed form are known there.
 
 
-def log_scatter(modulus: float) -> float:
-    """Return the standard deviation of ln F of single contacts, of a Weibull modulus k > 0."""
-    return min(np.pi / (np.sqrt(6) * modulus), SATURATED) if modulus > 0 else SATURATED
-
-
-def mean_variance(scatter: float, measured: float, spheres: Spheres) -> Floats:
+def mean_variance(law: ForceStatistics, measured: float, spheres: Spheres) -> Floats:
     """Return the variance (2,) of the logarithm of a mean force, by SCATTER.
 
-    Both scatters are of ln F, by the law and as measured. What the law gives lies between tests.
+    What the law gives lies between tests; the scatter that was measured is of ln F.
     """
-    excess = max(measured**2 - scatter**2, 0.0)
+    excess = max(measured**2 - law.spread**2, 0.0)
     shared = np.array([spheres.tests, spheres.spheres])
-    return np.asarray(np.expm1(scatter**2) / spheres.tests + excess / shared)
+    return np.asarray(law.variation**2 / spheres.tests + excess / shared)
 
 
 def varied(known: Known) -> list[Spectrum]:
@@ -138,17 +131,20 @@ def next_spheres(
 def _of_pair(known: Known, rho: float, spheres: Spheres) -> xr.Dataset:
     """Return the change of the force of one surface and pair, with its errors."""
     spectra, over = varied(known), ("preload", "radius")
-    before = _mean(spectra, spheres.contact(spheres.radius, spheres.preload, rho))
+    of_paper = spheres.contact(spheres.radius, spheres.preload, rho)
+    before = _mean(spectra, of_paper)
+    measured = mean_variance(force_statistics(spectra[0], of_paper), known.scatter, spheres)
     rows: dict[str, list[Any]] = {name: [] for name in ("change", "spectrum", "model", "tests")}
     tried = []
     for preload, radius in product(spheres.preloads, spheres.radii):
-        after = _mean(spectra, spheres.contact(radius, preload, rho))
+        contact = spheres.contact(radius, preload, rho)
+        after = _mean(spectra, contact)
         changes = after.logarithms - before.logarithms
-        variances = [mean_variance(one.scatter, known.scatter, spheres) for one in (after, before)]
+        law = mean_variance(force_statistics(spectra[0], contact), known.scatter, spheres)
         rows["change"].append(changes[0])
         rows["spectrum"].append(np.linalg.norm(changes[1:] - changes[0]))
         rows["model"].append(change_error(after.place, before.place))
-        rows["tests"].append(np.sqrt(sum(variances)))
+        rows["tests"].append(np.sqrt(law + measured))
         tried.append(int(after.tried and before.tried))
     shape = len(spheres.preloads), len(spheres.radii)
     change, spectrum, model = (
@@ -178,7 +174,6 @@ def _mean(spectra: list[Spectrum], contact: Contact) -> _Mean:
     place = coordinates(spectra[0], contact, found[0])
     return _Mean(
         np.log([one.force for one in found]),
-        log_scatter(place["modulus"]),
         place,
         is_tried(spectra[0], contact, found[0]) and contact_share(contact) < 1,
     )
