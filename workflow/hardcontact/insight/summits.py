@@ -32,6 +32,8 @@ WAVES, DISTANCES = 300, 120
 LEVELS = np.linspace(-6, 8, 701)
 #: Mean clumps in the area of contact beyond which their sum is normal.
 MANY = 50.0
+#: Logarithm of a probability that does not count beside one, to the last digit.
+RAREST = -45.0
 #: Below this level heights have no clumps: those of this level stand for them.
 LOWEST_CLUMPS = 1.2
 #: A sphere follows waves whose curvature, all together, is less than this share of its own.
@@ -180,6 +182,8 @@ def _touches_less(clumps: Floats, caps: Floats) -> Floats:
         counts = np.arange(1, int(most + 8 * np.sqrt(most) + 25) if most else 1)[:, None]
         with np.errstate(divide="ignore"):
             log_poisson = counts * np.log(clumps[few]) - clumps[few] - special.gammaln(counts + 1)
-        sums = (np.exp(log_poisson) * special.gammainc(counts, caps[few])).sum(axis=0)
-        below[few] = np.exp(-clumps[few]) + sums
+        number, column = np.nonzero(log_poisson > RAREST)
+        terms = special.gammainc(counts[number, 0], caps[few][column])
+        terms *= np.exp(log_poisson[number, column])
+        below[few] = np.exp(-clumps[few]) + np.bincount(column, terms, few.sum())
     return np.asarray(np.clip(below, 0, 1))
