@@ -11,8 +11,16 @@ from refusals import assert_says, refusal
 from hardcontact.answer.artificial import artificial_bands
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
-from hardcontact.surfaces.joined_spectrum import Tail, joined_spectrum, stacked_spectra
+from hardcontact.surfaces.joined_spectrum import (
+    HURST_SCATTER,
+    Tail,
+    drawn_spectra,
+    joined_spectrum,
+    smoothed,
+    stacked_spectra,
+)
 from hardcontact.surfaces.measured_spectrum import (
+    CALIBRATION,
     bias_of_log,
     independent_waves,
     measured_psd,
@@ -20,7 +28,7 @@ from hardcontact.surfaces.measured_spectrum import (
 )
 from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectral_models import smooth_rolloff
-from hardcontact.surfaces.spectrum import WAVEVECTORS, read_spectrum
+from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, read_spectrum
 
 
 def gentle(q):
@@ -136,6 +144,34 @@ def test_a_noise_floor_is_not_continued():
     shorter = (2 * np.pi / WAVEVECTORS < 50) & (2 * np.pi / WAVEVECTORS > 1)
     ratio = joined["spectrum"].values[shorter] / self_affine(WAVEVECTORS[shorter])
     assert (np.abs(np.log(ratio)) < 1.2).all()
+
+
+def test_curves_that_are_drawn_scatter_about_the_mean_as_it_says():
+    waves = np.where((BIN_CENTRES > 0.02) & (BIN_CENTRES < 0.3), 0.01 / BIN_CENTRES**2, 1.5)
+    known = (BIN_CENTRES > 0.005) & (BIN_CENTRES < 2) & ~((BIN_CENTRES > 0.1) & (BIN_CENTRES < 0.3))
+    points = (
+        np.where(known, gentle(BIN_CENTRES), np.nan),
+        np.where(known, variance_of_log(waves), np.nan),
+    )
+    wavevector, mean, variance = smoothed(*points)
+    drawn = np.log([smoothed(*points, generator(23, draw))[1] for draw in range(400)])
+    np.testing.assert_allclose(drawn.std(axis=0), np.sqrt(variance - CALIBRATION**2), rtol=0.15)
+    assert (np.abs(drawn.mean(axis=0) - np.log(mean)) < 0.25 * drawn.std(axis=0)).all()
+    # A power law has no bends: it is its own mean.
+    slope = np.where(known, BIN_CENTRES**-3.0, np.nan)
+    np.testing.assert_allclose(smoothed(slope, points[1])[1], wavevector**-3.0, rtol=1e-6)
+
+
+def test_draws_know_calibration_and_exponent_no_better_than_they_are():
+    scans = [map_of(generator(24), 128, 8.0, gentle), map_of(generator(25), 128, 40.0, gentle)]
+    rngs = (generator(26, draw) for draw in range(100))
+    spectra, factors = zip(*drawn_spectra(rngs, scans, [1e-3, 1e-3]), strict=True)
+    # Of the small map alone, which has hundreds of waves there.
+    power = np.log([one(2 * np.pi / 40) for one in spectra]) - 2 * np.log(factors)[:, 0]
+    assert power.std() < 0.1 and 2 * np.log(factors).std() == pytest.approx(CALIBRATION, rel=0.2)
+    tails = np.log([one(2 * np.pi / np.array([4.0, 8.0])) for one in spectra])
+    exponents = (tails[:, 1] - tails[:, 0]) / np.log(2) / 2 - 1
+    assert exponents.std() == pytest.approx(HURST_SCATTER, rel=0.35)
 
 
 def test_the_radius_given_counts_before_that_of_the_file():

@@ -77,6 +77,18 @@ def test_a_scan_below_its_rolloff_keeps_its_own_rms_height():
         assert rms > 0.8 * levelled_topography(scan).heights().std()
 
 
+def test_noise_is_not_taken_for_long_waves():
+    rolloffs = []
+    for number in range(4):
+        scan, _ = scan_of(generator(9, number), SIZE / 3)
+        noise = generator(10, number).normal(0, 0.5 * scan.heights.std(), scan.heights.shape)
+        noisy = measurement(scan.heights + noise, scan.pixel_size)
+        of_both = [joined_spectrum([one], KNOWN_TIP).attrs["rolloff"] for one in (scan, noisy)]
+        rolloffs.append(np.log(of_both))
+    clean, noisy = np.mean(rolloffs, axis=0)
+    assert noisy - clean < 0.02
+
+
 @pytest.mark.study
 @pytest.mark.parametrize("wavelength", [20.0, 15_000.0])
 def test_draws_hold_the_density_at_wavelengths_that_were_held_back(wavelength):

@@ -111,7 +111,7 @@ def joined_spectrum(
     """
     data = _data(measurements, tip_radii)
     reliable = data.reliable(data.bands)
-    points = _smooth(*_log_mean(reliable, data.densities, data.waves))
+    points = smoothed(*_log_mean(reliable, data.densities, data.waves))
     joined = np.where(reliable.any(axis=0), Spectrum(*points[:2])(BIN_CENTRES), np.nan)
     spectrum, tail, rolloff = _continued(points, data.long_waves, probability=0.5)
     used = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
@@ -160,7 +160,7 @@ def drawn_spectra(
         calibration = CALIBRATION * rng.standard_normal(len(bands))
         common = calibration.mean()
         densities = data.densities * np.exp(calibration - common)[:, None]
-        points = _smooth(*_log_mean(reliable, densities, data.waves), rng)
+        points = smoothed(*_log_mean(reliable, densities, data.waves), rng)
         change = HURST_SCATTER * rng.standard_normal()
         spectrum, *_ = _continued(points, data.long_waves, rng.uniform(), change)
         yield Spectrum(WAVEVECTORS, spectrum * np.exp(common)), np.exp(calibration / 2)
@@ -182,7 +182,7 @@ def _continued(
     return with_rolloff(density, longest, slope, rolloff), tail, rolloff
 
 
-def _smooth(
+def smoothed(
     joined: Floats, variance: Floats, rng: np.random.Generator | None = None
 ) -> tuple[Floats, Floats, Floats]:
     """Return the wavevectors from the first to the last that is known, C_iso there, its variance.
@@ -191,7 +191,8 @@ def _smooth(
     d ln C/d ln q changes at random by KINK a root of a decade (an integrated Wiener process): the
     mean of all curves that may be, given the points, is a smoothing spline (Wahba, J. R. Stat. Soc.
     B 40 (1978) 364). It passes through bins of many waves, joins bins of few and bridges gaps. With
-    random numbers one of the curves is drawn, with the same variance.
+    random numbers one of the curves is drawn. The variance returned is that of these curves and of
+    the calibration.
     """
     known = np.flatnonzero(np.isfinite(joined))
     bins = slice(known[0], known[-1] + 1)
