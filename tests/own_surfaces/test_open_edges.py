@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from known_masters import LARGE, SMALL, scales
 
 from hardcontact.numbers.statistics import jackknife_interval
@@ -78,6 +79,19 @@ def test_several_surfaces_have_a_pooled_edge_between_their_own():
     assert found.attrs == {
         "tolerance": 0.1, "confidence": 0.95, "rho": 5.0, "sphere_radius": 5e3
     }  # fmt: skip
+
+
+def test_a_ratio_that_may_be_one_may_be_no_change_and_one_without_scatter_is_known():
+    given = scales([[[1.0, 1.3, 1.6, np.nan, np.nan], LARGE]] * 2, spread=0.1)
+    masters = Masters({"a": 3, "b": 3}, 2)
+    known = band_edges(given, masters, 0.1, 0.95).isel(surface=0).sel(side="small")
+    assert known.scale_ratio_interval.isel(cutoff_wavelength=0).isnull().all()
+    assert known.edge_interval.notnull().all() and known.edge_interval.sel(bound="low") >= 10
+    factor = xr.DataArray([0.96, 1.0, 1.04], dims="realization")
+    scattered = given.assign({name: given[name] * factor for name in ("pull_off_force", "ratio")})
+    found = band_edges(scattered, masters, 0.1, 0.95).sel(side="small")
+    low, high = found.pooled_change_interval.isel(cutoff_wavelength=0)
+    assert low == 0 and high > 0.04
 
 
 def test_surfaces_without_a_common_cutoff_are_not_pooled():
