@@ -146,11 +146,12 @@ def prediction(
     """Return all that the closed form says of a sphere on a surface of a spectrum, by name.
 
     Without the roughness beyond an edge the force changes by the tolerance, a relative change.
-    Intervals are those of `nearest_errors` where contact and spectrum
-    lie within the table; otherwise there are none and the force has the status ``"outside"``. The
-    ``continued_force`` is that of the spectrum continued as in the study: that of scans, `joined`
-    as by `joined_spectrum`, rises above its longest wavelength as their rms height says; a table is
-    level there, and does not go on below a density of zero at its end. What is no spectrum is refused as by `rough_part`, with the name.
+    Intervals are those of `nearest_errors` where contact and spectrum lie within the table;
+    otherwise there are none and the force has the status ``"outside"``. The ``continued_force`` is
+    that of the spectrum continued as in the study: that of scans, `joined` as by
+    `joined_spectrum`, rises above its longest wavelength as their rms height says; a table is level
+    there, and does not go on below a density of zero at its end. What is no spectrum is refused as
+    by `rough_part`, with the name.
     """
     waves = rough_part(spectrum, name)
     height, gradient, _ = map(float, all_scales_moments(waves))
