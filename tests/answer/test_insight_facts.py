@@ -214,6 +214,13 @@ def test_the_verdict_on_other_laws_follows_from_the_interval(value, ends, verdic
     assert len(facts["fits"]) == 4
 
 
+def test_what_a_local_law_misses_is_told_of_each_surface():
+    facts = law_facts(laws())
+    assert column(facts, "conductors", "local") == pytest.approx([0.3, 9, 13, 11])
+    assert (facts["missed"].low, facts["missed"].high) == pytest.approx((0.3, 13))
+    assert facts["local"][2]["pairs"].status == "no_edge"
+
+
 def test_laws_that_move_an_edge_and_cutoffs_are_counted():
     data = laws()
     interval = data["edge_factor_interval"]

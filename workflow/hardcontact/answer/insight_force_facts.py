@@ -54,6 +54,8 @@ def law_facts(laws: xr.Dataset) -> dict[str, Any]:
         "contacts": laws.attrs["contacts"],
         "cutoffs": {side: len(found) for side, found in cutoffs.items()},
         "steps": {side: span("steps", one[1:] / one[:-1]) for side, one in cutoffs.items()},
+        "local": [row | _local(one) for row, one in surfaces(laws)],
+        "missed": span("missed", 100 * laws["conductor_excess"], "%"),
     }
 
 
@@ -74,6 +76,15 @@ def _law(law: xr.Dataset) -> Cells:
         row[side] = number_of(of_side, "edge_factor", missing="no_edge")
         row[f"{side}_says"] = against(1, of_side, "edge_factor")
     return row
+
+
+def _local(one: xr.Dataset) -> Cells:
+    """Return what a plate's law applied gap by gap misses on one surface."""
+    return {
+        "gap": number_of(one, "attraction_gap", "nm"),
+        "conductors": percent(number_of(one, "conductor_excess")),
+        "pairs": percent(number_of(one, "pair_damping", missing="no_edge")),
+    }
 
 
 def _fits(law: xr.Dataset) -> Cells:
