@@ -18,13 +18,3 @@ def test_table_holds_every_factor_in_the_panel_of_its_model():
     coated = select(rows, model="rabinovich", surface="mcd", rho=5.6)
     assert coated["value"].item() == data.surface_factor.values[5, 3, 1]
     assert len(rows) == 6 * (8 + 4 * 2 + 2 * 2)
-
-
-def test_held_back_surfaces_and_medians_are_drawn():
-    data, axes = models(), fig_models.draw(models()).axes[1]
-    drawn = [np.asarray(line.get_ydata(), float) for line in axes.lines]
-    for name in ("persson_scaraggi", "persson_scaraggi_at_summits"):
-        expected = data.factor.sel(model=name)[[2, 3, 6, 7]].values
-        assert any(np.array_equal(line, expected) for line in drawn)
-    for median in data.median_factor.sel(model="persson_scaraggi").values:
-        assert any(np.array_equal(line, [median] * 2) for line in drawn)

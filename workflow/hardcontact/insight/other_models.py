@@ -41,13 +41,9 @@ from hardcontact.numbers.statistics import with_interval
 Floats = NDArray[np.float64]
 
 MODELS = [
-    "closed_form",
-    "persson_scaraggi",
-    "persson_scaraggi_at_summits",
-    "bearing_area",
-    "bearing_area_at_summits",
-    "rabinovich",
-]
+    "closed_form", "persson_scaraggi", "persson_scaraggi_at_summits",
+    "bearing_area", "bearing_area_at_summits", "rabinovich",
+]  # fmt: skip
 #: Share of the designed surfaces between the ends of what a model has for them.
 MOST = 0.9
 #: Factor between forces up to which one counts as that of the other.
@@ -157,13 +153,10 @@ def _on_surfaces(closed_form: xr.Dataset) -> dict[str, Any]:
     rough = largest["waves_height"] > 0
     radius, work = (closed_form.attrs[name] for name in ("sphere_radius", "work_of_adhesion"))
     of_grid = ("contact_area", "waves_height", "waves_gradient", "predicted_approach")
+    grid = (largest[name].where(rough).values[:, None] for name in of_grid)
     smooth = dmt_pull_off(work, radius)
     factor = _factors(
-        Cases(
-            radius,
-            largest["rho"].values,
-            *(largest[name].where(rough).values[:, None] for name in of_grid),
-        ),
+        Cases(radius, largest["rho"].values, *grid),
         largest["predicted_force"].values / smooth,
         largest["computed_force"].values / smooth,
     )
