@@ -5,13 +5,13 @@ import pytest
 from figure_inputs.closed_form import closed_form
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
-from figure_inputs.maps import maps
 from figure_inputs.models import models
 from figure_inputs.published_tables import published_constants
 from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band
 from figure_inputs.scaling import scaling
 from figure_inputs.scan_size import scan_size
+from figure_inputs.statistics import statistics
 from paper_numbers import LABELS
 
 from hardcontact.answer.facts import between, number_of
@@ -25,10 +25,11 @@ from hardcontact.answer.insight_facts import (
 from hardcontact.answer.insight_force_facts import (
     elastic_limit_facts,
     law_facts,
-    map_facts,
     repeated_contact_facts,
+    statistics_facts,
 )
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
+from hardcontact.insight.force_scatter import held_back
 from hardcontact.numbers.number import Number, plain
 
 
@@ -251,16 +252,24 @@ def test_models_have_a_factor_of_each_regime_and_where_they_fail():
     assert column(facts, "wrong") == pytest.approx(data["last_wrong"].values)
 
 
-def test_maps_have_what_a_mean_needs_and_one_scan_tells_nothing_of_others():
-    data = maps()
-    facts = map_facts(data)
-    needed = data["contacts_needed"].sel(rho=5.6, sampling="random").values
-    assert column(facts, "contacts") == pytest.approx(needed) and facts["array"] == 16
-    data["scans_needed"] = data["scans_needed"] * np.nan
-    facts = map_facts(data.sel(contacts=[1, 4]))
-    assert facts["scans"].status == "not_known"
-    assert {row["scans_needed"].status for row in facts["rows"]} == {"one_scan"}
-    assert {row["array"].status for row in facts["rows"]} == {"not_examined"}
+def test_the_scatter_beyond_the_law_is_what_is_left_of_the_published():
+    data = statistics()
+    data["published_spread"][:] = [1.8, np.nan, 0.1, 0.9]
+    facts = statistics_facts(data)
+    total = data["total_spread"].sel(rho=5.6).values
+    assert column(facts, "total_spread") == pytest.approx(total)
+    left = [(1.8**2 - total[0] ** 2) ** 0.5, None, None, (0.9**2 - total[3] ** 2) ** 0.5]
+    assert column(facts, "rest") == [pytest.approx(one) if one else one for one in left]
+    assert facts["rows"][1]["published_spread"].status == "not_printed"
+
+
+def test_errors_of_the_law_are_of_gaussian_surfaces_that_were_not_looked_at():
+    data = statistics()
+    unfair = (data["designed_held_back"] == 0) | (data["designed_skewed"] != 0)
+    data["designed_spread"] = data["designed_predicted_spread"].where(~unfair, np.nan) * 1.1
+    below, above = statistics_facts(data)["validated"]
+    assert below["error"].value == pytest.approx(10) == above["error"].value
+    assert below["cases"].value + above["cases"].value == held_back(data).sizes["case"] > 20
 
 
 def test_repeated_contact_changes_a_force_whose_interval_leaves_out_one():

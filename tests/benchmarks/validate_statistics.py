@@ -1,26 +1,33 @@
-"""Forces at many independent places of designed surfaces: statistics.nc.
+"""The distribution of forces beside computed ones, on designed surfaces: statistics.nc, .csv.
 
     nice python tests/benchmarks/validate_statistics.py [--surfaces 80] [--dataset FILE]
 
 Forces are computed as the study computes them, in rigid and plastic contact of a smooth sphere, on
 random surfaces of the kinds of `validate_prediction`. Every fifth one is skewed: the heights of a
 Gaussian surface are mapped through a growing exponential or its mirror image. Surfaces that the
-dataset has are kept, so that a run goes on where one ended. resources/validation/README.md
-describes the dataset.
+dataset has are kept, so that a run goes on where one ended; the table beside it holds the law to
+all of them. resources/validation/README.md describes both.
 """
 
 import argparse
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pandas as pd
 import xarray as xr
+from scipy import special, stats
 from validate_prediction import HARDNESS, drawn, spectrum_of
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.smooth_sphere import dmt_pull_off
+from hardcontact.insight.closed_form import Contact
+from hardcontact.insight.closed_form_errors import spectrum_of_grid
+from hardcontact.insight.force_scatter import SHARES
+from hardcontact.insight.pull_off_statistics import force_statistics
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
@@ -121,8 +128,46 @@ def computed(row: dict[str, Any]) -> xr.Dataset:
     )
 
 
+def compared(one: xr.Dataset) -> Iterator[dict[str, Any]]:
+    """Yield the inputs of a surface, the law and its distances, in rigid and plastic contact.
+
+    Distances are those of Kolmogorov and Smirnov; distributions have the mean of the forces, the
+    fitted log-normal their mean and deviation of ln F.
+    """
+    row = {name: value.item() for name, value in one.variables.items() if not value.ndim}
+    waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
+    for model, area in (("rigid", 0.0), ("plastic", row["area"])):
+        found = force_statistics(waves, Contact(row["radius"], row["rho"], 1.0, area))
+        logs = one["log_force"].sel(contact_model=model).values
+        forces = np.exp(logs) / np.exp(logs).mean()
+        k = found.modulus or np.nan  # no law of Weibull below the mean plane
+        weibull = stats.weibull_min(k, scale=1 / special.gamma(1 + 1 / k))
+        fitted = stats.norm(np.log(forces).mean(), logs.std())
+        narrow = stats.norm(-(found.spread**2) / 2, found.spread)
+        quantiles = np.quantile(forces, SHARES) / (found.quantile(SHARES) / found.force)
+        yield row | {
+            "contact_model": model,
+            "area": area,
+            "level": one["level"].sel(contact_model=model).values.mean(),
+            "spread": logs.std(),
+            "predicted_spread": found.spread,
+            "modulus": found.modulus,
+            "clumps": found.clumps,
+            "force_over_predicted": np.exp(logs).mean()
+            * 2e-9
+            * np.pi
+            * row["radius"]
+            / found.force,
+            "distance_law": stats.kstest(forces * found.force, found.probability).statistic,
+            "distance_weibull": stats.kstest(forces, weibull.cdf).statistic,
+            "distance_lognormal_fitted": stats.kstest(np.log(forces), fitted.cdf).statistic,
+            "distance_lognormal_of_law": stats.kstest(np.log(forces), narrow.cdf).statistic,
+            **{f"quantile_{100 * at:g}": q for at, q in zip(SHARES, quantiles, strict=True)},
+        }
+
+
 def main() -> None:
-    """Compute the surfaces that the dataset lacks, and write it after each."""
+    """Compute the surfaces that the dataset lacks, and write it after each; then the table."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--surfaces", type=int, default=80, help="of the design")
     parser.add_argument("--dataset", type=Path, default=DATASET)
@@ -133,6 +178,9 @@ def main() -> None:
         done = [xr.concat([*done, computed(row).expand_dims("surface")], "surface")]
         rounded = {"dtype": "int16", "scale_factor": 1e-3, "zlib": True, "_FillValue": -32768}
         done[0].to_netcdf(path, encoding=dict.fromkeys(("log_force", "level"), rounded))
+    each = (done[0].isel(surface=place) for place in range(done[0].sizes["surface"]))
+    table = pd.DataFrame([row for one in each for row in compared(one)])
+    table.to_csv(path.with_suffix(".csv"), index=False, float_format="%.4g", lineterminator="\n")
 
 
 if __name__ == "__main__":

@@ -12,7 +12,6 @@ from figure_inputs.closed_form import closed_form
 from figure_inputs.contact import asperities, contact, elastic, indent
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
-from figure_inputs.maps import maps
 from figure_inputs.models import models
 from figure_inputs.next_sphere import next
 from figure_inputs.published_tables import (
@@ -25,6 +24,7 @@ from figure_inputs.scales import band, scales
 from figure_inputs.scaling import scaling
 from figure_inputs.scan_size import scan_size
 from figure_inputs.sets import sets
+from figure_inputs.statistics import statistics
 from figure_inputs.surfaces import topography
 from hardcontact.figures.catalogue import FIGURES
 
@@ -46,8 +46,8 @@ INPUTS = {
         robustness,
         closed_form,
         laws,
-        maps,
         models,
+        statistics,
         repeated_contact,
         elastic_limit,
         next,

@@ -227,6 +227,7 @@ def overlay(key, value):
                                    "compare_closed_form", "compare_laws", "scale_edges",
                                    "try_scan_sizes"}),
         ("inference.force_floor", "20 nN", {"infer", "judge_sets"}),
+        ("insight.mean_error", 0.1, {"compare_statistics"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
         ("asperities.share", 0.8, {"find_asperities"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),

@@ -63,33 +63,36 @@ rule compare_models:
         "../scripts/compare_models.py"
 
 
-rule map_forces:
-    """Map the rigid pull-off force on every scan: maps.nc."""
+rule compare_statistics:
+    """Compare the law of the scatter of forces with computed and published scatter: statistics.nc."""
     input:
-        substrates=[FILES.stitched(*one) for one in FILES.substrate_scans],
-        code=code_inputs("map_forces.py"),
+        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        inference=PATTERNS.dataset("inference"),
+        validation="resources/validation/statistics.csv",
+        **PUBLISHED,
+        code=code_inputs("compare_statistics.py"),
     output:
-        PATTERNS.dataset("maps"),
+        PATTERNS.dataset("statistics"),
     log:
-        PATTERNS.log("map_forces"),
+        PATTERNS.log("compare_statistics"),
     benchmark:
-        PATTERNS.benchmark("map_forces")
+        PATTERNS.benchmark("compare_statistics")
     resources:
-        mem_mb=1500,
+        mem_mb=1000,
     params:
         canonical=canonical(
             {
-                "scans": FILES.substrate_scans,
+                "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
+                "load": {key: STUDY["contact"][key] for key in ("preload", "hardness")},
+                "radius": STUDY["sphere"]["radius"],
+                "ranges": INSIGHT_RANGES,
+                "rho": STUDY["scales"]["range"],
                 "settings": {
-                    "radius": STUDY["sphere"]["radius"],
-                    "contact": {key: STUDY["contact"][key] for key in ("window", "count")},
-                    "ranges": INSIGHT_RANGES,
-                    "reference_rho": STUDY["scales"]["range"],
                     "tolerance": INSIGHT["mean_error"],
                     "confidence": STUDY["inference"]["confidence"],
                 },
             }
         ),
     script:
-        "../scripts/map_forces.py"
+        "../scripts/compare_statistics.py"

@@ -1,4 +1,4 @@
-"""Numbers of the page on what decides the band: laws of attraction, maps, indents, elastic limit.
+"""Numbers of the page on what decides the band: laws, scatter of forces, indents, elastic limit.
 
 Every function returns what a template shows of one question, as those of `insight_facts`.
 """
@@ -21,6 +21,7 @@ from hardcontact.answer.facts import (
     surfaces,
 )
 from hardcontact.claims.verdicts import verdict
+from hardcontact.insight.force_scatter import held_back
 from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
 from hardcontact.insight.next_sphere import PAIRS, RIGHT
 from hardcontact.numbers.number import Number
@@ -29,6 +30,13 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: Sizes of the largest indent, as in the image and in the dataset.
 SIZES = ("depth", "lateral_size")
+#: Numbers of the scatter of forces on a surface.
+STATISTICS = (
+    "modulus", "spread", "total_spread", "computed_spread", "contacts_needed", "scans_needed",
+    "distance",
+)  # fmt: skip
+#: Distributions whose distance from computed forces is known.
+DISTANCES = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
 
 
 def law_facts(laws: xr.Dataset) -> dict[str, Any]:
@@ -105,31 +113,41 @@ def _fits(law: xr.Dataset) -> Cells:
     }
 
 
-def map_facts(maps: xr.Dataset) -> dict[str, Any]:
-    """Return how many contacts and scans a mean force needs, and what a whole scan is worth."""
-    at_range = maps.sel(rho=maps.attrs["reference_rho"])
-    array = int(maps.attrs["array_contacts"])
+def statistics_facts(statistics: xr.Dataset) -> dict[str, Any]:
+    """Return how forces scatter by the law, computed and published, and how well it holds."""
     rows = []
-    for row, one in surfaces(at_range):
-        error = np.nan
-        if array in maps["contacts"]:
-            error = maps.attrs["normal_quantile"] * one["array_error"].sel(contacts=array).item()
-        row |= {
-            "contacts": number_of(one.sel(sampling="random"), "contacts_needed"),
-            "array": percent(number("array_error", error, "1", "not_examined")),
-            "touched": number_of(one, "touched_pixels"),
-        }
-        for name in ("scans_needed", "worth_of_scan"):
-            row[name] = number_of(one, name, missing="one_scan")
+    for row, one in surfaces(statistics.sel(rho=statistics.attrs["reference_rho"])):
+        published, total = one["published_spread"].item(), one["total_spread"].item()
+        rest = np.sqrt(published**2 - total**2) if published > total else np.nan
+        row |= {name: number_of(one, name) for name in STATISTICS}
+        row["published_spread"] = number_of(one, "published_spread", missing="not_printed")
+        row["rest"] = number("rest", rest, "1", "nothing")
         rows.append(row)
+    tested = held_back(statistics)
+    low = tested["designed_modulus"] < 1
     return {
         "rows": rows,
-        "needed": span("contacts", at_range["contacts_needed"].sel(sampling="random")),
-        "scans": span("scans", at_range["scans_needed"]),
-        "tolerance": percent(Number("tolerance", maps.attrs["tolerance"])),
-        "range": Number("range", maps.attrs["reference_rho"], "nm"),
-        "array": array,
+        "validated": [
+            _law_error(tested.isel(case=np.flatnonzero(part))) | {"modulus": name}
+            for name, part in (("below", low), ("above", ~low))
+        ],
+        "tolerance": percent(Number("tolerance", statistics.attrs["tolerance"])),
+        "range": Number("range", statistics.attrs["reference_rho"], "nm"),
+        "modulus": span("modulus", [row["modulus"].value for row in rows]),
+        "spread": span("spread", [row["total_spread"].value for row in rows]),
+        "published": span("published", [row["published_spread"].value for row in rows]),
     }
+
+
+def _law_error(cases: xr.Dataset) -> Cells:
+    """Return how many designed surfaces there are, the error of the spread, and distances."""
+    ratio = np.log(cases["designed_spread"] / cases["designed_predicted_spread"])
+    error = float(np.exp(np.sqrt((ratio**2).mean())) - 1)
+    distances = {
+        name: Number(name, cases[f"designed_distance_{name}"].median().item()) for name in DISTANCES
+    }
+    number = Number("cases", cases.sizes["case"])
+    return {"cases": number, "error": percent(Number("error", error))} | distances
 
 
 def repeated_contact_facts(repeated: xr.Dataset) -> dict[str, Any]:

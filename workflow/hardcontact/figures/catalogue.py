@@ -126,11 +126,11 @@ OF_INSIGHT = {
         "fits, ratios and band of other laws of attraction",
         ("laws",),
     ),
-    "fig_maps": Figure(
+    "fig_statistics": Figure(
         INSIGHT,
-        "maps of the force",
-        "maps of the pull-off force, and how many contacts a mean needs",
-        ("maps",),
+        "scatter of forces",
+        "distribution of pull-off forces by its law, computed and published",
+        ("statistics",),
     ),
     "fig_repeated_contact": Figure(
         INSIGHT,

@@ -1,0 +1,32 @@
+"""The scatter of forces on four surfaces and on the designed ones, as the study writes it."""
+
+from functools import cache
+
+import pandas as pd
+import xarray as xr
+from known_spectra import rough
+from paper_numbers import LABELS, SUBSTRATES
+
+from figure_inputs.adhesion import inference
+from figure_inputs.published_tables import published_pull_off
+from hardcontact.insight.closed_form import Contact
+from hardcontact.insight.force_scatter import force_scatter, with_comparison
+from hardcontact.records.code import LIBRARY
+
+RMS = [3.0, 6.0, 12.0, 24.0]  # nm, of the substrates
+
+
+def statistics() -> xr.Dataset:
+    """Return the law at one range of adhesion."""
+    return _computed().copy(deep=True)
+
+
+@cache
+def _computed() -> xr.Dataset:
+    spectra = {name: rough(rms) for name, rms in zip(SUBSTRATES, RMS, strict=True)}
+    contact, settings = Contact(250e3, 5.6, 0.05, 400.0), {"tolerance": 0.05, "confidence": 0.9}
+    scatter = force_scatter(spectra, contact, [5.6], dict.fromkeys(spectra, 0.1), settings)
+    table = pd.read_csv(LIBRARY.parents[1] / "resources/validation/statistics.csv")
+    compared = with_comparison(scatter, inference(), published_pull_off(), table)
+    named = {"label": ("surface", LABELS), "basis": ("surface", ["substitute"] * len(LABELS))}
+    return compared.assign(named).assign_attrs(reference_rho=5.6)

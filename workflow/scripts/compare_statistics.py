@@ -1,0 +1,31 @@
+"""The scatter of pull-off forces by the law, beside the published and computed one."""
+
+import pandas as pd
+
+from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.insight.closed_form import Contact, contact_area
+from hardcontact.insight.force_scatter import force_scatter, with_comparison
+from hardcontact.records import published
+from hardcontact.records.dataset import read
+from hardcontact.records.job import job
+from hardcontact.surfaces.spectrum import read_spectrum
+
+with job(snakemake) as this:
+    given = this.parameters
+    work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
+    spectra = dict(zip(given["surfaces"], map(read_spectrum, this.input.spectra), strict=True))
+    contact = Contact(given["radius"], given["rho"], work, contact_area(given["load"]))
+    heights = published.table1(this.input.published_table1)
+    heights = heights[heights["quantity"] == "afm_rms_height"].set_index("surface")
+    deviations = (heights["uncertainty"] / heights["value"]).reindex(given["surfaces"]).fillna(0)
+    scatter = force_scatter(spectra, contact, given["ranges"], deviations, given["settings"])
+    compared = with_comparison(
+        scatter.assign(deviation=("surface", deviations, {"units": "1"})),
+        read(this.input.inference),
+        published.pull_off(this.input.published_pull_off),
+        pd.read_csv(this.input.validation),
+    )
+    this.write(
+        with_names(compared.assign_attrs(reference_rho=given["rho"]), given),
+        title="scatter of pull-off forces by the law of their statistics",
+    )
