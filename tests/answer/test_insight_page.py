@@ -19,7 +19,7 @@ HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 def made_page(text="Said.", labels=None, basis="substitute"):
     datasets = {name: INPUTS[name.removeprefix("fig_")]() for name in PARTS}
     datasets["band"] = INPUTS["band"]()
-    for one in datasets.values():
+    for one in (one for one in datasets.values() if "surface" in one.dims):
         one["basis"] = one["label"].copy(data=[basis] * 4)
         if labels:
             one["label"] = one["label"].copy(data=np.array([*labels]))
@@ -61,7 +61,7 @@ def test_no_cell_lacks_its_column_or_shows_what_is_no_number(page):
 
 def test_only_what_is_no_scan_is_called_a_substitute(page):
     first = [row[0].strip() for row in page.rows]
-    assert first.count("UNCD (substitute)") >= len(PARTS) - 1
+    assert first.count("UNCD (substitute)") >= len(PARTS) - 2  # Two parts have no row of it.
     assert "substitute" not in "".join(Page(made_page(basis="measured")).texts["main"]).lower()
 
 

@@ -59,11 +59,16 @@ def create(height: float, surfaces: xr.Dataset) -> Figure:
 
     At its foot a line says which of the surfaces are substitutes, as `mark_basis` does.
     """
-    footer = FOOTER / height
-    layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
-    figure = Figure(figsize=(WIDTH, height), layout=layout)
+    figure = blank(height)
     mark_basis(figure, surfaces)
     return figure
+
+
+def blank(height: float) -> Figure:
+    """Return such a figure without the line, for what is drawn of no surface of the study."""
+    footer = FOOTER / height
+    layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
+    return Figure(figsize=(WIDTH, height), layout=layout)
 
 
 def create_rows(

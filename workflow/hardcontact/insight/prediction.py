@@ -101,11 +101,11 @@ def coordinates(waves: Spectrum, contact: Contact, found: ClosedForm) -> dict[st
 
 def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
     """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place."""
-    errors = _nearest(place, name)
+    errors = neighbouring_errors(place, name)
     return float(errors.min()), float(errors.max())
 
 
-def _nearest(place: Mapping[str, Any], name: str) -> pd.Series:
+def neighbouring_errors(place: Mapping[str, Any], name: str) -> pd.Series:
     """Return the errors, of VALIDATED, of the NEAREST surfaces to a place, by their number.
 
     The distance is that of the logarithms of both `coordinates`; another regime is one further.
@@ -125,7 +125,7 @@ def change_error(place: Mapping[str, Any], other: Mapping[str, Any]) -> float:
     place differ from those of others near the other: bias that both share cancels, bias that they
     do not share counts. Two contacts with one surface share more, so that it is rather too large.
     """
-    near, far = (np.log(_nearest(one, "force")) for one in (place, other))
+    near, far = (np.log(neighbouring_errors(one, "force")) for one in (place, other))
     differences = near.to_numpy()[:, None] - far.to_numpy()
     another = near.index.to_numpy()[:, None] != far.index.to_numpy()
     return float(np.sqrt(np.mean(differences[another] ** 2)))

@@ -1,0 +1,106 @@
+"""Numbers that others measured, beside what the closed form says of their experiments."""
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from hardcontact.figures import drawing, style, tables
+from hardcontact.insight.experiments import DISTANCE, EXPONENT, FALL, RATIO
+
+#: Axes of the statements, in the order of the panels, and whether they are logarithmic.
+STATEMENTS = {
+    FALL: ("force on the smoother over that on the rougher surface", True),
+    RATIO: ("force over that of a smooth sphere", True),
+    EXPONENT: ("exponent of the force in the radius, d ln F / d ln R", False),
+    DISTANCE: ("distance of the mean planes in contact (nm)", True),
+}
+PREDICTED: style.Look = {"lw": 5.0, "alpha": 0.45, "solid_capstyle": "butt"}
+#: Colours of hard contacts and of negative controls, which are no surface's.
+COLOURS = {"hard": style.FIT, "soft": "0.6", "wet": "0.6"}
+MEASURED: style.Look = {"color": style.PUBLISHED, "marker": "D", "ms": 4}
+#: Decades of a logarithmic axis at most below the smallest number measured.
+DECADES = 4
+
+
+def table(ledger: xr.Dataset) -> pd.DataFrame:
+    """Return measured and predicted numbers with their intervals, one row a number.
+
+    Rows are by `experiment`, with its verdict. Panels are letters of the statements that are drawn.
+    Predicted is the median of the draws; measured has the limits of its rule. Of the draws there
+    are the shares that agree and for which the law's error is known.
+    """
+    drawn = ledger.sel(experiment=ledger["verdict"] != "not testable")
+    measured = drawn.assign(measured_interval=drawn["accepted_interval"])
+    frames = [
+        tables.as_rows(tables.bounded(data, name)).assign(origin=origin, quantity=name)
+        for data, name, origin in (
+            (measured, "measured", "published"),
+            (drawn, "predicted", "computed"),
+            (drawn, "agreement", "computed"),
+            (drawn, "tried", "computed"),
+        )
+    ]
+    about = drawn[["label", "contact", "statement", "verdict"]].to_dataframe()
+    rows = pd.concat(frames).join(about, on="experiment")
+    lengths = (rows["statement"] == DISTANCE) & rows["quantity"].isin(["measured", "predicted"])
+    rows["unit"] = np.where(lengths, "nm", "1")
+    rows["panel"] = rows["statement"].map(_letters(ledger))
+    columns = ["panel", "experiment", "label", "contact", "statement", "verdict", "origin"]
+    return rows.reindex(columns=[*columns, "quantity", *tables.VALUE_COLUMNS])
+
+
+def draw(ledger: xr.Dataset) -> Figure:
+    """Draw a panel a statement: an experiment a line, its measured number over the predicted."""
+    letters = _letters(ledger)
+    drawn = ledger.sel(experiment=ledger["verdict"] != "not testable")
+    parts = {name: drawn.sel(experiment=drawn["statement"] == name) for name in letters}
+    rows = [1.2 + one.sizes["experiment"] for one in parts.values()]
+    figure = drawing.blank(0.9 + 0.27 * sum(rows) + 0.3 * len(rows))
+    panels = figure.subplots(len(rows), 1, squeeze=False, height_ratios=rows)[:, 0]
+    for axes, (name, part) in zip(panels, parts.items(), strict=True):
+        quantity, logarithmic = STATEMENTS[name]
+        _draw_statement(axes, part, logarithmic)
+        axes.set_xlabel(quantity)
+        style.label_panel(axes, letters[name])
+    handles = [
+        Line2D([], [], ls="-", lw=1, label="measured, and what agrees with it", **MEASURED),
+        Line2D([], [], color=COLOURS["hard"], label="predicted, hard contacts", **PREDICTED),
+        Line2D([], [], color=COLOURS["soft"], label="negative controls", **PREDICTED),
+    ]
+    style.legend_above(figure, handles)
+    return figure
+
+
+def _letters(ledger: xr.Dataset) -> dict[str, str]:
+    """Return the letter of the panel of each statement that an experiment tests."""
+    tested = set(ledger["statement"].values[ledger["verdict"].values != "not testable"])
+    return dict(zip([name for name in STATEMENTS if name in tested], "abcd", strict=False))
+
+
+def _draw_statement(axes: Axes, part: xr.Dataset, logarithmic: bool) -> None:
+    """Draw the experiments of one statement from the top, one-sided limits to the frame."""
+    measured = part["measured"].values
+    ends = part["predicted_interval"].values
+    if logarithmic:
+        least = measured.min() / 10**DECADES
+        axes.set_xscale("log")
+        axes.set_xlim(max(np.nanmin(ends), least) / 1.5, max(np.nanmax(ends), measured.max()) * 2)
+    else:
+        limits = part["accepted_interval"].values
+        reach = [*ends.ravel(), *limits[np.isfinite(limits)]]
+        axes.set_xlim(min(reach) - 0.15, max(reach) + 0.15)
+    least, most = axes.get_xlim()
+    for place, name in enumerate(part["experiment"].values):
+        one = part.sel(experiment=name)
+        colour = COLOURS[one["contact"].item()]
+        axes.plot(one["predicted_interval"], [place] * 2, color=colour, **PREDICTED)
+        axes.plot(one["predicted"], place, "|", color=colour, ms=9, mew=1.6)
+        axes.plot(np.clip(one["accepted_interval"], least, most), [place] * 2, color="black", lw=1)
+        axes.plot(one["measured"], place, **MEASURED)
+    axes.set_yticks(range(part.sizes["experiment"]), part["label"].values)
+    axes.set_ylim(part.sizes["experiment"] - 0.5, -0.5)
+    if logarithmic:
+        style.label_logarithmic(axes.xaxis, at=(1,))
