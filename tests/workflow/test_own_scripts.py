@@ -88,9 +88,10 @@ def force(run):
     contact = {"preload": 1e-5, "hardness": 25e9, "window": 12_500.0, "count": 4}
     parameters = {
         "work": 0.05, "rho": 2.0, "radius": 5e3, "contact": contact, "confidence": 0.95,
-        "scans": {"a": 1, "b": 1}, "tiles": 2, "tolerance": 0.1,
+        "scans": {"a": 1, "b": 1}, "tiles": 2, "tolerance": 0.1, "seed": 1, "pair_is_known": True,
+        "measuring": {"a": {"datasets": []}, "b": {"datasets": []}},
     }  # fmt: skip
-    return run("predict_force", parameters, **{name: f"{name}.nc" for name in files})
+    return run("predict_force", parameters, **{name: f"{name}.nc" for name in files}, scans=[])
 
 
 def test_forces_are_predicted(force):
