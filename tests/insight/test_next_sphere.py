@@ -22,7 +22,9 @@ from hardcontact.insight.pull_off_statistics import ForceStatistics
 SPHERES = Spheres(
     250e3, 1e-5, 25e9, radii=(2e4, 250e3), preloads=(1e-5, 5e-5), tests=2000, spheres=5, floor=1e-9
 )
-RANGES = {"long_range": 8.6, "short_range": 1.3}
+RANGES = {"long_range": (8.6, 0.15), "short_range": (1.3, 0.33)}
+
+ERRORS = ("range", "spectrum", "model", "test")
 
 
 def separated(ranges=RANGES, scatter=0.7, height_error=0.1, spheres=SPHERES):
@@ -39,14 +41,14 @@ def test_the_sphere_that_was_measured_with_tells_nothing():
 
 
 def test_pairs_are_separated_alike_in_either_order_and_equal_ones_never():
-    swapped = {"long_range": 1.3, "short_range": 8.6}
+    swapped = dict(zip(RANGES, reversed(RANGES.values()), strict=True))
     xr.testing.assert_allclose(separated()["separation"], separated(swapped)["separation"])
-    assert (separated(dict.fromkeys(RANGES, 5.6))["separation"] == 0).all()
+    assert (separated(dict.fromkeys(RANGES, (5.6, 0.1)))["separation"] == 0).all()
 
 
 def test_the_parts_of_the_error_add_as_squares_and_fade_with_tests_and_spheres():
     found = separated()
-    variance = sum(found[f"{name}_error"] ** 2 for name in ("spectrum", "model", "test"))
+    variance = sum(found[f"{name}_error"] ** 2 for name in ERRORS)
     apart = np.abs(np.diff(found["predicted_change"], axis=0)[0])
     expected = apart[..., None] / np.sqrt(variance.mean("pair").values)
     np.testing.assert_allclose(found["separation"].transpose("preload", "radius", ...), expected)

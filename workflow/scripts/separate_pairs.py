@@ -44,7 +44,8 @@ with job(snakemake) as this:
     masters = stacked_forces(read_all(given["masters"], this.input.masters))
     mean = masters["unfiltered_pull_off_force"].sel(side="large").mean("realization")
     computed = {name: mean.sel(surface=name) for name in spectra}
-    found = next_spheres(surfaces, pairs["range_of_adhesion_nm"].to_dict(), spheres)
+    of_range = pairs[["range_of_adhesion_nm", "range_log_deviation"]]
+    found = next_spheres(surfaces, dict(zip(PAIRS, of_range.values, strict=True)), spheres)
     this.write(
         with_names(found, {"labels": given["labels"], "basis": given["basis"]}).assign_attrs(
             checked_changes(computed, spectra, spheres),

@@ -6,8 +6,9 @@ Pair g predicts x_g; with the variance v_g of x about it, the pairs lie
 
     z = |x_1 - x_2| / sqrt((v_1 + v_2)/2)
 
-standard errors apart. v has three parts. The spectrum: rms height and Hurst exponent move both
-forces at once, which cancels in part. The closed form: the mean square by which its logarithmic
+standard errors apart. v has four parts. The range, which fits of a group scatter about. The
+spectrum: rms height and Hurst exponent move both forces at once, which cancels in part. The closed
+form: the mean square by which its logarithmic
 errors differ between designed surfaces like one contact and those like the other
 (`prediction.change_error`); an error that both contacts share cancels, one that both pairs share
 does not, because one measured change is held against either. And the tests: their forces scatter
@@ -71,7 +72,8 @@ class Known(NamedTuple):
 class _Mean(NamedTuple):
     """A mean force of the closed form."""
 
-    logarithms: Floats  #: ln F at 1 J/m²: of the spectrum, of more height, of another exponent.
+    #: ln F at 1 J/m²: of the spectrum, of more height, of another exponent, at a longer range.
+    logarithms: Floats
     place: Mapping[str, Any]  #: Among the designed surfaces.
     tried: bool  #: Whether errors of the closed form are known there.
 
@@ -96,27 +98,28 @@ def varied(known: Known) -> list[Spectrum]:
 
 
 def next_spheres(
-    surfaces: Mapping[str, Known], ranges: Mapping[str, float], spheres: Spheres
+    surfaces: Mapping[str, Known], ranges: Mapping[str, tuple[float, float]], spheres: Spheres
 ) -> xr.Dataset:
     """Return how far every next sphere separates the pairs on every surface.
 
-    The ranges of adhesion (nm) are by PAIRS. Over (surface, pair, preload, radius) stand
-    ``predicted_change`` of ln F, ``predicted_force`` (N), the measured one times this change, and
-    the roots of the parts of its variance, ``spectrum_error``, ``model_error`` and ``test_error``
-    (also over scatter). Over (surface, preload, radius) stand ``separation`` (also over scatter) in
-    standard errors; ``tried``, 1 where errors of the closed form are known at both pairs; and
-    ``resolved``, 1 where both forces exceed the floor.
+    The ranges of adhesion (nm), with the standard deviations of their logarithms, are by PAIRS.
+    Over (surface, pair, preload, radius) stand ``predicted_change`` of ln F, ``predicted_force``
+    (N), the measured one times this change, and the roots of the parts of its variance,
+    ``range_error``, ``spectrum_error``, ``model_error`` and ``test_error`` (also over scatter).
+    Over (surface, preload, radius) stand ``separation`` (also over scatter) in standard errors;
+    ``tried``, 1 where errors of the closed form are known at both pairs; and ``resolved``, 1 where
+    both forces exceed the floor.
     """
     found = stack(
         {
-            (name, pair): _of_pair(known, ranges[pair], spheres)
+            (name, pair): _of_pair(known, *ranges[pair], spheres)
             for name, known in surfaces.items()
             for pair in PAIRS
         },
         ["surface", "pair"],
     )
     variance = xr.zeros_like(found["test_error"])
-    for name in ("spectrum_error", "model_error", "test_error"):
+    for name in ("range_error", "spectrum_error", "model_error", "test_error"):
         variance = variance + found[name] ** 2
     change = found["predicted_change"].sel(pair=list(PAIRS))
     apart = abs(change.diff("pair").squeeze("pair", drop=True))
@@ -128,33 +131,34 @@ def next_spheres(
     )
 
 
-def _of_pair(known: Known, rho: float, spheres: Spheres) -> xr.Dataset:
+def _of_pair(known: Known, rho: float, deviation: float, spheres: Spheres) -> xr.Dataset:
     """Return the change of the force of one surface and pair, with its errors."""
     spectra, over = varied(known), ("preload", "radius")
     of_paper = spheres.contact(spheres.radius, spheres.preload, rho)
-    before = _mean(spectra, of_paper)
+    before = _mean(spectra, of_paper, deviation)
     measured = mean_variance(force_statistics(spectra[0], of_paper), known.scatter, spheres)
-    rows: dict[str, list[Any]] = {name: [] for name in ("change", "spectrum", "model", "tests")}
+    parts = ("change", "range", "spectrum", "model", "tests")
+    rows: dict[str, list[Any]] = {name: [] for name in parts}
     tried = []
     for preload, radius in product(spheres.preloads, spheres.radii):
         contact = spheres.contact(radius, preload, rho)
-        after = _mean(spectra, contact)
+        after = _mean(spectra, contact, deviation)
         changes = after.logarithms - before.logarithms
         law = mean_variance(force_statistics(spectra[0], contact), known.scatter, spheres)
         rows["change"].append(changes[0])
-        rows["spectrum"].append(np.linalg.norm(changes[1:] - changes[0]))
+        rows["range"].append(abs(changes[-1] - changes[0]))
+        rows["spectrum"].append(np.linalg.norm(changes[1:-1] - changes[0]))
         rows["model"].append(change_error(after.place, before.place))
         rows["tests"].append(np.sqrt(law + measured))
         tried.append(int(after.tried and before.tried))
     shape = len(spheres.preloads), len(spheres.radii)
-    change, spectrum, model = (
-        np.reshape(rows[name], shape) for name in ("change", "spectrum", "model")
-    )
+    change, of_range, spectrum, model = (np.reshape(rows[name], shape) for name in parts[:-1])
     force, tests = known.mean_force * np.exp(change), np.reshape(rows["tests"], (*shape, -1))
     return xr.Dataset(
         {
             "predicted_change": (over, change, {"units": "1"}),
             "predicted_force": (over, force, {"units": "N"}),
+            "range_error": (over, of_range, {"units": "1"}),
             "spectrum_error": (over, spectrum, {"units": "1"}),
             "model_error": (over, model, {"units": "1"}),
             "test_error": ((*over, "scatter"), tests, {"units": "1"}),
@@ -168,13 +172,14 @@ def _of_pair(known: Known, rho: float, spheres: Spheres) -> xr.Dataset:
     )
 
 
-def _mean(spectra: list[Spectrum], contact: Contact) -> _Mean:
-    """Return the mean force of a contact on a spectrum and on its variants."""
+def _mean(spectra: list[Spectrum], contact: Contact, deviation: float = 0.0) -> _Mean:
+    """Return the mean force of a contact on a spectrum and its variants, and at a longer range."""
     found = [closed_form(one, contact) for one in spectra]
-    place = coordinates(spectra[0], contact, found[0])
+    longer = replace(contact, rho=contact.rho * np.exp(deviation))
+    found.append(closed_form(spectra[0], longer))
     return _Mean(
         np.log([one.force for one in found]),
-        place,
+        coordinates(spectra[0], contact, found[0]),
         is_tried(spectra[0], contact, found[0]) and contact_share(contact) < 1,
     )
 
