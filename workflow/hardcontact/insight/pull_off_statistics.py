@@ -17,8 +17,8 @@ At a given level the force is therefore a mean, the terms of `closed_form`, and 
 sum of Poisson clumps (Campbell's theorem), of which it is taken as log-normal; the force over
 places is the mixture of these over the levels of `closest_approaches`. The area in contact always
 attracts alike. The force of a summit, 2 pi W/sqrt(K), scatters with its Gaussian curvature K
-(Nayak, J. Lubr. Technol. 93 (1971) 398; Greenwood, Proc. R. Soc. A 393 (1984) 133) and with the
-roughness on it, to which the same law applies. No number is fitted to a force.
+(Nayak, J. Lubr. Technol. 93 (1971) 398) and with the roughness on it, to which the same law
+applies. No number is fitted to a force; resources/validation tells what was chosen how, and errors.
 """
 
 from dataclasses import dataclass
@@ -177,7 +177,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     # summit counts as far as the force on it grows with it.
     square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
     # Clumps that cover a share of the plane do not overlap: their number scatters as that of hard
-    # discs does in the scaled particle theory.
+    # discs does whose pressure is that of an ideal gas over (1 - cover)² (scaled particle theory).
     crowded = (1 - cover) ** 3 / (1 + cover)
     of_one = share * stats.norm.sf(t) / np.maximum(number, 1e-300)
     of_clumps = crowded * square * of_one * _terms(sigma, levels, rho / 2, share)[0]
