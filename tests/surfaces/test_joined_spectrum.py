@@ -171,7 +171,7 @@ def test_draws_know_calibration_and_exponent_no_better_than_they_are():
     assert power.std() < 0.1 and 2 * np.log(factors).std() == pytest.approx(CALIBRATION, rel=0.2)
     tails = np.log([one(2 * np.pi / np.array([4.0, 8.0])) for one in spectra])
     exponents = (tails[:, 1] - tails[:, 0]) / np.log(2) / 2 - 1
-    assert exponents.std() == pytest.approx(HURST_SCATTER, rel=0.35)
+    assert HURST_SCATTER < exponents.std() < 2 * HURST_SCATTER  # with that of the waves fitted to
 
 
 def test_the_radius_given_counts_before_that_of_the_file():
