@@ -115,6 +115,7 @@ def test_sizes_of_scans_and_the_error_of_the_rule():
     assert errors["random surfaces"] == pytest.approx([1.1, 1.5])
     assert column(facts, "force")[0] == 1.95 and facts["whole"].value == 40e3
     assert column(facts, "from_scan")[1] == 1060 and column(facts, "from_whole")[1] == 1090
+    assert column(facts, "crease_contact") == pytest.approx([20, 40, 50, 60])
 
 
 def test_forces_on_scans_are_larger_only_where_the_interval_lies_above_one():

@@ -3,11 +3,14 @@
 from functools import cache
 
 import numpy as np
+import pytest
+import xarray as xr
 from scan_windows import contacts_on
 
 from hardcontact.insight.scan_size_trials import (
     Case,
     ScanSizeRule,
+    creases,
     random_spectra,
     scan_size_trials,
     window_excess,
@@ -74,3 +77,29 @@ def test_random_surfaces_are_predicted_without_themselves():
     left = np.log(data["known_excess"] / data["predicted_known_excess"])
     without = data["error"].sel(tested="random surfaces", kind="corrected")
     np.testing.assert_allclose(without, np.sqrt((left**2).mean()))
+
+
+def test_shares_at_creases_are_means_over_scans_at_the_range_asked_for():
+    """Touching places are as dense as exp(-t r²/2Rσ): their rms distance is the draw length."""
+    height, approach, radius = 50.0, 150.0, 250e3
+    rng = np.random.default_rng(1)
+    mean_square = 2 * radius * height / (approach / height)
+    over, by_contact = ("surface", "scan"), ("surface", "scan", "contact")
+    force = np.array([0.1, 0.3, 0.8])[:, None, None] * [0.5, 1.0]  # (scan, contact, rho)
+    asperities = xr.Dataset(
+        {
+            "crease_force": ((*by_contact, "rho"), [np.repeat(force, 2000, axis=1)]),
+            "crease_contact": (by_contact, rng.integers(0, 2, (1, 3, 2000)).astype(float)),
+            "crease_area": (over, [[0.15] * 3]),
+            "contact_distance": (by_contact, rng.exponential(mean_square, (1, 3, 2000)) ** 0.5),
+            "closest_approach": (by_contact, np.full((1, 3, 2000), approach)),
+            "rms_height": (over, [[height] * 3]),
+        },
+        {"surface": ["rough"], "rho": [1.0, 5.6]},
+        {"sphere_radius": radius},
+    )
+    found = creases(asperities, 5.6, 0.95).squeeze("surface")
+    assert found.crease_force == pytest.approx(0.4) and found.crease_area == pytest.approx(0.15)
+    assert found.crease_contact == pytest.approx(0.5, abs=0.05)
+    assert found.crease_force_interval.values == pytest.approx([0, 1])  # of three scans
+    assert found.contact_distance == pytest.approx(found.draw_length.item(), rel=0.03)

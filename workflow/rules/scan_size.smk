@@ -51,6 +51,7 @@ rule try_scan_sizes:
     input:
         windows=[FILES.path(PATTERNS.filtered_windows, name) for name in SELECTION.substrates],
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
+        asperities=PATTERNS.dataset("asperities"),
         code=code_inputs("try_scan_sizes.py"),
     output:
         PATTERNS.dataset("scan_size"),

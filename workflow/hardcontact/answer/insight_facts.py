@@ -23,6 +23,7 @@ from hardcontact.answer.facts import (
     span,
     surfaces,
 )
+from hardcontact.contact.asperities import CREASE
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
 from hardcontact.insight.edge_scaling import (
     CLOSED_FORM,
@@ -180,6 +181,7 @@ def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:
         "exponents": [(ratio, Number("exponent", power)) for ratio, power in powers],
         "errors": errors,
         "against": int((trends[0] * trends[1] < 0).sum()),
+        "crease": Number("crease", CREASE, "nm"),
     }
 
 
@@ -209,6 +211,11 @@ def _sizes(one: xr.Dataset) -> Cells:
         "from_scan": _long_edge(from_scan),
         "from_whole": _long_edge(whole),
         "edges_say": "differ" if differ else "alike",
+        "crease_contact": percent(number_of(one, "crease_contact")),
+        "crease_force": percent(number_of(one, "crease_force")),
+        "crease_area": percent(number_of(one, "crease_area")),
+        "contact_distance": number_of(one, "contact_distance"),
+        "draw_length": number_of(one, "draw_length"),
     }
 
 

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.insight.scan_windows import WindowContacts, window_forces
 from hardcontact.numbers.random import generator
-from hardcontact.numbers.statistics import student_log_interval
+from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import logarithmic_limits
@@ -154,6 +154,32 @@ def window_edges(
         force_over_largest=over_largest.assign_attrs(of_largest),
         force_over_largest_interval=over_interval.assign_attrs(of_largest, confidence=confidence),
     )
+
+
+def creases(asperities: xr.Dataset, rho: float, confidence: float) -> xr.Dataset:
+    """Return how much of contact and force lies at the creases of mirrored scans, by surface.
+
+    The dataset is asperities.nc. With intervals over scans ``crease_contact`` and ``crease_force``,
+    at the range rho in nm, beside ``crease_area``; ``contact_distance``, the root mean square of
+    single contacts, beside ``draw_length`` sqrt(2 R sigma/t), t the height of the apex in rms
+    heights: points touch at r from it with a density of exp(-t r²/(2 R sigma)).
+    """
+    shares = asperities.sel(rho=rho, method="nearest", drop=True)
+    names = ["crease_contact", "crease_force"]
+    of_scans = shares[names].mean("contact", keep_attrs=True)
+    squared = (shares["contact_distance"] ** 2).mean(["scan", "contact"])
+    height, approach = shares["rms_height"].mean("scan"), shares["closest_approach"]
+    draw = 2 * asperities.attrs["sphere_radius"] * height**2 / approach.mean(["scan", "contact"])
+    nm = {"units": "nm"}
+    found = of_scans.mean("scan", keep_attrs=True).assign(
+        crease_area=shares["crease_area"].mean("scan", keep_attrs=True),
+        contact_distance=(squared**0.5).assign_attrs(nm),
+        draw_length=(draw**0.5).assign_attrs(nm),
+    )
+    for name in names:
+        interval = student_interval(of_scans[name], confidence, "scan")
+        found[f"{name}_interval"] = interval.clip(0, 1, keep_attrs=True)
+    return found
 
 
 class Trials(TypedDict):
