@@ -89,10 +89,6 @@ def test_at_a_small_range_finer_pixels_change_the_area_in_contact_alone(pixels, 
     assert change == pytest.approx(expected, rel=0.05)
 
 
-def test_at_a_large_range_the_force_does_not_depend_on_the_pixels():
-    assert finer_pixel_change(pair(), LOAD, 20.0)["finer_pixel_change"] == pytest.approx(1, rel=0.1)
-
-
 SPHERES = [None, height_map(periodic_noise(96, 0.5, 5), 10.0)]
 
 

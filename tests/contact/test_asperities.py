@@ -4,13 +4,7 @@ import numpy as np
 import pytest
 from periodic_maps import RADIUS, over
 
-from hardcontact.contact.asperities import (
-    CREASE,
-    asperities,
-    asperities_of_pair,
-    at_creases,
-    share_at_creases,
-)
+from hardcontact.contact.asperities import asperities, asperities_of_pair
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
@@ -45,33 +39,21 @@ def test_a_flat_is_one_patch_of_all_it_needs():
     assert carriers.extent == pytest.approx(2 * 101 * np.sqrt(0.7 / np.pi), rel=0.03)
 
 
-def test_pixels_at_creases_are_those_near_the_ends_and_the_middle_of_a_period():
-    near = at_creases(np.arange(-100, 200), 100, 20.0)  # lines at 0, 1000 and 2000 nm
-    centres = (np.arange(-100, 200) + 0.5) * 20.0
-    expected = np.abs(centres - 1000 * np.rint(centres / 1000)) < CREASE
-    np.testing.assert_array_equal(near, expected)
-    weights = np.random.default_rng(1).uniform(size=(300, 300))
-    rows, columns = near, np.roll(near, 7)
-    share = weights[rows[:, None] | columns].sum() / weights.sum()
-    assert share_at_creases(weights, rows, columns) == pytest.approx(share)
-
-
 def test_a_summit_at_a_crease_carries_the_force_there():
-    """A single peak on a flat, at the corner of the scan or in the middle of it."""
+    """A single peak on a flat, at a corner of the scan, in the middle of an edge, or within it."""
     load = {"preload": 1e-6, "hardness": 25e9, "window": 4000.0, "count": 2}
     settings = {"contacts": 4, "share": 0.9, "ranges": [1.0]}
-    for place, expected in ((0, 1.0), (50, 0.0)):
+    for row, column, expected in ((0, 199, 1.0), (100, 50, 1.0), (104, 50, 1.0), (105, 94, 0.0)):
         heights = np.zeros((200, 200))
-        heights[place, place] = 60.0
+        heights[row, column] = 60.0
         found = asperities_of_pair(
             over(heights, None, 20.0, 200, 2), load, settings, np.random.default_rng(1)
         )
         assert (found.crease_contact == expected).all()
         assert abs(found.crease_force - expected).max() < 0.01
-        positions = np.array([25, 125]) - place  # of apexes, from the peak, in pixels
-        nearest = 20.0 * np.abs((positions + 100) % 200 - 100)
-        expected_distance = np.hypot.outer(nearest, nearest)[found.contact_y, found.contact_x]
-        np.testing.assert_allclose(found.contact_distance, expected_distance)
-        sphere = found.contact_distance**2 / (2 * RADIUS)
-        np.testing.assert_allclose(found.closest_approach, 60 - sphere)
+        away = np.array([25, 125]) - np.array([[row], [column]])  # of apexes from the peak
+        away = 20.0 * np.abs((away + 100) % 200 - 100)
+        distance = np.hypot(away[0, found.contact_y], away[1, found.contact_x])
+        np.testing.assert_allclose(found.contact_distance, distance)
+        np.testing.assert_allclose(found.closest_approach, 60 - distance**2 / (2 * RADIUS))
         assert float(found.crease_area) == pytest.approx(1 - 0.9**2)
