@@ -13,6 +13,11 @@ def test_an_experiment_that_states_too_little_names_what_it_lacks():
     assert np.isnan(lacking["predicted"]) and np.isnan(lacking["predicted_interval"]).all()
 
 
+def test_a_contact_that_is_never_rough_is_not_tested():
+    (found,) = weighed([experiment("ratio_to_smooth", radius_nm=10.0)], 2, 1, 0.95)["missing"]
+    assert found == "rough_contact"
+
+
 def test_no_force_exceeds_that_of_a_smooth_sphere_so_that_the_control_fails():
     assert ledger()["verdict"].sel(experiment="soft") == "not reproduced"
 

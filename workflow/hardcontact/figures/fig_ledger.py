@@ -28,43 +28,35 @@ DECADES = 4
 def table(ledger: xr.Dataset) -> pd.DataFrame:
     """Return measured and predicted numbers with their intervals, one row a number.
 
-    Rows are by `experiment`, with its verdict. Panels are letters of the statements that are drawn.
-    Predicted is the median of the draws; measured has the limits of its rule. Of the draws there
-    are the shares that agree and for which the law's error is known.
+    Rows are by `experiment`, with its verdict. Predicted is the median of the draws; measured has
+    the limits of its rule; `agreement` and `tried` are shares of the draws.
     """
-    drawn = ledger.sel(experiment=ledger["verdict"] != "not testable")
-    measured = drawn.assign(measured_interval=drawn["accepted_interval"])
-    frames = [
-        tables.as_rows(tables.bounded(data, name)).assign(origin=origin, quantity=name)
-        for data, name, origin in (
-            (measured, "measured", "published"),
-            (drawn, "predicted", "computed"),
-            (drawn, "agreement", "computed"),
-            (drawn, "tried", "computed"),
-        )
-    ]
-    about = drawn[["label", "contact", "statement", "verdict"]].to_dataframe()
-    rows = pd.concat(frames).join(about, on="experiment")
-    lengths = (rows["statement"] == DISTANCE) & rows["quantity"].isin(["measured", "predicted"])
-    rows["unit"] = np.where(lengths, "nm", "1")
-    rows["panel"] = rows["statement"].map(_letters(ledger))
-    columns = ["panel", "experiment", "label", "contact", "statement", "verdict", "origin"]
-    return rows.reindex(columns=[*columns, "quantity", *tables.VALUE_COLUMNS])
+    parts = _parts(ledger)
+    rows = []
+    for letter, (statement, part) in zip("abcd", parts.items(), strict=False):
+        drawn = part.rename(accepted_interval="measured_interval")
+        about = drawn[["label", "contact", "verdict"]].to_dataframe()
+        for name in ("measured", "predicted", "agreement", "tried"):
+            of_name = tables.as_rows(tables.bounded(drawn, name)).join(about, on="experiment")
+            length = statement == DISTANCE and name in ("measured", "predicted")
+            origin = "published" if name == "measured" else "computed"
+            unit = "nm" if length else "1"
+            rows.append(of_name.assign(panel=letter, quantity=name, origin=origin, unit=unit))
+    columns = ["panel", "experiment", "label", "contact", "verdict", "origin", "quantity"]
+    return pd.concat(rows).reindex(columns=[*columns, *tables.VALUE_COLUMNS])
 
 
 def draw(ledger: xr.Dataset) -> Figure:
     """Draw a panel a statement: an experiment a line, its measured number over the predicted."""
-    letters = _letters(ledger)
-    drawn = ledger.sel(experiment=ledger["verdict"] != "not testable")
-    parts = {name: drawn.sel(experiment=drawn["statement"] == name) for name in letters}
+    parts = _parts(ledger)
     rows = [1.2 + one.sizes["experiment"] for one in parts.values()]
     figure = drawing.blank(0.9 + 0.27 * sum(rows) + 0.3 * len(rows))
     panels = figure.subplots(len(rows), 1, squeeze=False, height_ratios=rows)[:, 0]
-    for axes, (name, part) in zip(panels, parts.items(), strict=True):
+    for axes, letter, (name, part) in zip(panels, "abcd", parts.items(), strict=False):
         quantity, logarithmic = STATEMENTS[name]
         _draw_statement(axes, part, logarithmic)
         axes.set_xlabel(quantity)
-        style.label_panel(axes, letters[name])
+        style.label_panel(axes, letter)
     handles = [
         Line2D([], [], ls="-", lw=1, label="measured, and what agrees with it", **MEASURED),
         Line2D([], [], color=COLOURS["hard"], label="predicted, hard contacts", **PREDICTED),
@@ -74,10 +66,11 @@ def draw(ledger: xr.Dataset) -> Figure:
     return figure
 
 
-def _letters(ledger: xr.Dataset) -> dict[str, str]:
-    """Return the letter of the panel of each statement that an experiment tests."""
-    tested = set(ledger["statement"].values[ledger["verdict"].values != "not testable"])
-    return dict(zip([name for name in STATEMENTS if name in tested], "abcd", strict=False))
+def _parts(ledger: xr.Dataset) -> dict[str, xr.Dataset]:
+    """Return the experiments that test each statement, if any does, in the order of the panels."""
+    known = {name: np.isfinite(ledger["predicted"]) & (ledger["statement"] == name)
+             for name in STATEMENTS}  # fmt: skip
+    return {name: ledger.sel(experiment=one) for name, one in known.items() if one.any()}
 
 
 def _draw_statement(axes: Axes, part: xr.Dataset, logarithmic: bool) -> None:

@@ -109,10 +109,12 @@ def neighbouring_errors(place: Mapping[str, Any], name: str) -> pd.Series:
     """Return the errors, of VALIDATED, of the NEAREST surfaces to a place, by their number.
 
     The distance is that of the logarithms of both `coordinates`; another regime is one further.
+    A place beyond the table counts as at its border.
     """
     known = validation().dropna(subset=f"{name}_error").set_index("surface")
     axes = ["modulus", "contact_over_rolloff"]
-    rows, here = known[axes].to_numpy(), [place[axis] for axis in axes]
+    rows = known[axes].to_numpy()
+    here = np.clip([place[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
     apart = np.log(np.maximum(rows, LEAST_MODULUS) / np.maximum(here, LEAST_MODULUS))
     distance = np.hypot(*apart.T) + (known["regime"] != place["regime"]).to_numpy()
     return known[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST]]
