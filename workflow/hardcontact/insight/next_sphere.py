@@ -6,17 +6,16 @@ Pair g predicts x_g; with the variance v_g of x about it, the pairs lie
 
     z = |x_1 - x_2| / sqrt((v_1 + v_2)/2)
 
-standard errors apart. v has four parts. The range, which fits of a group scatter about. The
+standard errors apart. v has four parts. The range, which the fits of a group scatter about. The
 spectrum: rms height and Hurst exponent move both forces at once, which cancels in part. The closed
-form: the mean square by which its logarithmic
-errors differ between designed surfaces like one contact and those like the other
-(`prediction.change_error`); an error that both contacts share cancels, one that both pairs share
-does not, because one measured change is held against either. And the tests: their forces scatter
-over places as the law says (`pull_off_statistics`); published ones scatter by more, and what
-exceeds the law may lie between tests or between spheres and samples.
+form: the mean square by which its logarithmic errors differ between designed surfaces like one
+contact and those like the other (`prediction.change_error`); an error that both contacts share
+cancels, one that both pairs share does not, because one measured change is held against either. And
+the tests: their forces scatter over places as the law says (`pull_off_statistics`); published ones
+scatter by more, and what exceeds the law may lie between tests or between spheres and samples.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from itertools import product
 from typing import Any, NamedTuple
@@ -112,12 +111,15 @@ def next_spheres(
     """
     found = stack(
         {
-            (name, pair): _of_pair(known, *ranges[pair], spheres)
-            for name, known in surfaces.items()
-            for pair in PAIRS
+            (name, pair, *sphere): change
+            for (name, known), pair in product(surfaces.items(), PAIRS)
+            for sphere, change in _changes(known, *ranges[pair], spheres)
         },
-        ["surface", "pair"],
+        ["surface", "pair", "preload", "radius"],
     )
+    units = {"predicted_force": "N", "preload": "N", "radius": "nm"}
+    for name in (*found.data_vars, "preload", "radius"):
+        found[name].attrs["units"] = units.get(str(name), "1")
     variance = xr.zeros_like(found["test_error"])
     for name in ("range_error", "spectrum_error", "model_error", "test_error"):
         variance = variance + found[name] ** 2
@@ -131,45 +133,30 @@ def next_spheres(
     )
 
 
-def _of_pair(known: Known, rho: float, deviation: float, spheres: Spheres) -> xr.Dataset:
-    """Return the change of the force of one surface and pair, with its errors."""
-    spectra, over = varied(known), ("preload", "radius")
+def _changes(
+    known: Known, rho: float, deviation: float, spheres: Spheres
+) -> Iterator[tuple[tuple[float, float], xr.Dataset]]:
+    """Yield preload and radius of the next spheres, and the change of the force with its errors."""
+    spectra = varied(known)
     of_paper = spheres.contact(spheres.radius, spheres.preload, rho)
     before = _mean(spectra, of_paper, deviation)
     measured = mean_variance(force_statistics(spectra[0], of_paper), known.scatter, spheres)
-    parts = ("change", "range", "spectrum", "model", "tests")
-    rows: dict[str, list[Any]] = {name: [] for name in parts}
-    tried = []
     for preload, radius in product(spheres.preloads, spheres.radii):
         contact = spheres.contact(radius, preload, rho)
         after = _mean(spectra, contact, deviation)
-        changes = after.logarithms - before.logarithms
-        law = mean_variance(force_statistics(spectra[0], contact), known.scatter, spheres)
-        rows["change"].append(changes[0])
-        rows["range"].append(abs(changes[-1] - changes[0]))
-        rows["spectrum"].append(np.linalg.norm(changes[1:-1] - changes[0]))
-        rows["model"].append(change_error(after.place, before.place))
-        rows["tests"].append(np.sqrt(law + measured))
-        tried.append(int(after.tried and before.tried))
-    shape = len(spheres.preloads), len(spheres.radii)
-    change, of_range, spectrum, model = (np.reshape(rows[name], shape) for name in parts[:-1])
-    force, tests = known.mean_force * np.exp(change), np.reshape(rows["tests"], (*shape, -1))
-    return xr.Dataset(
-        {
-            "predicted_change": (over, change, {"units": "1"}),
-            "predicted_force": (over, force, {"units": "N"}),
-            "range_error": (over, of_range, {"units": "1"}),
-            "spectrum_error": (over, spectrum, {"units": "1"}),
-            "model_error": (over, model, {"units": "1"}),
-            "test_error": ((*over, "scatter"), tests, {"units": "1"}),
-            "tried": (over, np.reshape(tried, shape)),
-        },
-        {
-            "preload": ("preload", list(spheres.preloads), {"units": "N"}),
-            "radius": ("radius", list(spheres.radii), {"units": "nm"}),
-            "scatter": list(SCATTER),
-        },
-    )
+        change, *changed = after.logarithms - before.logarithms
+        *by_spectrum, by_range = np.abs(np.subtract(changed, change))
+        tests = mean_variance(force_statistics(spectra[0], contact), known.scatter, spheres)
+        values = {
+            "predicted_change": change,
+            "predicted_force": known.mean_force * np.exp(change),
+            "range_error": by_range,
+            "spectrum_error": np.hypot(*by_spectrum),
+            "model_error": change_error(after.place, before.place),
+            "test_error": ("scatter", np.sqrt(tests + measured)),
+            "tried": int(after.tried and before.tried),
+        }
+        yield (preload, radius), xr.Dataset(values, {"scatter": list(SCATTER)})
 
 
 def _mean(spectra: list[Spectrum], contact: Contact, deviation: float = 0.0) -> _Mean:
