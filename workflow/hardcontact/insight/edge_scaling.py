@@ -208,8 +208,8 @@ def formula_scaling(
         {
             "formula_edge": formula.assign_attrs(units="nm"),
             "level": levels.assign_attrs(one),
-            "local_exponent": exponents.assign_attrs(one),
-            "local_bound": bound.astype("int8"),
+            "local_exponent": exponents.drop_attrs().assign_attrs(one),
+            "local_bound": bound.drop_attrs().astype("int8"),
             "over_range": ("surface", heights[0] / contact.rho, one),
             "approach_level": ("surface", heights[1] / heights[0], one),
             "contact_over_rolloff": ("surface", [
@@ -258,8 +258,8 @@ def _of_causes(exponents: xr.DataArray, bound: xr.DataArray, level: xr.DataArray
     bounded = known & (bound.sel(side="small", drop=True) != 0)
     attributes = {"units": "1", "long_name": "local exponents of the short edge"}
     return with_interval("cause_exponent", dims, middle[..., 0], interval, attributes, MIDDLE) | {
-        "cause_steps": known.sum(axes).assign_attrs(units="1"),
-        "cause_bounds": bounded.sum(axes).assign_attrs(units="1"),
+        "cause_steps": known.sum(axes).drop_attrs().assign_attrs(units="1"),
+        "cause_bounds": bounded.sum(axes).drop_attrs().assign_attrs(units="1"),
     }
 
 
