@@ -17,8 +17,8 @@ is not believed. Beyond q^-5 it never is: a surface of H = 0.8 that is smoothed 
 a first-order filter has lost 50 or 70 % of C_iso there. The error is on the safe side: what is cut
 of a surface that is truly smooth is called artificial, while smoothing taken for the surface would
 move the short edge of the band to longer wavelengths unsaid. Tried on a public 10 µm scan of UNCD,
-cut at 200 nm so: its short edge is 50 nm, and 46 nm if a TEM profile of that surface is joined;
-believed down to four pixels it is 68 nm.
+cut at 200 nm so: its short edge is 44 nm, and 45 nm if a TEM profile of that surface is joined;
+believed down to four pixels it is 87 nm.
 """
 
 from typing import NamedTuple
