@@ -89,22 +89,6 @@ def test_noise_is_not_taken_for_long_waves():
     assert noisy - clean < 0.02
 
 
-@pytest.mark.study
-@pytest.mark.parametrize("wavelength", [20.0, 15_000.0])
-def test_draws_hold_the_density_at_wavelengths_that_were_held_back(wavelength):
-    held, trials = 0, 60
-    q = 2 * np.pi / wavelength
-    for number in range(trials):
-        rng = generator(5, number)
-        hurst, rolloff = rng.uniform(0.5, 0.95), SIZE * rng.uniform(0.2, 3)
-        scan, density = scan_of(rng, rolloff, hurst)
-        rngs = (generator(6, number, draw) for draw in range(20))
-        drawn = [one(q) for one, _ in drawn_spectra(rngs, [scan], KNOWN_TIP)]
-        held += min(drawn) <= density(q) <= max(drawn)
-    # Of 19 of 21 draws in the mean, and twice the scatter of so many trials less.
-    assert held >= 0.84 * trials
-
-
 def test_a_draw_follows_from_its_generator_alone_and_draws_unknown_tips():
     scan, _ = scan_of(generator(7), SIZE, level=1.0)
     spectra = [
