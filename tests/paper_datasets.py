@@ -219,10 +219,10 @@ def make_laws(surfaces=SUBSTRATES):
 
 def make_scaling(surfaces=SUBSTRATES):
     """Long edges that follow √R."""
-    over = ("side", "surface", "part", "length")
-    data = with_interval("exponent", over, np.ones((2, len(surfaces), 1, 1)))
-    coords = {"side": ["small", "large"], "surface": surfaces, "part": ["all"]}
-    return xr.Dataset(data, {**coords, "length": ["radius"]}, {"confidence": CONFIDENCE})
+    over = ("side", "surface", "length")
+    data = with_interval("exponent", over, np.ones((2, len(surfaces), 1)))
+    coords = {"side": ["small", "large"], "surface": surfaces, "length": ["radius"]}
+    return xr.Dataset(data, coords, {"confidence": CONFIDENCE})
 
 
 def make_datasets(basis="substitute", surfaces=SUBSTRATES):
