@@ -40,7 +40,15 @@ def test_few_colours_stay_what_they_are():
 
 def test_many_colours_stay_near():
     off = np.abs(opened(web_png(png(gradient()), 600)).astype(int) - gradient())
-    assert np.sqrt((off**2).mean()) < 6
+    assert np.sqrt((off**2).mean()) < 12
+
+
+def test_a_small_symbol_among_many_pale_colours_keeps_its_own():
+    noise = np.random.default_rng(1).normal(0, 15, (300, 600, 3))
+    pixels = np.clip(np.linspace(120, 255, 600)[:, None] + noise, 0, 255).astype(np.uint8)
+    blue = pixels[100:104, 300:304] = np.array([0, 114, 178])
+    shown = opened(web_png(png(pixels), 600))[100:104, 300:304].astype(int)
+    assert np.abs(shown - blue).max() < 12
 
 
 def test_print_becomes_small():

@@ -54,7 +54,7 @@ WIDTH = 1400
 
 
 def web_png(png_bytes: bytes, width: int = WIDTH) -> bytes:
-    """Return an image at most so many pixels wide, in the colours that suit it best, as PNG."""
+    """Return an image at most so many pixels wide, with a palette that has its rare colours."""
     from PIL import Image
 
     with Image.open(BytesIO(png_bytes)) as image:
@@ -62,7 +62,8 @@ def web_png(png_bytes: bytes, width: int = WIDTH) -> bytes:
     if opaque.width > width:
         height = round(opaque.height * width / opaque.width)
         opaque = opaque.resize((width, height), Image.Resampling.LANCZOS)
-    reduced = opaque.quantize(COLOURS, dither=Image.Dither.NONE)
+    # The usual method gives bands and gradients all colours: symbols of a surface would lose theirs.
+    reduced = opaque.quantize(COLOURS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
     written = BytesIO()
     reduced.save(written, "PNG", optimize=True)
     return written.getvalue()
