@@ -24,6 +24,13 @@ SCANS, PIXELS, PIXEL_SIZE = 3, 64, 10.0
 SIZE = PIXELS * PIXEL_SIZE
 
 
+#: Scatter of forces over places, and the place of a surface among the regimes.
+SCATTER = {
+    "modulus": 0.5, "spread": 0.4, "contacts_needed": 80.0, "over_range": 5.6,
+    "approach_level": 2.8, "contact_over_rolloff": 0.02,
+}  # fmt: skip
+
+
 def generator():
     """Return new random numbers, the same each time."""
     return np.random.default_rng(1)
@@ -245,6 +252,8 @@ def force(count=1):
     data["finite_scan_ratio"] = ("surface", "bound"), np.ones((count, 2))
     data["window_share"] = "rho", np.ones(RHOS.size)
     data["pixel_area"] = "surface", np.full(count, PIXEL_SIZE**2)
+    for name, value in SCATTER.items():
+        data[name] = "surface", np.full(count, value)
     smooth = np.full((len(MODELS), RHOS.size), 2 * np.pi * 250e-6 * WORK)
     data["smooth_bound"] = axes[1:], smooth
     data = data.merge(truths(count))

@@ -36,7 +36,7 @@ def test_rows_hold_edges_and_forces_in_their_order():
     found = rows()
     assert list(found) == [
         "short_edge", "long_edge", "force_mean", "force_median", "force_middle", "smooth_sphere",
-        "range_sensitivity",
+        "force_scatter", "range_sensitivity",
     ]  # fmt: skip
     long = found["long_edge"].fact
     assert long[1:] == (1700.0, "nm", 1360.0, 2125.0, "", "measured")

@@ -8,6 +8,8 @@ from hardcontact.adhesion.finite_scan import (
     with_window_share,
 )
 from hardcontact.insight.closed_form import Contact, contact_area
+from hardcontact.insight.edge_scaling import among_regimes
+from hardcontact.insight.force_scatter import force_scatter
 from hardcontact.insight.next_measurement import TRUTHS, drawn_truths
 from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.random import generator
@@ -55,6 +57,12 @@ with job(snakemake) as this:
         table = pd.read_csv(this.input.pairs)
         pairs = table[["range_of_adhesion_nm", "work_of_adhesion_J_m2"]].values.tolist()
     contact = Contact(given["radius"], given["rho"], given["work"], area)
+    one_scan, settings = dict.fromkeys(joined, 0.0), ("tolerance", "confidence")
+    scatter = force_scatter(
+        joined, contact, [contact.rho], one_scan, {name: given[name] for name in settings}
+    ).squeeze("rho", drop=True)
+    force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
+    force = force.merge(among_regimes(joined, contact))
     for name, measuring in given["measuring"].items():
         paths = [scans.pop(0) for _ in measuring["datasets"]]
         if paths:  # a described surface has none

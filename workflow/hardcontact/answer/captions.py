@@ -62,7 +62,7 @@ def web_png(png_bytes: bytes, width: int = WIDTH) -> bytes:
     if opaque.width > width:
         height = round(opaque.height * width / opaque.width)
         opaque = opaque.resize((width, height), Image.Resampling.LANCZOS)
-    # The usual method gives bands and gradients all colours: symbols of a surface would lose theirs.
+    # The usual method gives bands and gradients all colours: small symbols would lose theirs.
     reduced = opaque.quantize(COLOURS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
     written = BytesIO()
     reduced.save(written, "PNG", optimize=True)

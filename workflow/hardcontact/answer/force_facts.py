@@ -67,8 +67,16 @@ def force_rows(of: Datasets) -> list[Row]:
         *continued,
         Row(between("force_middle", least, most, "N"), {"share": share}),
         Row(Number("smooth_sphere", float(smooth), "N"), {}),
+        Row(number_of(force, "spread", "1", name="force_scatter"), _scatter(force)),
         Row(Number("range_sensitivity", _sensitivity(force)), {}),
     ]
+
+
+def _scatter(force: xr.Dataset) -> dict[str, Any]:
+    """Return where a surface lies on the map of the regimes, and what a mean force needs."""
+    names = ("modulus", "over_range", "approach_level", "contact_over_rolloff", "contacts_needed")
+    numbers = {name: number_of(force, name, "1", strict=False) for name in names}
+    return numbers | {"distance": number_of(force, "draw_size", "nm", name="distance")}
 
 
 def _origin_of_force(of: Datasets) -> dict[str, Any]:

@@ -201,23 +201,40 @@ def formula_scaling(
     formula = xr.DataArray([short, long], {"side": list(SIDES), **coordinates}, ["side", *axes])
     levels = xr.DataArray(level, coordinates, axes)
     exponents, bound = _local_exponents(scaling, formula)
-    forms = [closed_form(one, contact) for one in spectra.values()]
-    heights = np.array([[form.rms_height, form.closest_approach] for form in forms]).T
     one = {"units": "1"}
+    return (
+        xr.Dataset(
+            {
+                "formula_edge": formula.assign_attrs(units="nm"),
+                "level": levels.assign_attrs(one),
+                "local_exponent": exponents.drop_attrs().assign_attrs(one),
+                "local_bound": bound.drop_attrs().astype("int8"),
+            }
+            | _of_causes(exponents, bound, levels),
+        )
+        .merge(among_regimes(spectra, contact))
+        .assign_coords(cause=[CONTACT, RANGE])
+    )
+
+
+def among_regimes(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Dataset:
+    """Return where surfaces with these spectra lie on the map of the regimes, over surface.
+
+    ``over_range`` is sigma/rho, ``approach_level`` m/sigma of the closed form, NaN where the sphere
+    follows all waves, ``contact_over_rolloff`` the root of the contact area over the roll-off.
+    """
+    forms = [closed_form(one, contact) for one in spectra.values()]
+    height = np.array([one.rms_height for one in forms])
+    approach = np.array([one.closest_approach for one in forms])
+    places = {
+        "over_range": height / contact.rho,
+        "approach_level": approach / np.where(height > 0, height, np.nan),
+        "contact_over_rolloff": contact.area**0.5 / np.array([*map(roll_off, spectra.values())]),
+    }
     return xr.Dataset(
-        {
-            "formula_edge": formula.assign_attrs(units="nm"),
-            "level": levels.assign_attrs(one),
-            "local_exponent": exponents.drop_attrs().assign_attrs(one),
-            "local_bound": bound.drop_attrs().astype("int8"),
-            "over_range": ("surface", heights[0] / contact.rho, one),
-            "approach_level": ("surface", heights[1] / heights[0], one),
-            "contact_over_rolloff": ("surface", [
-                contact.area**0.5 / roll_off(spectrum) for spectrum in spectra.values()
-            ], one),
-        }
-        | _of_causes(exponents, bound, levels),
-    ).assign_coords(cause=[CONTACT, RANGE])  # fmt: skip
+        {name: ("surface", values, {"units": "1"}) for name, values in places.items()},
+        {"surface": list(spectra)},
+    )
 
 
 def _local_exponents(
