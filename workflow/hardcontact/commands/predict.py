@@ -188,6 +188,10 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
         f"pull-off force: {_printed(force)}, {numbers['force_ratio'].value:.2g} of the "
         f"{print_quantity(numbers['smooth_force'].value, 'N')} of a smooth surface"
     )
+    yield (
+        f"scatter: ln F of single contacts has a standard deviation of "
+        f"{numbers['force_scatter'].value:.2g} over places"
+    )
     if "continued_force" in numbers:
         hurst, longest = numbers["continued_hurst"].value, lengths["longest_wavelength"]
         above = f"rises above {longest} to a roll-off at {lengths['continued_rolloff']}"

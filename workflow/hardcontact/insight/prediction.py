@@ -26,6 +26,7 @@ from hardcontact.insight.closed_form import (
     edges,
     smooth_force,
 )
+from hardcontact.insight.pull_off_statistics import force_statistics
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.records.code import LIBRARY
@@ -177,6 +178,7 @@ def prediction(
         Number("rms_gradient", gradient),
         _force("pull_off_force", found, place, sure),
         *of_tail,
+        Number("force_scatter", force_statistics(waves, contact).spread),
         Number("smooth_force", smooth, "N"),
         Number("force_ratio", found.force / smooth),
         Number("closest_approach", found.closest_approach, "nm"),
