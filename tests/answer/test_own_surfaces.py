@@ -109,7 +109,7 @@ def test_sections_tables_and_figures_have_anchors(case):
     assert len(set(ids)) == len(ids)
     sections = [section["id"] for section in read.attributes["section"]]
     forces = ["forces"] if "force" in case else []
-    expected = ["answer", "inputs", "cutoffs", "surfaces", *forces, "next", "cite", "details"]
+    expected = ["answer", "inputs", "cutoffs", "surfaces", *forces, "next", "details"]
     assert sections == expected
     assert all("id" in one for one in read.attributes["figure"])
     assert {link[1:] for link in read.values("href") if link.startswith("#")} <= set(ids)

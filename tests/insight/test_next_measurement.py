@@ -17,6 +17,7 @@ from hardcontact.insight.next_measurement import (
     drawn_truths,
     linear_estimate,
     of_scan,
+    present_intervals,
     scans,
     widths_left,
 )
@@ -97,7 +98,7 @@ def test_truths_are_those_of_the_closed_form_and_take_the_pairs_in_turn(truths):
 
 
 def test_what_is_measured_already_is_not_proposed_and_one_pair_needs_no_telling(truths):
-    possible = scans(100.0, 3000.0)
+    possible = scans(100.0, 3000.0, 9000.0, 25.0)
     left = widths_left(truths, possible, AtHand(0.1, 1, False))
     assert set(left) == {*possible, *CONTACTS}
     assert left["forces"]["force"] < 0.5
@@ -105,6 +106,19 @@ def test_what_is_measured_already_is_not_proposed_and_one_pair_needs_no_telling(
     alone = truths.isel(draw=slice(0, None, 3))
     told = widths_left(alone, {}, AtHand(0.1, 1, False))
     assert np.isnan([told[name]["range"] for name in told]).all()
+
+
+def test_scans_that_may_be_next_are_what_instruments_reach():
+    fine = scans(5.0, 50e3, 10e3, 20.0)
+    assert set(fine) == {"more_places", "stylus", "section"}
+    assert fine["more_places"] == Scan("map", 10e3, 80.0, 10e3 / 3, 3)
+    assert scans(200.0, 20e3, 60e3, 50.0)["larger_map"].size == 100e3
+
+
+def test_the_present_interval_holds_the_truths(truths):
+    low, high = present_intervals(truths, AtHand(0.0, 1, False), 1.0)["force"]
+    forces = truths["true_outcome"].sel(outcome="force")
+    assert (low, high) == pytest.approx((forces.min().item(), forces.max().item()))
 
 
 def test_a_scan_tells_its_own_wavelengths_and_more_places_tell_them_better():

@@ -202,6 +202,13 @@ def _told(numbers: Mapping[str, Number], given: Mapping[str, Option]) -> Iterato
             + f"{below}, with a Hurst exponent of {hurst:.2g}" * math.isfinite(hurst)
             + f": {_printed(numbers['continued_force'])}"
         )
+        short, long = (
+            lengths[f"continued_{name}"]
+            if math.isfinite(numbers[f"continued_{name}"].value)
+            else "no wavelength"
+            for name in ("short_edge", "long_edge")
+        )
+        yield f"edges if it does so: {short} and {long}"
     yield f"closest approach: {lengths['closest_approach']} above the mean plane"
     regime = freezing.status.replace("_", " ")
     beside = f" (freezing {freezing.value:.3g}: beyond 1 single peaks decide)"

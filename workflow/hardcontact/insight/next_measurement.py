@@ -22,6 +22,7 @@ from scipy import linalg
 
 from hardcontact.insight.closed_form import Contact, closed_form, contact_share, edges
 from hardcontact.insight.pull_off_statistics import force_statistics
+from hardcontact.numbers.statistics import percentile_interval
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, variance_of_log, waves_in_bins
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats, Spectrum
 
@@ -38,6 +39,9 @@ TRUTHS, TESTS = 32, 400
 PLACES = 3
 #: Pixels along an edge of a map, and of one reliable wave; the part of a size that is the longest.
 PIXELS, OF_WAVE, PARTS = 512, 4, 3
+#: Shortest reliable wavelength (nm) of sharp tips of a force microscope and its largest maps; the
+#: shortest wavelength of a stylus. Assumed, too.
+SHARPEST, LARGEST, STYLUS = 10.0, 100e3, 10e3
 #: Length in nm of a cross section in an electron microscope and its shortest reliable wavelength.
 #: Assumed: no source says how long they are in general.
 SECTION, SECTION_SHORTEST = 500.0, 1.0
@@ -133,19 +137,25 @@ def _contacts(contact: Contact) -> dict[str, Contact]:
     return dict(zip(CONTACTS, (contact, smaller, harder, contact), strict=True))
 
 
-def scans(shortest: float, longest: float) -> dict[str, Scan]:
-    """Return the scans that may be next, where (nm) the spectrum is measured between both ends.
+def scans(shortest: float, longest: float, size: float, pixel_size: float) -> dict[str, Scan]:
+    """Return the scans that may be next, where the spectrum is measured between both ends.
 
-    Finer and larger maps reach a FACTOR further, a cross section to its shortest wavelength, and
-    other places are scanned by maps like the largest.
+    Finer and larger maps reach a FACTOR further, as far as force microscopes do; beyond, a stylus
+    has longer waves, a cross section shorter ones. Other places are scanned like those of contacts,
+    of which size and pixels are given. Lengths are in nm.
     """
-    pixel = shortest / FACTOR / OF_WAVE
-    fine, large = PIXELS * pixel, PARTS * longest * FACTOR
+    fine, wide = max(shortest / FACTOR, SHARPEST), PARTS * longest * FACTOR
     found = {
-        "finer_map": Scan("map", fine, shortest / FACTOR, fine / PARTS),
-        "larger_map": Scan("map", large, OF_WAVE * large / PIXELS, large / PARTS),
-        "more_places": Scan("map", PARTS * longest, shortest, longest, PLACES),
+        "more_places": Scan("map", size, OF_WAVE * pixel_size, size / PARTS, PLACES),
     }
+    if shortest > SHARPEST:
+        edge = PIXELS * fine / OF_WAVE
+        found["finer_map"] = Scan("map", edge, fine, edge / PARTS)
+    if PARTS * longest < LARGEST:
+        edge = min(wide, LARGEST)
+        found["larger_map"] = Scan("map", edge, OF_WAVE * edge / PIXELS, edge / PARTS)
+    if wide > LARGEST:
+        found["stylus"] = Scan("profile", wide, STYLUS, wide / PARTS)
     if shortest > SECTION_SHORTEST:
         found["section"] = Scan("profile", SECTION, SECTION_SHORTEST, SECTION / PARTS)
     return found
@@ -183,6 +193,25 @@ def linear_estimate(outcomes: Floats, data: Floats, errors: Floats) -> tuple[Flo
     return gain, np.maximum(left, 0) * freedom
 
 
+def _outcomes(truths: xr.Dataset, at_hand: AtHand) -> tuple[Floats, Floats]:
+    """Return logarithms (draw, OUTCOMES) as known now, and by what places mislead (draw, 1)."""
+    outcomes = np.log(truths["true_outcome"].values)
+    misled = at_hand.sampling * truths["places"].values[:, None]
+    outcomes[:, [OUTCOMES.index("force")]] += misled
+    return outcomes, misled
+
+
+def present_intervals(
+    truths: xr.Dataset, at_hand: AtHand, confidence: float
+) -> dict[str, tuple[float, float]]:
+    """Return between which values a share of the truths of one surface lies, by OUTCOMES.
+
+    They are in nm, N and J/m², NaN where a truth has no edge that counts.
+    """
+    ends = percentile_interval(np.exp(_outcomes(truths, at_hand)[0]), confidence)
+    return dict(zip(OUTCOMES, map(tuple, ends.tolist()), strict=True))
+
+
 def widths_left(
     truths: xr.Dataset, possible: Mapping[str, Scan], at_hand: AtHand
 ) -> dict[str, dict[str, float]]:
@@ -191,10 +220,8 @@ def widths_left(
     The truths are those of one surface, of `drawn_truths`.
     Shares are NaN where fewer than half of the truths have the outcome, or all have the same.
     """
-    outcomes, drawn = np.log(truths["true_outcome"].values), truths["drawn_spectrum"].values
-    error = at_hand.sampling
-    misled = error * truths["places"].values[:, None]
-    outcomes[:, [OUTCOMES.index("force")]] += misled
+    outcomes, misled = _outcomes(truths, at_hand)
+    drawn, error = truths["drawn_spectrum"].values, at_hand.sampling
     candidates = {name: of_scan(scan, drawn) for name, scan in possible.items()}
     for name, scan in possible.items():
         if scan.places and error:

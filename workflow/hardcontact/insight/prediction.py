@@ -166,7 +166,7 @@ def prediction(
         Number("widest_gap", gap, status=UNKNOWN if gap > GAP else NEGLIGIBLE),
     ]
     known = all(one.status == NEGLIGIBLE for one in checks)
-    *of_tail, change = _continued(spectrum, joined, contact, found.force, known)
+    *of_tail, change = _continued(spectrum, joined, contact, (found.force, tolerance), known)
     checks += [change, *_tried(waves, contact, found)]
     sure = all(one.status in (NEGLIGIBLE, INSIDE) for one in checks)
     place = coordinates(waves, contact, found)
@@ -268,14 +268,20 @@ def _force(name: str, found: ClosedForm, place: Mapping[str, Any], sure: bool) -
 
 
 def _continued(
-    spectrum: Spectrum, joined: xr.Dataset | None, contact: Contact, force: float, known: bool
+    spectrum: Spectrum,
+    joined: xr.Dataset | None,
+    contact: Contact,
+    changing: tuple[float, float],
+    known: bool,
 ) -> Iterator[Number]:
-    """Yield the force with the waves beyond the ends; at last, how much they change the force.
+    """Yield force and edges with the waves beyond the ends; at last, how they change the force.
+
+    Changing are the force without them and the relative change that edges stand for.
 
     There is nothing beyond a density of zero. What has a zero within is not continued. The error is
     known only where that is known of the rest of the spectrum.
     """
-    waves = rough_part(spectrum)
+    waves, (force, tolerance) = rough_part(spectrum), changing
     change, status = math.nan, NEGLIGIBLE if spectrum.density[-1] == 0 else UNKNOWN
     longest = rolloff = float(2 * np.pi / waves.wavevector[0])
     density, hurst, ended_by = None, math.nan, ""
@@ -296,6 +302,8 @@ def _continued(
         found = closed_form(whole, contact)
         inside = known and is_tried(whole, contact, found)
         yield _force("continued_force", found, coordinates(whole, contact, found), inside)
+        for end, edge in zip(VALIDATED[1:], edges(whole, contact, tolerance), strict=True):
+            yield Number(f"continued_{end}", edge, "nm", status=FOUND if edge > 0 else NONE)
         yield Number("continued_to", float(2 * np.pi / whole.wavevector[-1]), "nm")
         yield Number("continued_rolloff", rolloff, "nm")
         yield Number("continued_hurst", hurst, status=ended_by)

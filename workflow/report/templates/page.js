@@ -96,7 +96,7 @@ function draw(figure) {
     series.push(line);
     columns.push(one.values);
     if (one.low) {
-      const end = {class: "end", label: one.label, stroke: one.colour + "60", width: 0.5, points: {show: false}};
+      const end = {class: "end", label: one.label, stroke: one.colour + "60", width: 0.5, spanGaps: !one.gaps, points: {show: false}};
       bands.push({series: [series.length, series.length + 1], fill: one.colour + "30"});
       series.push(end, {...end});
       columns.push(one.high, one.low);
