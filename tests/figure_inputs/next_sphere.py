@@ -28,7 +28,7 @@ def next() -> xr.Dataset:
         )
         .assign_attrs(
             sphere_radius=RADIUS, preload=1e-5, tests=2000, spheres=5, ranges=[8.6, 1.3],
-            works=[0.013, 0.092], checked_changes=60, checked_share=0.97, checked_error=0.2,
-            checked_stated=0.3,
+            works=[0.013, 0.092], checked_changes=60, checked_radii=[62500.0, 250e3],
+            checked_share=0.97, checked_error=0.2, checked_stated=0.3,
         )
     )  # fmt: skip

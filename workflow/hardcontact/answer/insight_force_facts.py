@@ -276,6 +276,7 @@ def next_sphere_facts(spheres: xr.Dataset) -> dict[str, Any]:
         "tests": int(attributes["tests"]),
         "spheres": int(attributes["spheres"]),
         "checked": int(attributes["checked_changes"]),
+        "checked_radii": span("radius", attributes["checked_radii"], "nm"),
         "within": percent(Number("within", attributes["checked_share"])),
         "error": Number("error", float(np.exp(attributes["checked_error"]))),
         "stated": Number("stated", float(np.exp(attributes["checked_stated"]))),

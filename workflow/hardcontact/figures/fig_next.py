@@ -32,11 +32,14 @@ def draw(next: xr.Dataset) -> Figure:
         of_preload = next.sel(preload=preload)
         for look, of_surface in style.by_surface(of_preload):
             _draw_surface(axes, of_surface, look["color"])
-        axes.axhline(RIGHT, color="0.4", lw=0.8, ls=":")
+        axes.axhline(RIGHT, color="0.6", lw=0.8, zorder=0)
         axes.axvline(next.attrs["sphere_radius"] / 1000, **style.PUBLISHED_RANGE)
         axes.set(xscale="log", xlabel="radius of the sphere (µm)")
         style.label_logarithmic(axes.xaxis)
         style.label_panel(axes, letter, f"preload {preload / style.MICRONEWTON:g} µN")
+    place = panels[0].get_yaxis_transform()
+    text = f"95 of 100 right: {RIGHT:.3g}"
+    panels[0].text(0.02, RIGHT, text, transform=place, va="bottom", **style.NOTE)
     panels[0].set_ylim(0)
     panels[0].set_ylabel("separation (standard errors)")
     handles = [

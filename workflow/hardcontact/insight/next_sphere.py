@@ -12,7 +12,7 @@ form: the mean square by which its logarithmic errors differ between designed su
 contact and those like the other (`prediction.change_error`); an error that both contacts share
 cancels, one that both pairs share does not, because one measured change is held against either. And
 the tests: their forces scatter over places as the law says (`pull_off_statistics`); published ones
-scatter by more, and what exceeds the law may lie between tests or between spheres and samples.
+scatter by more, and this excess, a log-normal factor, may lie between tests or between spheres.
 """
 
 from collections.abc import Iterator, Mapping
@@ -35,7 +35,7 @@ PAIRS = ("long_range", "short_range")
 #: Where the scatter beyond that of the law lies.
 SCATTER = ("tests", "spheres")
 #: Standard errors between two pairs from which on 95 of 100 measured changes lie nearer to their
-#: own: half of them is the quantile of the normal distribution.
+#: own, if both have the same error: half of them is the quantile of the normal distribution.
 RIGHT = 2 * 1.645
 #: Radii (nm) of the next sphere.
 RADII = (1e3, 2e3, 5e3, 1e4, 2e4, 5e4, 1e5, 5e5, 1e6)
@@ -80,11 +80,12 @@ class _Mean(NamedTuple):
 def mean_variance(law: ForceStatistics, measured: float, spheres: Spheres) -> Floats:
     """Return the variance (2,) of the logarithm of a mean force, by SCATTER.
 
-    What the law gives lies between tests; the scatter that was measured is of ln F.
+    What the law gives lies between tests. The scatter that was measured is of ln F; its excess is
+    a log-normal factor, as ratios of mean and median are read, and so is a mean of such factors.
     """
     excess = max(measured**2 - law.spread**2, 0.0)
     shared = np.array([spheres.tests, spheres.spheres])
-    return np.asarray(law.variation**2 / spheres.tests + excess / shared)
+    return np.asarray(law.variation**2 / spheres.tests + np.log1p(np.expm1(excess) / shared))
 
 
 def varied(known: Known) -> list[Spectrum]:
@@ -173,15 +174,16 @@ def _mean(spectra: list[Spectrum], contact: Contact, deviation: float = 0.0) -> 
 
 def checked_changes(
     forces: Mapping[str, xr.DataArray], spectra: Mapping[str, Spectrum], spheres: Spheres
-) -> dict[str, float]:
+) -> dict[str, float | list[float]]:
     """Return how well the closed form knows computed changes of the force.
 
     Mean forces by surface, over (radius, area, rho) in nm, nm² and nm, are of computed masters.
     Their changes from the sphere and area that were measured with, at every range, are held to the
-    predicted ones. Returned are their number, the share within 1.96 of `change_error`, and the root
-    mean squares of the errors and of what was stated. Where no error is known none is counted.
+    predicted ones. Returned are their number, the ends of their radii (nm), the share within 1.96
+    of `change_error`, and the root mean squares of the errors and of what was stated. Where no
+    error is known none is counted.
     """
-    misses, stated = [], []
+    misses, stated, radii = [], [], []
     for name, force in forces.items():
         waves, computed = rough_part(spectra[name]), force.copy(data=np.log(force))
         for rho in force["rho"].values:
@@ -194,9 +196,11 @@ def checked_changes(
                 if change and after.tried and before.tried:
                     misses.append(change - (after.logarithms[0] - before.logarithms[0]))
                     stated.append(change_error(after.place, before.place))
+                    radii.append(float(radius))
     errors, known = np.abs(misses), np.array(stated)
     return {
         "checked_changes": len(misses),
+        "checked_radii": [min(radii, default=np.nan), max(radii, default=np.nan)],
         "checked_share": float(np.mean(errors <= 1.96 * known)),
         "checked_error": float(np.sqrt(np.mean(errors**2))),
         "checked_stated": float(np.sqrt(np.mean(known**2))),
