@@ -4,7 +4,7 @@ import numpy as np
 from figure_inputs.ledger import ledger
 from known_experiments import experiment
 
-from hardcontact.claims.weighed_experiments import NOT_TESTABLE, weighed
+from hardcontact.claims.weighed_experiments import NOT_TESTABLE, NOT_TRIED, weighed
 
 
 def test_an_experiment_that_states_too_little_names_what_it_lacks():
@@ -18,8 +18,17 @@ def test_a_contact_that_is_never_rough_is_not_tested():
     assert found == "rough_contact"
 
 
-def test_no_force_exceeds_that_of_a_smooth_sphere_so_that_the_control_fails():
-    assert ledger()["verdict"].sel(experiment="soft") == "not reproduced"
+def test_a_control_that_would_fail_whatever_the_law_says_is_not_tested():
+    capped, fails = (ledger().sel(experiment=name) for name in ("capped", "soft"))
+    assert capped["verdict"] == NOT_TESTABLE and capped["missing"] == "below_smooth"
+    assert fails["verdict"] == "not reproduced" and fails["agreement"] == 0
+    hard = weighed([experiment("ratio_to_smooth", rule="above", low=1.0)], 2, 1, 0.95)
+    assert hard["verdict"] == "not reproduced"
+
+
+def test_there_is_no_verdict_where_the_law_was_not_tried():
+    tip = ledger().sel(experiment="tip")
+    assert tip["tried"] == 0 and tip["verdict"] == NOT_TRIED and np.isfinite(tip["predicted"])
 
 
 def test_draws_belong_to_the_row_and_not_to_its_place():

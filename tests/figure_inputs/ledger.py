@@ -1,4 +1,4 @@
-"""Experiments beside the law: of every statement one, a control, and one that lacks numbers."""
+"""Experiments beside the law: of every statement one, others that test less, and controls."""
 
 from functools import cache
 
@@ -21,7 +21,9 @@ def _computed() -> xr.Dataset:
             experiment("ratio_to_smooth", id="ratio", range_nm=(1.0, 5.0)),
             experiment("exponent_in_radius", id="exponent", radius_nm=(1e4, 1e5)),
             experiment("contact_distance", id="distance", range_nm=(1.0, 5.0)),
-            experiment("ratio_to_smooth", id="soft", contact="soft", rule="above", low=1.0),
+            experiment("ratio_to_smooth", id="tip", radius_nm=1e3),
+            experiment("ratio_to_smooth", id="soft", contact="soft", rule="above", low=0.99),
+            experiment("ratio_to_smooth", id="capped", contact="soft", rule="above", low=1.0),
             experiment("ratio_to_smooth", id="lacking", measured=float("nan")),
         ],
         draws=4,

@@ -6,12 +6,10 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.answer.facts import Cells, count, ends, number_of, percent
-from hardcontact.claims.weighed_experiments import NOT_TESTABLE
+from hardcontact.claims.weighed_experiments import LEAST_TRIED, NOT_TESTABLE, NOT_TRIED
 from hardcontact.insight.experiments import DISTANCE
 from hardcontact.numbers.number import Number
 
-#: Least share of the draws in which the error of the law is known that a verdict rests on.
-LEAST_TRIED = 0.05
 WORDS = ("label", "materials", "contact", "statement", "verdict", "height_basis",
          "decided_by", "missing")  # fmt: skip
 
@@ -19,16 +17,19 @@ WORDS = ("label", "materials", "contact", "statement", "verdict", "height_basis"
 def ledger_facts(ledger: xr.Dataset) -> dict[str, Any]:
     """Return every experiment that is tested, with its verdict, and what the others lack.
 
-    Of hard contacts and of negative controls the verdicts are counted.
+    The verdicts are counted of hard contacts and of negative controls for which the law was tried.
     """
     rows = [_row(ledger.sel(experiment=name)) for name in ledger["experiment"].values]
     tested = [row for row in rows if row["verdict"] != NOT_TESTABLE]
-    hard = [row for row in tested if row["contact"] == "hard"]
-    controls = [row for row in tested if row["contact"] != "hard"]
+    decided = [row for row in tested if row["verdict"] != NOT_TRIED]
+    hard = [row for row in decided if row["contact"] == "hard"]
+    controls = [row for row in decided if row["contact"] != "hard"]
     return {
         "rows": tested,
         "others": [row for row in rows if row["verdict"] == NOT_TESTABLE],
-        "hard": len(hard),
+        "hard": count(tested, "contact", "hard"),
+        "tried": len(hard),
+        "least_tried": percent(Number("tried", LEAST_TRIED)),
         "agree": count(hard, "verdict", "reproduced", "consistent"),
         "undecided": count(hard, "verdict", "undecided"),
         "contradicted": [row for row in hard if row["verdict"] == "not reproduced"],
@@ -46,6 +47,6 @@ def _row(one: xr.Dataset) -> Cells:
     return {name: str(one[name].item()) for name in WORDS} | {
         "measured": Number("measured", one["measured"].item(), unit, *accepted, bound or ""),
         "predicted": number_of(one, "predicted", unit, strict=False),
-        "says": "few" if one["tried"] < LEAST_TRIED else "",
+        "tried": percent(number_of(one, "tried")),
         "agreement": percent(number_of(one, "agreement")),
     }

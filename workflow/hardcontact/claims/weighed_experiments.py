@@ -9,13 +9,15 @@ import xarray as xr
 from scipy import stats
 
 from hardcontact.claims.verdicts import accepted_range, accepts, verdict
-from hardcontact.insight.experiments import HEIGHT, Experiment
+from hardcontact.insight.experiments import HEIGHT, RATIO, Experiment
 from hardcontact.insight.ledger import ERRORS, Floats, drawn, numbers_of_law
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import interval_between, percentile_interval
 
-#: A verdict beside those of the claims: what is stated is too little.
-NOT_TESTABLE = "not testable"
+#: Verdicts beside those of the claims: what is stated tests nothing; the law was not tried there.
+NOT_TESTABLE, NOT_TRIED = "not testable", "not tried"
+#: Least share of the draws in which the error of the law is known that a verdict rests on.
+LEAST_TRIED = 0.5
 #: What decides the width where that is the error of the law itself.
 OF_LAW = "law"
 #: Draws of each experiment: a share of 0.025 beyond an end is known to 0.016.
@@ -32,7 +34,8 @@ def weighed(
     `predicted` is the median of the draws, with an interval of this confidence. `accepted` has the
     limits within which the rule finds agreement, `agreement` is the share of the draws in them;
     `tried` is that of draws for which the law's error is known. `decided_by` names what moves the
-    prediction most. What is not testable has NaN and names in `missing` what it lacks.
+    prediction most. What is not testable has NaN and names in `missing` what it lacks: a negative
+    control that sticks more than a smooth sphere would fail whatever the law says.
     """
     rows = [_weighed(one, draws, seed, confidence) for one in experiments]
     frame = pd.DataFrame(rows, index=pd.Index([one.id for one in experiments], name="experiment"))
@@ -61,6 +64,8 @@ def _weighed(experiment: Experiment, count: int, seed: int, confidence: float) -
         row["accepted"] = accepted_range(rule, *limits)
     if experiment.missing:
         return row
+    if experiment.contact != "hard" and experiment.statement == RATIO and row["accepted"][0] >= 1:
+        return row | {"missing": "below_smooth"}
     draws = drawn(experiment, count, generator(seed, "ledger", experiment.id))
     numbers, tried = numbers_of_law(experiment, draws)
     rough = np.isfinite(numbers)
@@ -68,13 +73,14 @@ def _weighed(experiment: Experiment, count: int, seed: int, confidence: float) -
         return row | {"missing": "rough_contact"}
     numbers, draws = numbers[rough], {name: values[rough] for name, values in draws.items()}
     median, (least, most) = float(np.median(numbers)), percentile_interval(numbers, confidence)
-    agrees = accepts(rule, numbers, *limits)
+    agrees, known = accepts(rule, numbers, *limits), tried[rough].mean()
+    judged = verdict(rule, median, least, most, *limits)
     return row | {
         "median": median,
         "predicted": (least, most),
         "agreement": agrees.mean(),
-        "tried": tried[rough].mean(),
-        "verdict": verdict(rule, median, least, most, *limits),
+        "tried": known,
+        "verdict": judged if known >= LEAST_TRIED else NOT_TRIED,
         "decided_by": _deciding(draws, numbers),
     }
 

@@ -7,17 +7,19 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from hardcontact.claims.weighed_experiments import NOT_TRIED
 from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.experiments import DISTANCE, EXPONENT, FALL, RATIO
 
-#: Axes of the statements, in the order of the panels, and whether they are logarithmic.
+#: Titles and axes of the statements, in the order of the panels; whether they are logarithmic.
 STATEMENTS = {
-    FALL: ("force on the smoother over that on the rougher surface", True),
-    RATIO: ("force over that of a smooth sphere", True),
-    EXPONENT: ("exponent of the force in the radius, d ln F / d ln R", False),
-    DISTANCE: ("distance of the mean planes in contact (nm)", True),
+    FALL: ("two surfaces", "force on the smoother over that on the rougher surface", True),
+    RATIO: ("rough beside smooth", "force over that of a smooth sphere", True),
+    EXPONENT: ("two radii", "exponent of the force in the radius, d ln F / d ln R", False),
+    DISTANCE: ("distance", "distance of the mean planes in contact (nm)", True),
 }
-PREDICTED: style.Look = {"lw": 5.0, "alpha": 0.45, "solid_capstyle": "butt"}
+PREDICTED: style.Look = {"lw": 5.0, "solid_capstyle": "butt"}
+TRIED, UNTRIED = 0.45, 0.18  # opacity
 #: Colours of hard contacts and of negative controls, which are no surface's.
 COLOURS = {"hard": style.FIT, "soft": "0.6", "wet": "0.6"}
 MEASURED: style.Look = {"color": style.PUBLISHED, "marker": "D", "ms": 4}
@@ -53,14 +55,14 @@ def draw(ledger: xr.Dataset) -> Figure:
     figure = drawing.blank(0.9 + 0.27 * sum(rows) + 0.3 * len(rows))
     panels = figure.subplots(len(rows), 1, squeeze=False, height_ratios=rows)[:, 0]
     for axes, letter, (name, part) in zip(panels, "abcd", parts.items(), strict=False):
-        quantity, logarithmic = STATEMENTS[name]
+        title, quantity, logarithmic = STATEMENTS[name]
         _draw_statement(axes, part, logarithmic)
         axes.set_xlabel(quantity)
-        style.label_panel(axes, letter)
+        style.label_panel(axes, letter, title)
     handles = [
         Line2D([], [], ls="-", lw=1, label="measured, and what agrees with it", **MEASURED),
-        Line2D([], [], color=COLOURS["hard"], label="predicted, hard contacts", **PREDICTED),
-        Line2D([], [], color=COLOURS["soft"], label="negative controls", **PREDICTED),
+        Line2D([], [], color=COLOURS["hard"], alpha=TRIED, label="predicted", **PREDICTED),
+        Line2D([], [], color=COLOURS["hard"], alpha=UNTRIED, label="law not tried", **PREDICTED),
     ]
     style.legend_above(figure, handles)
     return figure
@@ -89,11 +91,14 @@ def _draw_statement(axes: Axes, part: xr.Dataset, logarithmic: bool) -> None:
     for place, name in enumerate(part["experiment"].values):
         one = part.sel(experiment=name)
         colour = COLOURS[one["contact"].item()]
-        axes.plot(one["predicted_interval"], [place] * 2, color=colour, **PREDICTED)
-        axes.plot(one["predicted"], place, "|", color=colour, ms=9, mew=1.6)
+        opacity = UNTRIED if one["verdict"] == NOT_TRIED else TRIED
+        look: style.Look = PREDICTED | {"color": colour, "alpha": opacity}
+        axes.plot(one["predicted_interval"], [place] * 2, **look)
+        axes.plot(one["predicted"], place, "|", color=colour, alpha=2 * opacity, ms=9, mew=1.6)
         axes.plot(np.clip(one["accepted_interval"], least, most), [place] * 2, color="black", lw=1)
         axes.plot(one["measured"], place, **MEASURED)
-    axes.set_yticks(range(part.sizes["experiment"]), part["label"].values)
+    assumed = np.where(part["height_basis"] == "assumed", "*", "")
+    axes.set_yticks(range(part.sizes["experiment"]), part["label"].values + assumed)
     axes.set_ylim(part.sizes["experiment"] - 0.5, -0.5)
     if logarithmic:
         style.label_logarithmic(axes.xaxis, at=(1,))
