@@ -67,6 +67,16 @@ def test_every_fault_is_told_in_one_line(changed):
     assert_says(said[6], "line 6", "measured", "3", "interval")
 
 
+def test_units_and_heights_that_cannot_be_are_refused(changed):
+    swapped = {"rms_height_nm": "stated 17", "rougher_rms_height_nm": "stated 4"}
+    with pytest.raises(ValueError) as caught:
+        read(changed(swapped, {"radius_nm": "stated 0.25", "hardness_GPa": "stated 25e9"}))
+    said = sorted(str(caught.value).splitlines())
+    assert_says(said[0], "line 2", "rougher_rms_height_nm", "stated 17", "stated 4")
+    assert_says(said[1], "line 3", "hardness_GPa", "200", "25e9")
+    assert_says(said[2], "line 3", "radius_nm", "between 1", "0.25")
+
+
 def test_other_columns_are_refused(tmp_path):
     path = tmp_path / "experiments.csv"
     path.write_text("id,force\none,1\n")

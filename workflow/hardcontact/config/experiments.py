@@ -58,11 +58,20 @@ def _faults(row: Row, schema: Schema) -> list[str]:
         refuse(row, schema, "")
     except ValueError as error:
         return str(error).splitlines()
-    faults = [
-        f"{name}: expected a positive number, or two that ascend, found {found(row[name])}"
-        for name, cell in _cells(row, schema).items()
-        if cell.basis != UNKNOWN and not 0 < cell.low <= cell.high < math.inf
-    ]
+    cells, faults = _cells(row, schema), []
+    for name, cell in cells.items():
+        least, most = schema["properties"][name]["within"]
+        if cell.basis != UNKNOWN and not least <= cell.low <= cell.high <= most:
+            faults.append(
+                f"{name}: expected a number between {least:g} and {most:g}, or two that ascend, "
+                f"found {found(row[name])}"
+            )
+    smoother, rougher = cells["rms_height_nm"], cells["rougher_rms_height_nm"]
+    if rougher.high < smoother.low:
+        faults.append(
+            f"rougher_rms_height_nm: expected at least rms_height_nm, "
+            f"{found(row['rms_height_nm'])}, found {found(row['rougher_rms_height_nm'])}"
+        )
     measured, low, high = (number(row[name]) for name in NUMBERS)
     try:
         least, most = (
