@@ -58,7 +58,12 @@ onstart:
 
 
 onsuccess:
-    start.say_answer(workflow, PATTERNS.result("answer.html"))
+    start.say_answer(
+        workflow,
+        PATTERNS.result("answer.html"),
+        PATTERNS.result("insight.html"),
+        PATTERNS.figure("fig_ledger", "png"),
+    )
 
 
 onerror:

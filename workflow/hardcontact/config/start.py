@@ -146,10 +146,12 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     return Selection(rows, configuration["sphere"]["surface"])
 
 
-def say_answer(workflow: Any, page: str) -> None:
-    """Say which page to open at the end of a run that was asked for it."""
-    if any(page in job.output for job in workflow.dag.jobs):
-        logger.info(f"The answer is made: open {page}")
+def say_answer(workflow: Any, *pages: str) -> None:
+    """Say which page, the first that a run was asked for, to open at its end."""
+    for page in pages:
+        if any(page in job.output for job in workflow.dag.jobs):
+            logger.info(f"The answer is made: open {page}")
+            break
     _stop_looking()
 
 
