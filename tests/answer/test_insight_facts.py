@@ -29,7 +29,7 @@ from hardcontact.answer.insight_force_facts import (
     statistics_facts,
 )
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
-from hardcontact.insight.force_scatter import held_back
+from hardcontact.insight.force_scatter import CHANCE, held_back
 from hardcontact.numbers.number import Number, plain
 
 
@@ -257,8 +257,8 @@ def test_the_scatter_beyond_the_law_is_what_is_left_of_the_published():
     data = statistics()
     data["published_spread"][:] = [1.8, np.nan, 0.1, 0.9]
     facts = statistics_facts(data)
-    total = data["total_spread"].sel(rho=5.6).values
-    assert column(facts, "total_spread") == pytest.approx(total)
+    total = data["total_shape"].sel(rho=5.6).values
+    assert column(facts, "total_shape") == pytest.approx(total)
     left = [(1.8**2 - total[0] ** 2) ** 0.5, None, None, (0.9**2 - total[3] ** 2) ** 0.5]
     assert column(facts, "rest") == [pytest.approx(one) if one else one for one in left]
     assert facts["rows"][1]["published_spread"].status == "not_printed"
@@ -270,7 +270,10 @@ def test_errors_of_the_law_are_of_gaussian_surfaces_that_were_not_looked_at():
     data["designed_spread"] = data["designed_predicted_spread"].where(~unfair, np.nan) * 1.1
     below, above = statistics_facts(data)["validated"]
     assert below["error"].value == pytest.approx(10) == above["error"].value
-    assert below["cases"].value + above["cases"].value == held_back(data).sizes["case"] > 20
+    cases = held_back(data)
+    assert below["cases"].value + above["cases"].value == cases.sizes["case"] > 20
+    rejected = sum(row["weibull_rejected"].value * row["cases"].value for row in (below, above))
+    assert rejected == pytest.approx(100 * (cases["designed_distance_weibull"] > CHANCE).sum())
 
 
 def test_repeated_contact_changes_a_force_whose_interval_leaves_out_one():

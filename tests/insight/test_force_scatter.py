@@ -7,6 +7,7 @@ import pandas as pd
 import pytest
 from known_spectra import rough
 from repository import ROOT
+from scipy import stats
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
@@ -29,6 +30,26 @@ def test_scans_add_the_scatter_of_their_means():
     slope = np.log(ends[1] / ends[0]) / 0.2
     expected = np.hypot(places.spread, slope * 4.0 * 0.05)
     assert over_scans(rough(4.0), CONTACT, 0.05).spread == pytest.approx(expected, rel=0.02)
+
+
+def test_scans_far_apart_scatter_as_many_equally_probable_ones():
+    heights = stats.norm.ppf((np.arange(41) + 0.5) / 41, 4.0, 2.0)
+    laws = [force_statistics(rough(max(height, 0.0)), CONTACT) for height in heights]
+    means = np.array([law.force for law in laws])
+    squares = np.mean([law.force**2 * (1 + law.variation**2) for law in laws])
+    expected = np.sqrt(squares) / means.mean()
+    assert np.hypot(1, over_scans(rough(4.0), CONTACT, 0.5).variation) == pytest.approx(
+        expected, rel=0.05
+    )
+
+
+def test_the_shape_is_that_of_mean_and_median_as_published():
+    settings = {"tolerance": 0.1, "confidence": 0.9}
+    found = force_scatter({"a": rough(20.0)}, CONTACT, [5.6], {"a": 0.0}, settings)
+    law = force_statistics(rough(20.0), CONTACT)
+    forces = law.quantile(np.linspace(0, 1, 20001)[1:-1])
+    expected = np.sqrt(2 * np.log(forces.mean() / np.median(forces)))
+    assert found["total_shape"].item() == pytest.approx(expected, rel=0.01)
 
 
 def test_means_of_as_many_contacts_keep_within_the_tolerance():

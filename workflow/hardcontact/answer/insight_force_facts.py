@@ -21,7 +21,7 @@ from hardcontact.answer.facts import (
     surfaces,
 )
 from hardcontact.claims.verdicts import verdict
-from hardcontact.insight.force_scatter import held_back
+from hardcontact.insight.force_scatter import CHANCE, held_back
 from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
 from hardcontact.insight.next_sphere import PAIRS, RIGHT
 from hardcontact.numbers.number import Number
@@ -32,8 +32,8 @@ from hardcontact.surfaces.synthesis import SIDES
 SIZES = ("depth", "lateral_size")
 #: Numbers of the scatter of forces on a surface.
 STATISTICS = (
-    "modulus", "spread", "total_spread", "computed_spread", "contacts_needed", "scans_needed",
-    "distance",
+    "modulus", "spread", "total_spread", "total_shape", "computed_spread", "contacts_needed",
+    "scans_needed", "distance",
 )  # fmt: skip
 #: Distributions whose distance from computed forces is known.
 DISTANCES = ("law", "weibull", "lognormal_fitted", "lognormal_of_law")
@@ -117,7 +117,7 @@ def statistics_facts(statistics: xr.Dataset) -> dict[str, Any]:
     """Return how forces scatter by the law, computed and published, and how well it holds."""
     rows = []
     for row, one in surfaces(statistics.sel(rho=statistics.attrs["reference_rho"])):
-        published, total = one["published_spread"].item(), one["total_spread"].item()
+        published, total = one["published_spread"].item(), one["total_shape"].item()
         rest = np.sqrt(published**2 - total**2) if published > total else np.nan
         row |= {name: number_of(one, name) for name in STATISTICS}
         row["published_spread"] = number_of(one, "published_spread", missing="not_printed")
@@ -125,29 +125,37 @@ def statistics_facts(statistics: xr.Dataset) -> dict[str, Any]:
         rows.append(row)
     tested = held_back(statistics)
     low = tested["designed_modulus"] < 1
+    moduli = np.sort(tested["designed_modulus"])
+    untried = np.log(moduli[1:] / moduli[:-1]).argmax()
     return {
         "rows": rows,
         "validated": [
             _law_error(tested.isel(case=np.flatnonzero(part))) | {"modulus": name}
             for name, part in (("below", low), ("above", ~low))
         ],
+        "designed": np.unique(tested["designed_surface"]).size,
+        "untried": span("untried", moduli[untried : untried + 2]),
+        "chance": Number("chance", CHANCE),
         "tolerance": percent(Number("tolerance", statistics.attrs["tolerance"])),
         "range": Number("range", statistics.attrs["reference_rho"], "nm"),
-        "modulus": span("modulus", [row["modulus"].value for row in rows]),
-        "spread": span("spread", [row["total_spread"].value for row in rows]),
+        "shape": span("shape", [row["total_shape"].value for row in rows]),
         "published": span("published", [row["published_spread"].value for row in rows]),
     }
 
 
 def _law_error(cases: xr.Dataset) -> Cells:
-    """Return how many designed surfaces there are, the error of the spread, and distances."""
+    """Return how many designed cases there are, the error of the spread, distances, rejections."""
     ratio = np.log(cases["designed_spread"] / cases["designed_predicted_spread"])
     error = float(np.exp(np.sqrt((ratio**2).mean())) - 1)
-    distances = {
-        name: Number(name, cases[f"designed_distance_{name}"].median().item()) for name in DISTANCES
+    row: Cells = {
+        "cases": Number("cases", cases.sizes["case"]),
+        "error": percent(Number("error", error)),
     }
-    number = Number("cases", cases.sizes["case"])
-    return {"cases": number, "error": percent(Number("error", error))} | distances
+    for name in DISTANCES:
+        distance = cases[f"designed_distance_{name}"]
+        row[name] = Number(name, distance.median().item())
+        row[f"{name}_rejected"] = percent(Number(name, (distance > CHANCE).mean().item()))
+    return row
 
 
 def repeated_contact_facts(repeated: xr.Dataset) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
 from hardcontact.figures import drawing, style, tables
-from hardcontact.insight.force_scatter import LEAST_LEVEL, held_back
+from hardcontact.insight.force_scatter import CHANCE, LEAST_LEVEL, held_back
 
 #: Distributions by their names in the dataset, as they are drawn and printed.
 DISTANCES: dict[str, tuple[style.Look, str]] = {
@@ -17,16 +17,17 @@ DISTANCES: dict[str, tuple[style.Look, str]] = {
     "lognormal_fitted": ({"color": style.FIT, "marker": "^"}, "log-normal, fitted"),
     "weibull": ({"color": "0.6", "marker": "s"}, "Weibull of modulus k"),
 }
-#: Distance that samples of 400 exceed once in twenty, 1.36/sqrt(400).
-CHANCE = 0.068
 #: Surfaces below and above k = 1.
-PARTS = {"k < 1": style.FIT, "k > 1": "black"}
+PARTS = {"k < 1": "#882255", "k > 1": "black"}
 #: Spreads of a coating: how each is drawn, and its name.
 SPREADS: dict[str, tuple[style.Look, str]] = {
     "spread": ({"mfc": "none"}, "law: places"),
     "total_spread": ({}, "law: places and scans"),
+    "total_shape": ({"marker": "x"}, "the same, mean and median"),
     "computed_spread": ({"alpha": 0.5, "ms": 2.5}, "study"),
 }
+#: That the panel holds, over the highest published or predicted spread.
+ROOM = 1.6
 
 
 def table(statistics: xr.Dataset) -> pd.DataFrame:
@@ -126,20 +127,22 @@ def _draw_quantiles(axes: Axes, tested: xr.Dataset) -> None:
 
 
 def _draw_coatings(axes: Axes, there: xr.Dataset) -> None:
+    # Intervals of two scans may reach far beyond all values: an arrow marks those that do.
+    highest = ROOM * there[["published_spread", *SPREADS]].to_array().max().item()
     for place, (look, one) in enumerate(style.by_surface(there)):
         for step, (name, (more, _)) in enumerate(SPREADS.items()):
-            curve = tables.bounded(one, name).expand_dims("place")
+            curve, x = tables.bounded(one, name).expand_dims("place"), place + 0.15 * (step - 1.5)
             if "low" not in curve:
                 curve = curve.assign(low=curve["value"], high=curve["value"])
-            style.draw_bars(axes, [place + 0.15 * (step - 1)], curve, ls="none", **look | more)
+            style.draw_bars(axes, [x], curve, ls="none", **look | more)
+            if curve["high"].item() > highest:
+                axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)
         published = one["published_spread"].item()
         axes.plot([place - 0.3, place + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
-    # Intervals of two scans may reach far beyond all values: they leave the frame.
-    highest = there[["published_spread", *SPREADS]].to_array().max().item()
-    axes.set(ylim=(0, 1.5 * highest), ylabel="standard deviation of ln F")
+    axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
     axes.set_xticks(range(there.sizes["surface"]), there["label"].values, **style.TILTED)
-    handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published")]
+    handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published, mean and median")]
     marks: style.Look = {"color": "0.3", "marker": "o", "ls": "none"}
     handles += [Line2D([], [], **marks | more, label=label) for more, label in SPREADS.values()]
-    axes.legend(handles=handles, ncols=2, loc="upper right", frameon=True, edgecolor="white")
+    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.28), ncols=2)
     style.label_panel(axes, "d", f"coatings at ρ = {there['rho'].item():g} nm")
