@@ -98,7 +98,10 @@ def test_causes_stand_beside_the_formulas_and_errors_by_regime():
     facts = scaling_facts(scaling())
     assert column(facts, "cause", "causes") == ["contact", "contact", "range", "range"]
     assert column(facts, "rho", "causes") == [0.4, 0.5, 1.1, 1.0]
-    assert [row.get("rho_steps", None) is None for row in facts["causes"]] == [False, True] * 2
+    data = scaling()["cause_exponent_interval"].sel(origin="computed", length="rho")
+    within = (data.sel(bound="low") <= [0.5, 1.0]) & (data.sel(bound="high") >= [0.5, 1.0])
+    said = column(facts, "rho_note", "causes")[1::2]
+    assert [one == "within" for one in said] == within.values.tolist()
     assert column(facts, "surfaces", "errors") == [1, 1, 2, 1]
     errors = scaling()["designed_error"].sel(prediction="formula", side="large", designed="2")
     assert facts["errors"][3]["formula"].value == pytest.approx(errors.item())

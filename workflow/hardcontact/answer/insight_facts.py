@@ -17,6 +17,7 @@ from hardcontact.answer.facts import (
     between,
     count,
     ends,
+    number,
     number_of,
     on_scans,
     percent,
@@ -35,6 +36,7 @@ from hardcontact.insight.edge_scaling import (
     RANGE,
     UNDECIDED,
 )
+from hardcontact.insight.other_models import RIGHT
 from hardcontact.insight.prediction import validated_errors
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
@@ -88,7 +90,7 @@ def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
             for side in SIDES
         ],
         "causes": [
-            _cause(scaling.sel(cause=cause, origin=origin))
+            _cause(scaling.sel(cause=cause), origin)
             for cause in (CONTACT, RANGE)
             for origin in (COMPUTED, FORMULA)
         ],
@@ -122,26 +124,35 @@ def _both(values: np.ndarray, bound: np.ndarray) -> Number:
     return between("local_exponent", round(low, 2) + 0.0, round(high, 2) + 0.0)
 
 
-def _cause(of_cause: xr.Dataset) -> Cells:
-    """Return local exponents of short edges that one cause sets."""
-    row: Cells = {"cause": str(of_cause["cause"].item()), "origin": str(of_cause["origin"].item())}
+def _cause(of_cause: xr.Dataset, origin: str) -> Cells:
+    """Return local exponents of short edges that one cause sets, and what is noted of them.
+
+    That is the number of computed steps, and whether the formula lies among their middle half.
+    """
+    row: Cells = {"cause": str(of_cause["cause"].item()), "origin": origin}
     for length in LENGTHS:
-        of_length = of_cause.sel(length=length)
-        row[length] = number_of(of_length, "cause_exponent")
-        if row["origin"] == COMPUTED:
-            row[f"{length}_steps"] = number_of(of_length, "cause_steps")
+        computed, own = (of_cause.sel(length=length, origin=one) for one in (COMPUTED, origin))
+        row[length] = number_of(own, "cause_exponent")
+        if origin == COMPUTED:
+            row[f"{length}_note"] = number_of(computed, "cause_steps")
+        else:
+            low, high = ends(computed, "cause_exponent")
+            row[f"{length}_note"] = "within" if low <= row[length].value <= high else "outside"
     return row
 
 
 def _edge_errors(scaling: xr.Dataset) -> Iterator[Cells]:
     """Yield how far edges of designed surfaces that were held back are off, by regime."""
     held_back = scaling.sel(designed=scaling["held_back"] == 1)
-    many = held_back["designed_level"] > held_back["designed_over_range"]
+    modulus = held_back["designed_level"] / held_back["designed_over_range"]
+    many = modulus > 1
     for side in SIDES:
         for regime, chosen in ((MANY_POINTS, many), (SINGLE_PEAKS, ~many)):
             found = held_back["designed_bound"].sel(side=side) == 0
             errors = held_back["designed_error"].sel(side=side, designed=chosen & found)
-            row: Cells = {"edge": side, "regime": regime}
+            wrong = np.abs(np.log(errors.sel(prediction=FORMULA))) > np.log(RIGHT)
+            last = modulus.where(wrong).max().item()
+            row: Cells = {"edge": side, "regime": regime, "wrong": number("wrong", last, "1", "")}
             for prediction in (FORMULA, CLOSED_FORM):
                 known = errors.sel(prediction=prediction).dropna("designed")
                 low, median, high = known.quantile([0.05, 0.5, 0.95]).values
@@ -249,8 +260,8 @@ def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, An
         "first_term": span("first_term", largest["first_term_force"] / largest["computed_force"]),
         "range": Number("range", rho, "nm"),
         "validated": [
-            {"quantity": name, "error": error, "surfaces": Number("surfaces", count)}
-            for name, (error, count) in validated_errors().items()
+            {"quantity": name, "regime": regime, "error": error, "surfaces": Number("n", count)}
+            for (name, regime), (error, count) in validated_errors().items()
         ],
     }
 

@@ -1,7 +1,8 @@
 """How both edges of the critical band scale with R, rho and the contact area, and what sets them.
 
-An edge that belongs to the surface has the exponents 0 against sqrt(R), sqrt(rho) and sqrt(F/H),
-one that a length sets has 1. One exponent for all combinations hides a crossover: local exponents
+An edge that belongs to the surface has the exponents 0 against sqrt(R), sqrt(rho) and sqrt(F/H).
+The short edge has 1 against sqrt(F/H) if the contact sets it, and 2/H against sqrt(rho), H the
+Hurst exponent, if the range does. One exponent for all combinations hides a crossover: local ones
 are those between neighbours of the grid. They are those of computed edges and of the formulas
 (`edge_formulas`), which say where the contact sets the short edge and where the range does: on
 waves that the contact flattens, t < 0, or not. An open edge is a bound, the last cutoff, and so is

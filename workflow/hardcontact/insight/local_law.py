@@ -8,7 +8,10 @@ surface, weaken by `pair_damping`.
 Between conductors the field is bent, too. With rough waves of the variance dV on one of them, the
 second order in h of Laplace's equation raises the attraction by `conductor_kernel` dV/s²; for long
 waves this is a third of the mean square slope, as in the derivative expansion of Fosco, Lombardo
-and Mazzitelli, Ann. Phys. 327 (2012) 2050. workflow/report/theory.md has both derivations.
+and Mazzitelli, Ann. Phys. 327 (2012) 2050. The slope is that of the whole plane: where k = rho
+m/sigma² is below one the summits that attract have less, so that this is an upper bound there. It
+holds for the electrostatic law; the retarded one is neither a sum over pairs nor covered.
+workflow/report/theory.md has both derivations.
 """
 
 from collections.abc import Mapping

@@ -7,6 +7,7 @@ half of them that nobody looked at while the closed form was made.
 import math
 from collections.abc import Iterator, Mapping
 from functools import cache
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -75,16 +76,16 @@ def validation() -> pd.DataFrame:
     return held_back
 
 
-def validated_errors() -> dict[str, tuple[Number, int]]:
-    """Return computed over predicted, by name of VALIDATED, and on how many surfaces.
+def validated_errors() -> dict[tuple[str, str], tuple[Number, int]]:
+    """Return computed over predicted, by name of VALIDATED and regime, and on how many surfaces.
 
     The number is the median, its interval holds nine tenths.
     """
     found = {}
-    for name in VALIDATED:
-        errors = validation()[f"{name}_error"].dropna()
+    for name, (regime, table) in product(VALIDATED, validation().groupby("regime")):
+        errors = table[f"{name}_error"].dropna()
         low, median, high = errors.quantile([0.05, 0.5, 0.95])
-        found[name] = Number(name, median, "1", low, high), len(errors)
+        found[name, regime] = Number(name, median, "1", low, high), len(errors)
     return found
 
 
