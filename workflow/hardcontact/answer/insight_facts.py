@@ -152,7 +152,11 @@ def _edge_errors(scaling: xr.Dataset) -> Iterator[Cells]:
             errors = held_back["designed_error"].sel(side=side, designed=chosen & found)
             wrong = np.abs(np.log(errors.sel(prediction=FORMULA))) > np.log(RIGHT)
             last = modulus.where(wrong).max().item()
-            row: Cells = {"edge": side, "regime": regime, "wrong": number("wrong", last, "1", "")}
+            row: Cells = {
+                "edge": side,
+                "regime": regime,
+                "wrong": number("wrong", last, "1", "none"),
+            }
             for prediction in (FORMULA, CLOSED_FORM):
                 known = errors.sel(prediction=prediction).dropna("designed")
                 low, median, high = known.quantile([0.05, 0.5, 0.95]).values

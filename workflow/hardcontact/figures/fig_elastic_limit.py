@@ -106,7 +106,7 @@ def _draw_areas(axes: Axes, limit: xr.Dataset) -> None:
     axes.axline((bearing, bearing), slope=1, color="0.6", lw=0.8, ls="--", label="equal")
     axes.set(xscale="log", yscale="log")
     axes.set(xlabel="solved area (nm²)", ylabel="estimated area (nm²)")
-    axes.legend(loc="lower right")
+    axes.legend(loc="best")
     style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.label_panel(axes, "c", "elastic contact")
 

@@ -20,7 +20,7 @@ PANELS = {
 #: Regimes by the moduli on their side of one.
 SIDES = {SINGLE_PEAKS: (0.0, 1.0), MANY_POINTS: (1.0, np.inf)}
 AT_SUMMITS = "_at_summits"
-LEAST_MODULUS, HELD_BACK, LOOKED_AT = 5e-3, "0.25", "0.6"
+LEAST_MODULUS, HELD_BACK, LOOKED_AT = 5e-3, "0.45", "0.7"
 
 
 def table(models: xr.Dataset) -> pd.DataFrame:
@@ -73,9 +73,7 @@ def draw(models: xr.Dataset) -> Figure:
         *style.surface_handles(models, ms=3),
         Line2D([], [], color=HELD_BACK, label="designed, held back", **mark),
         Line2D([], [], color=LOOKED_AT, mfc="none", label="designed, not held back", **mark),
-        Line2D(
-            [], [], color=style.FIT, ls="none", marker="x", ms=3, label="closed form's approach"
-        ),
+        Line2D([], [], color="black", ls="none", marker="x", ms=3, label="closed form's approach"),
         Patch(color=style.FIT, alpha=0.25, lw=0, label="median, nine tenths"),
     ]
     style.legend_above(figure, handles)
@@ -92,9 +90,7 @@ def _draw_designed(axes: Axes, models: xr.Dataset, name: str) -> None:
         axes.vlines(x, factor / spread, factor * spread, color=colour, lw=0.5)
         axes.plot(x, factor, "o", color=colour, mfc=face, mew=0.6, ms=2.5)
         if held_back and at_summits in models["model"]:
-            axes.plot(
-                x, some["factor"].sel(model=at_summits), "x", color=style.FIT, ms=2.5, mew=0.6
-            )
+            axes.plot(x, some["factor"].sel(model=at_summits), "x", color="black", ms=2.5, mew=0.7)
 
 
 def _draw_typical(axes: Axes, models: xr.Dataset, name: str) -> None:

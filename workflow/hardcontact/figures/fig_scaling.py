@@ -7,6 +7,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullLocator
 
 from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.closed_form import TRANSITION
@@ -16,7 +17,7 @@ TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
 PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 #: Edges of designed surfaces.
-SIDES = {"small": ("#332288", "v", "short edge"), "large": ("#999933", "^", "long edge")}
+SIDES = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
 #: Names of published spectra on the map.
 NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
 BETWEEN = ("side", "radius", "area", "rho", "reach", "length", "designed", "prediction")  # columns
@@ -63,6 +64,8 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
         axes.axhline(tables.published_edge(published_constants, side), **PUBLISHED)
         style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²; lines: formula")
     short.set(xlabel="range of adhesion ρ (nm)")
+    short.set_xticks(scaling["rho"], [f"{rho:g}" for rho in scaling["rho"].values])
+    short.xaxis.set_minor_locator(NullLocator())
     long.set(xlabel=f"reach of the attraction {REACH} (nm)")
     _draw_errors(errors, scaling)
     _draw_regimes(regimes, scaling)
@@ -80,7 +83,8 @@ def _draw_edges(axes: Axes, cases: xr.Dataset, side: str, along: str) -> None:
             line = of_surface.sel(radius=radius)
             axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
     axes.set(xscale="log", yscale="log", ylabel=TITLES[side])
-    style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1, 3))
+    style.label_logarithmic(axes.xaxis)
+    style.label_logarithmic(axes.yaxis, at=(1, 3))
 
 
 def _draw_errors(axes: Axes, scaling: xr.Dataset) -> None:
@@ -116,7 +120,7 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     placed = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
     named = scaling["designed"].isin(list(NITRIDES))
     modulus = scaling["designed_level"] / scaling["designed_over_range"]
-    for many, colour in ((True, "#88CCEE"), (False, "#DDCC77")):
+    for many, colour in ((True, "0.75"), (False, "#DDCC77")):
         chosen = scaling.sel(designed=~named & ((modulus > 1) == many))
         draw_marks(chosen, placed, c=colour, lw=0, alpha=0.8)
     own = ("over_range", "approach_level", "contact_over_rolloff")

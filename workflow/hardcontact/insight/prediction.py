@@ -85,7 +85,7 @@ def validated_errors() -> dict[tuple[str, str], tuple[Number, int]]:
     for name, (regime, table) in product(VALIDATED, validation().groupby("regime")):
         errors = table[f"{name}_error"].dropna()
         low, median, high = errors.quantile([0.05, 0.5, 0.95])
-        found[name, regime] = Number(name, median, "1", low, high), len(errors)
+        found[name, str(regime)] = Number(name, median, "1", low, high), len(errors)
     return found
 
 
