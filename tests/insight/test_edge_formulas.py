@@ -35,6 +35,16 @@ def test_level_is_the_inverse_of_the_height_above_it():
         assert formulas.height_above(level) == pytest.approx(mean, rel=0.02)
 
 
+def test_the_mean_gap_is_that_of_a_flattened_surface():
+    heights = generator(1, "flattened").standard_normal(400_000)
+    waves = rough_waves(rough(4.0), 250e3)
+    known = formulas.scales(waves, 250e3, 400.0)
+    for place in (100, 200, 250):
+        sigma, level = np.sqrt(known.variance[place]), known.level[place]
+        gap = sigma * np.maximum(level - heights, 0).mean()
+        assert known.gap[place] == pytest.approx(gap, rel=0.02, abs=1e-3 * sigma)
+
+
 def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
     def log_force(sigma):
         level = formulas.level_of_area(WIDE.area / (2 * np.pi * WIDE.radius * sigma))

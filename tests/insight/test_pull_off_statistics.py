@@ -1,15 +1,18 @@
 """The distribution of forces: Weibull's law, gamma functions, sums of Poisson clumps."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from known_spectra import rounded
 from scipy import special, stats
 
-from hardcontact.insight.closed_form import Contact
+from hardcontact.insight.closed_form import Contact, contact_share, smooth_force
 from hardcontact.insight.pull_off_statistics import (
     ForceStatistics,
     field_variation,
     force_statistics,
+    number_variance,
     summit_variation,
 )
 from hardcontact.insight.summits import LEVELS, banded, closest_approaches, clumps_above
@@ -78,6 +81,34 @@ def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
     assert found.spread == pytest.approx(np.sqrt(spread) / found.modulus, rel=0.1)
 
 
+@pytest.mark.parametrize("clumps", [3.0, 30.0])
+def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
+    contact = flat_contact(3.0, clumps)
+    many, rigid = (force_statistics(SURFACE, replace(contact, area=a)) for a in (contact.area, 0.0))
+    # The force of the area in contact itself is no clump's.
+    of_area = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
+    power, number = 2 / (many.modulus + rigid.modulus), 1 + np.arange(200)
+    chance = stats.poisson.pmf(number - 1, many.clumps - 1)
+    expected = chance @ np.exp(special.gammaln(number + power) - special.gammaln(number))
+    found = (many.force - of_area) / rigid.force
+    assert found == pytest.approx(expected / special.gamma(1 + power), rel=0.05)
+
+
+def test_many_clumps_scatter_as_the_root_of_two_over_their_number():
+    found = force_statistics(SURFACE, flat_contact(3.0, 100.0))
+    assert found.clumps > 50
+    assert found.spread == pytest.approx(np.sqrt(2 / found.clumps) / found.modulus, rel=0.1)
+
+
+@pytest.mark.parametrize("cover", [0.05, 0.3, 0.6])
+def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
+    def pressure(share):
+        return share / (1 - share) ** 2
+
+    slope = (pressure(cover + 1e-5) - pressure(cover - 1e-5)) / 2e-5
+    assert number_variance(cover) == pytest.approx(1 / slope, rel=1e-6)
+
+
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
     found, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
@@ -91,6 +122,17 @@ def test_a_field_of_small_heights_scatters_as_its_mean_height():
     spot = 2 * contact.radius * contact.rho  # exp(-d²/2l²) averaged over exp(-d²/2 spot)
     expected = SIGMA / contact.rho / np.sqrt(1 + spot / 100**2)
     assert field_variation(banded(SURFACE, 0, np.inf), contact) == pytest.approx(expected, rel=0.02)
+
+
+def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
+    # exp(n s² exp(-d²/2l²)) expanded, and each power averaged over exp(-d²/2 spot).
+    rho, power = 3.0, np.arange(1, 40)
+    contact = Contact(250e3, rho, 1.0, 0.0)
+    spot = 2 * contact.radius * rho
+    terms = (SIGMA / rho) ** (2 * power) / special.factorial(power) / (1 + power * spot / 100**2)
+    found = field_variation(banded(SURFACE, 0, np.inf), contact)
+    assert found == pytest.approx(np.sqrt(terms.sum()), rel=0.02)
+    assert found > 1.2 * np.sqrt(terms[0])
 
 
 def test_moments_and_quantiles_are_those_of_the_mixture():

@@ -176,9 +176,7 @@ def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attract
     # The mean of the squared force of a clump, over the square of its mean force. The radius of a
     # summit counts as far as the force on it grows with it.
     square = (1 + (growth * summit_variation(waves, levels)) ** 2) * scatter
-    # Clumps that cover a share of the plane do not overlap: their number scatters as that of hard
-    # discs does whose pressure is that of an ideal gas over (1 - cover)² (scaled particle theory).
-    crowded = (1 - cover) ** 3 / (1 + cover)
+    crowded = number_variance(cover)
     of_one = share * stats.norm.sf(t) / np.maximum(number, 1e-300)
     of_clumps = crowded * square * of_one * _terms(sigma, levels, rho / 2, share)[0]
     of_field = first**2 * field_variation(waves, contact) ** 2
@@ -208,6 +206,15 @@ def _terms(sigma: float, levels: Approaches, rho: float, share: float) -> tuple[
     near = 1 - np.exp(-relief * sigma / rho) * whole(t - relief) / whole(t)
     first = gaussian_share(sigma, t * sigma, rho) * (1 - (1 - share) * near)
     return first, share * levels.mean(stats.norm.sf(t))
+
+
+def number_variance(cover: float) -> float:
+    """Return the variance over the mean of the number of clumps that cover a share of the plane.
+
+    They do not overlap: their number scatters as that of hard discs does whose pressure is that of
+    an ideal gas over (1 - cover)² (scaled particle theory).
+    """
+    return (1 - cover) ** 3 / (1 + cover)
 
 
 def summit_variation(waves: Spectrum, levels: Approaches) -> float:
