@@ -79,7 +79,8 @@ def force_scatter(
         for rho in ranges:
             there = replace(contact, rho=rho)
             one = force_statistics(spectrum, there)
-            scans = over_scans(spectrum, there, deviations[surface])
+            deviation = deviations[surface]
+            scans = over_scans(spectrum, there, deviation) if deviation else one
             counts = [
                 (quantile * law.variation / settings["tolerance"]) ** 2 for law in (one, scans)
             ]
