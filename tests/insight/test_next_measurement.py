@@ -98,7 +98,7 @@ def test_truths_are_those_of_the_closed_form_and_take_the_pairs_in_turn(truths):
 
 
 def test_what_is_measured_already_is_not_proposed_and_one_pair_needs_no_telling(truths):
-    possible = scans(100.0, 3000.0, 9000.0, 25.0)
+    possible = scans(100.0, 3000.0, 9000.0, 100.0)
     left = widths_left(truths, possible, AtHand(0.1, 1, False))
     assert set(left) == {*possible, *CONTACTS}
     assert left["forces"]["force"] < 0.5
@@ -109,7 +109,7 @@ def test_what_is_measured_already_is_not_proposed_and_one_pair_needs_no_telling(
 
 
 def test_scans_that_may_be_next_are_what_instruments_reach():
-    fine = scans(5.0, 50e3, 10e3, 20.0)
+    fine = scans(5.0, 50e3, 10e3, 80.0)
     assert set(fine) == {"more_places", "stylus", "section"}
     assert fine["more_places"] == Scan("map", 10e3, 80.0, 10e3 / 3, 3)
     assert scans(200.0, 20e3, 60e3, 50.0)["larger_map"].size == 100e3

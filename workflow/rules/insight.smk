@@ -66,10 +66,10 @@ rule compare_models:
 rule compare_statistics:
     """Compare the law of the scatter of forces with computed and published scatter: statistics.nc."""
     input:
+        **PUBLISHED,
         spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         inference=PATTERNS.dataset("inference"),
         validation="resources/validation/statistics.csv",
-        **PUBLISHED,
         code=code_inputs("compare_statistics.py"),
     output:
         PATTERNS.dataset("statistics"),

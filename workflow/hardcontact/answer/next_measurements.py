@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from hardcontact.answer.artificial import reliable_measurements
 from hardcontact.answer.datasets import Datasets, at_range
 from hardcontact.answer.facts import between, ends, percent
 from hardcontact.insight.next_measurement import (
@@ -35,9 +36,12 @@ def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
     low, high = ends(at_range(of.force), "force")
     width = np.log(high / low) if 0 < low < high < np.inf else 2 * UNBOUNDED
     at_hand = AtHand(float(width) / ERRORS, int(of.force["interval_scans"]), of.fit is not None)
-    measured = (float(of.spectra[f"{end}_measured"]) for end in ("shortest", "longest"))
-    grid = (float(of.topography[name]) for name in ("scan_size", "pixel_size"))
-    possible = scans(*measured, *grid)
+    shortest, longest = (float(of.spectra[f"{end}_measured"]) for end in ("shortest", "longest"))
+    size = float(of.topography["scan_size"])
+    reliable = reliable_measurements(of.spectra)
+    alike = np.isclose(reliable["size"], size, rtol=0.01)
+    finest = reliable["shortest_reliable"].values[alike].min(initial=size)
+    possible = scans(shortest, longest, size, float(finest))
     found = []
     for code, left in widths_left(of.force, possible, at_hand).items():
         shares = {name: percent(Number(name, share)) for name, share in left.items()}

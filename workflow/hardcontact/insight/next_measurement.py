@@ -137,16 +137,16 @@ def _contacts(contact: Contact) -> dict[str, Contact]:
     return dict(zip(CONTACTS, (contact, smaller, harder, contact), strict=True))
 
 
-def scans(shortest: float, longest: float, size: float, pixel_size: float) -> dict[str, Scan]:
+def scans(shortest: float, longest: float, size: float, finest: float) -> dict[str, Scan]:
     """Return the scans that may be next, where the spectrum is measured between both ends.
 
     Finer and larger maps reach a FACTOR further, as far as force microscopes do; beyond, a stylus
     has longer waves, a cross section shorter ones. Other places are scanned like those of contacts,
-    of which size and pixels are given. Lengths are in nm.
+    of which the size and the shortest reliable wavelength are given. Lengths are in nm.
     """
     fine, wide = max(shortest / FACTOR, SHARPEST), PARTS * longest * FACTOR
     found = {
-        "more_places": Scan("map", size, OF_WAVE * pixel_size, size / PARTS, PLACES),
+        "more_places": Scan("map", size, finest, size / PARTS, PLACES),
     }
     if shortest > SHARPEST:
         edge = PIXELS * fine / OF_WAVE
