@@ -10,9 +10,10 @@ from scipy import stats
 
 from hardcontact.claims.verdicts import accepted_range, accepts, verdict
 from hardcontact.insight.experiments import HEIGHT, RATIO, Experiment
-from hardcontact.insight.ledger import ERRORS, Floats, drawn, numbers_of_law
+from hardcontact.insight.ledger import ERRORS, drawn, numbers_of_law
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import interval_between, percentile_interval
+from hardcontact.surfaces.spectrum import Floats
 
 #: Verdicts beside those of the claims: what is stated tests nothing; the law was not tried there.
 NOT_TESTABLE, NOT_TRIED = "not testable", "not tried"

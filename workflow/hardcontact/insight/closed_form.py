@@ -49,9 +49,7 @@ from hardcontact.insight.summits import (
     rough_waves,
 )
 from hardcontact.scales.critical_band import critical_wavelength, logarithmic_limits
-from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: Regimes: roughness hardly counts, many points of the surface attract, a few summits do.
 SMOOTH, MANY_POINTS, SINGLE_PEAKS = "smooth", "many points", "single peaks"

@@ -25,15 +25,13 @@ for either is enough. The long edge is not shorter than a summit, 2.5 delta as i
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import special, stats
 
 from hardcontact.insight.closed_form import SUMMIT, Contact, contact_share, gaussian_share
 from hardcontact.insight.summits import Approaches, closest_approaches, moment, rough_waves
 from hardcontact.scales.critical_band import critical_wavelength
-from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: Mean curvature of the summits of a Gaussian surface over its rms half-Laplacian.
 SUMMIT_CURVATURE = np.sqrt(32 / (3 * np.pi))

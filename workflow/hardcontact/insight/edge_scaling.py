@@ -29,7 +29,7 @@ from hardcontact.numbers.statistics import (
     with_interval,
 )
 from hardcontact.scales.critical_band import POOLED, critical_band, last_cutoff
-from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments, roll_off
+from hardcontact.surfaces.spectrum import Floats, Spectrum, all_scales_moments, roll_off
 from hardcontact.surfaces.synthesis import SIDES
 
 #: What an edge may follow: sqrt(R), sqrt(rho) and sqrt(F/H), by the axis of the grid.
@@ -47,8 +47,6 @@ COMPUTED, FORMULA, CLOSED_FORM = "computed", "formula", "closed form"
 MIDDLE = 0.5
 
 COMBINATION = ["radius", "area", "rho"]
-
-Floats = NDArray[np.float64]
 
 
 def stacked_scaling(

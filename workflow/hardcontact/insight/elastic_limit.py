@@ -36,9 +36,7 @@ from hardcontact.contact.bearing_area import (
 from hardcontact.contact.geometry import Bodies, gaps_at
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
-from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: E* h' over the mean pressure of a smooth sphere: 3 pi/(4 sqrt(2)).
 SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))

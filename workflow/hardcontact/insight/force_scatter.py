@@ -11,7 +11,6 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.polynomial.hermite_e import hermegauss
-from numpy.typing import NDArray
 from scipy import stats
 
 from hardcontact.insight.closed_form import Contact
@@ -19,8 +18,6 @@ from hardcontact.insight.pull_off_statistics import ForceStatistics, force_stati
 from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.statistics import lognormal_shape
 from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
 
 #: Shares of places at which quantiles are compared.
 SHARES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)

@@ -33,9 +33,7 @@ from hardcontact.insight.experiments import (
 from hardcontact.insight.prediction import coordinates, is_tried, neighbouring_errors
 from hardcontact.insight.summits import moment
 from hardcontact.surfaces.spectral_models import self_affine
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Floats, Spectrum
 
 #: Lateral scales, which both surfaces of a fall need not share, and what they do share.
 ROLL_OFF = "rolloff_nm"

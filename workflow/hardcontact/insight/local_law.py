@@ -18,15 +18,13 @@ from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import special, stats
 
 from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.insight.interaction_laws import LAWS
 from hardcontact.insight.summits import banded
-from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: The law whose damping is told: of pairs, and of the longest reach among those that are.
 PAIRS = LAWS[1]

@@ -25,7 +25,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import special, stats
 
 from hardcontact.contact.smooth_sphere import dmt_pull_off
@@ -47,9 +47,7 @@ from hardcontact.insight.summits import (
     moment,
     rough_waves,
 )
-from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: Standard deviations of curvature, and their probabilities, that a summit is averaged over.
 DEVIATIONS = np.linspace(-8, 8, 801)

@@ -25,10 +25,8 @@ from hardcontact.contact.repeated_contact import (
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 from hardcontact.surfaces.synthesis import random_surface
-
-Floats = NDArray[np.float64]
 
 #: Edge of the map (nm) about the deepest indent.
 MAP = 2000.0

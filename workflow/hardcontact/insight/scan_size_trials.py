@@ -18,7 +18,7 @@ from typing import NamedTuple, TypedDict
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from hardcontact.insight.scan_windows import WindowContacts, window_forces
 from hardcontact.numbers.random import generator
@@ -27,10 +27,14 @@ from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.surfaces.spectral_models import self_affine
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Floats,
+    Spectrum,
+    all_scales_moments,
+    roll_off,
+)
 from hardcontact.surfaces.synthesis import random_surface
-
-Floats = NDArray[np.float64]
 
 #: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.
 RMS_HEIGHTS, ROLL_OFFS, HURST = (2.0, 120.0), (300.0, 4000.0), (0.5, 1.2)

@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
-from numpy.typing import NDArray
 
 from hardcontact.adhesion.pull_off import FORCE, mean_pull_off_of_pair
 from hardcontact.contact.bearing_area import NamedLoad
@@ -15,12 +14,10 @@ from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Density
+from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
-
-Floats = NDArray[np.float64]
 
 
 class WindowContacts(ContactArray):

@@ -19,12 +19,10 @@ Heuristic, 1989), so that their number above a sphere is Poisson's, and the high
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy import special, stats
 
-from hardcontact.surfaces.spectrum import Spectrum
-
-Floats = NDArray[np.float64]
+from hardcontact.surfaces.spectrum import Floats, Spectrum
 
 #: Points of a spectrum, and distances of its autocorrelation.
 WAVES, DISTANCES = 300, 120

@@ -12,7 +12,6 @@ from typing import Any, TypedDict
 import numpy as np
 import pandas as pd
 import xarray as xr
-from numpy.typing import NDArray
 from scipy.interpolate import make_interp_spline
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_of_pair
@@ -22,11 +21,9 @@ from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import Density
+from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 from hardcontact.surfaces.topography import METRICS, level, metrics, mirror_stitch
-
-Floats = NDArray[np.float64]
 
 #: Least height of a pool, over the mean height: no set of a few scans has a smoother one.
 LEAST = 0.05
