@@ -3,6 +3,7 @@
 from pathlib import Path
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 from paper_datasets import CONFIDENCE
 
@@ -10,7 +11,10 @@ from hardcontact.claims.evaluation import evaluate, read_statements, values
 from hardcontact.records import published
 
 TABLES = Path(__file__).parents[1] / "resources" / "paper"
-STATEMENTS = read_statements(TABLES / "claims.csv")
+INSIGHT_STATEMENTS = read_statements(TABLES / "insight_claims.csv")
+PAPER_STATEMENTS = read_statements(TABLES / "claims.csv")
+#: Those of both tables.
+STATEMENTS = pd.concat([PAPER_STATEMENTS, INSIGHT_STATEMENTS], ignore_index=True)
 CONSTANTS = published.constants(TABLES / "parameters.csv")
 PARAMETERS = CONSTANTS["value"]
 #: The dataset `paper` of claims.

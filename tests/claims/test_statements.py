@@ -3,10 +3,17 @@
 import numpy as np
 import pandas as pd
 import pytest
-from paper_claims import CONSTANTS, PARAMETERS, STATEMENTS, TABLES
+from paper_claims import (
+    CONSTANTS,
+    INSIGHT_STATEMENTS,
+    PAPER_STATEMENTS,
+    PARAMETERS,
+    STATEMENTS,
+    TABLES,
+)
 from paper_datasets import make_datasets
 
-from hardcontact.claims.evaluation import DATASETS, DERIVED
+from hardcontact.claims.evaluation import DATASETS, DERIVED, INSIGHT_DATASETS
 from hardcontact.claims.verdicts import accepted_range
 from hardcontact.insight.interaction_laws import EXPONENTIAL, LAWS
 from hardcontact.insight.law_comparison import CASES
@@ -29,8 +36,14 @@ def test_vocabulary():
     assert set(STATEMENTS["basis"]) <= {"published", "inferred", "assumed"}
     assert set(STATEMENTS["needs"]) <= {"", "measured", "no scan", "construction"}
     assert set(STATEMENTS["replicated"]) == {"", "yes"}
-    named = STATEMENTS["dataset"].str.split("+").explode()
-    assert set(named) <= {*DATASETS, "paper"}
+
+
+@pytest.mark.parametrize(
+    "statements, datasets", [(PAPER_STATEMENTS, DATASETS), (INSIGHT_STATEMENTS, INSIGHT_DATASETS)]
+)
+def test_each_table_needs_only_its_datasets(statements, datasets):
+    named = statements["dataset"].str.split("+").explode()
+    assert set(named) <= {*datasets, "paper"}
 
 
 def test_a_claim_follows_from_another_that_follows_from_none():

@@ -1,5 +1,7 @@
 # Claims: each statement of the paper beside what was computed.
 
+from hardcontact.claims.evaluation import DATASETS, INSIGHT_DATASETS
+
 
 rule evaluate_claims:
     """Judge each statement of the paper by what was computed: claims.csv."""
@@ -13,8 +15,6 @@ rule evaluate_claims:
         indent=rules.measure_indents.output[0],
         asperities=rules.aggregate_asperities.output[0],
         classical=rules.apply_classical_models.output[0],
-        laws=PATTERNS.dataset("laws"),
-        scaling=PATTERNS.dataset("scaling"),
         sets=rules.judge_sets.output[0],
         claims="resources/paper/claims.csv",
         published_constants=PUBLISHED["published_constants"],
@@ -27,7 +27,40 @@ rule evaluate_claims:
     benchmark:
         PATTERNS.benchmark("evaluate_claims")
     params:
-        canonical=canonical({"confidence": STUDY["inference"]["confidence"], "seed": STUDY["seed"]}),
+        canonical=canonical(
+            {
+                "datasets": DATASETS,
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+            }
+        ),
+    script:
+        "../scripts/evaluate_claims.py"
+
+
+rule evaluate_insight_claims:
+    """Judge the statements of the paper on which the chapter has the numbers: insight_claims.csv."""
+    input:
+        **{name: PATTERNS.dataset(name) for name in INSIGHT_DATASETS},
+        sets=rules.judge_sets.output[0],
+        claims="resources/paper/insight_claims.csv",
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("evaluate_claims.py"),
+    output:
+        claims=PATTERNS.result("insight_claims.csv"),
+        record=PATTERNS.record("insight_claims"),
+    log:
+        PATTERNS.log("evaluate_insight_claims"),
+    benchmark:
+        PATTERNS.benchmark("evaluate_insight_claims")
+    params:
+        canonical=canonical(
+            {
+                "datasets": INSIGHT_DATASETS,
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+            }
+        ),
     script:
         "../scripts/evaluate_claims.py"
 

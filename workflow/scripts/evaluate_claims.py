@@ -1,18 +1,19 @@
-"""Each quantitative statement of the paper beside what was computed, with its verdict."""
+"""Statements of the paper, each beside what was computed, with its verdict."""
 
-from hardcontact.claims.evaluation import DATASETS, evaluate, read_statements
+from hardcontact.claims.evaluation import evaluate, read_statements
 from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
+    params = this.parameters
     evaluated = evaluate(
         read_statements(this.input.claims),
-        {name: read(this.input[name]) for name in DATASETS},
+        {name: read(this.input[name]) for name in params["datasets"]},
         published.constants(this.input.published_constants),
-        this.parameters["confidence"],
+        params["confidence"],
         read(this.input.sets),
-        this.parameters["seed"],
+        params["seed"],
     )
     this.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
     this.record("claims")

@@ -63,11 +63,13 @@ def estimate(quantity: str, dataset: xr.Dataset, *others: xr.Dataset) -> xr.Data
     return variable_as_number(dataset, rows_of_table1.get(quantity, quantity))
 
 
-#: Datasets of a study that claims are about. A claim may also name `paper`.
+#: Datasets that the claims are about. A claim may also name `paper`.
 DATASETS = (
     "topography", "adhesion", "scales", "band", "inference", "elastic", "indent", "asperities",
-    "classical", "laws", "scaling",
+    "classical",
 )  # fmt: skip
+#: Datasets that the claims of the chapter on what decides the band are about.
+INSIGHT_DATASETS = ("topography", "laws", "scaling")
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
     "frequency", "verdict", "stability", "follows_from", "basis", "note",
