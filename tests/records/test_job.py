@@ -3,6 +3,7 @@
 import json
 import logging
 import os
+import subprocess
 import sys
 from types import SimpleNamespace
 
@@ -112,3 +113,26 @@ def test_an_input_that_was_changed_after_it_was_made_stops_the_job(
     for handler in logger.handlers:
         handler.close()
     assert_says(capsys.readouterr().err, "error: made/text.txt: expected", "run again")
+
+
+SCRIPT = """
+import atexit, types
+from hardcontact.records.job import job
+atexit.register(print, "taken down")
+snakemake = types.SimpleNamespace(
+    input=[], output=["made.txt"], params=types.SimpleNamespace(canonical="{}"), threads=1,
+    log=["a.log"],
+)
+with job(snakemake) as this:
+    this.write_text("made")
+    print("printed", end="")
+"""
+
+
+def test_the_process_of_a_script_ends_with_its_job(tmp_path):
+    (tmp_path / "script.py").write_text(SCRIPT)
+    run = subprocess.run(
+        [sys.executable, "script.py"], cwd=tmp_path, capture_output=True, text=True
+    )
+    assert (run.returncode, run.stdout, run.stderr) == (0, "printed", "")
+    assert (tmp_path / "made.txt").read_text() == "made"
