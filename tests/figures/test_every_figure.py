@@ -14,9 +14,6 @@ from paper_numbers import LABELS, SUBSTRATES
 from hardcontact.figures import drawing, style
 from hardcontact.figures.catalogue import FIGURES
 
-#: Figures of no surface of the study.
-OF_OTHERS = {"fig_ledger"}
-
 
 @pytest.fixture(scope="module", params=FIGURES)
 def name(request):
@@ -44,9 +41,6 @@ def measured(data):
 
 def test_substitutes_are_named_on_the_figure(name):
     labels = {"fig5": ["NCD"], "fig1": [*LABELS, "ruby"], "table1": [*LABELS, "ruby"]}
-    if name in OF_OTHERS:
-        assert notes(drawn(name)) == []
-        return
     (note,) = notes(drawn(name))
     assert note.startswith(f"substitute surfaces: {', '.join(labels.get(name, LABELS))} (")
 
@@ -122,5 +116,5 @@ def test_figures_take_measured_surfaces_that_the_paper_does_not_know(name):
     inputs = {key: renamed(measured(data)) for key, data in inputs_of(name).items()}
     figure = module_of(name).draw(**inputs)
     figure.draw_without_rendering()
-    assert notes(figure) == ([] if name in OF_OTHERS else ["all surfaces measured"])
+    assert notes(figure) == ["all surfaces measured"]
     assert len(module_of(name).table(**inputs))

@@ -15,7 +15,6 @@ from hardcontact.answer import insight_facts as facts
 from hardcontact.answer import insight_force_facts as force_facts
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.facts import percent, surfaces
-from hardcontact.answer.ledger_facts import ledger_facts
 from hardcontact.answer.templates import rendered
 from hardcontact.figures.catalogue import OF_INSIGHT
 from hardcontact.numbers.number import Number
@@ -31,7 +30,6 @@ PARTS: dict[str, Callable[[xr.Dataset, xr.Dataset], dict[str, Any]]] = {
     "fig_statistics": lambda statistics, _: force_facts.statistics_facts(statistics),
     "fig_repeated_contact": lambda contacts, _: force_facts.repeated_contact_facts(contacts),
     "fig_elastic_limit": lambda limit, _: force_facts.elastic_limit_facts(limit),
-    "fig_ledger": lambda ledger, _: ledger_facts(ledger),
     "fig_next": lambda spheres, _: force_facts.next_sphere_facts(spheres),
 }
 

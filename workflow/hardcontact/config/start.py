@@ -7,7 +7,7 @@ import logging
 import os
 import sys
 import threading
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from copy import deepcopy
 from functools import partial
 from pathlib import Path
@@ -18,9 +18,8 @@ from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
 from hardcontact.config.checks import check
-from hardcontact.config.configuration import PAPER, refuse_all, refuse_repeated_keys
 from hardcontact.config.configuration import configuration as numbers_of
-from hardcontact.config.experiments import EXPERIMENTS, PRIORS, experiments
+from hardcontact.config.configuration import refuse_all, refuse_repeated_keys
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 from hardcontact.records import published
@@ -142,11 +141,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
         )
         if _is_main(workflow):
             compared = published.pull_off(PUBLISHED["published_pull_off"]).index
-            checks: list[Callable[[], object]] = [partial(check, configuration, rows, compared)]
-            if configuration["published"] == PAPER:
-                schema = _schema("experiments.schema.yaml")
-                checks.append(partial(experiments, EXPERIMENTS, PRIORS, schema))
-            refuse_all(checks)
+            check(configuration, rows, compared)
     except ValueError as error:
         _refuse(error)
     return Selection(rows, configuration["sphere"]["surface"])

@@ -145,12 +145,6 @@ OF_INSIGHT = {
         "contacts that do not yield, and their force",
         ("elastic_limit",),
     ),
-    "fig_ledger": Figure(
-        INSIGHT,
-        "forces that others measured",
-        "published experiments beside the closed form",
-        ("ledger",),
-    ),
     "fig_next": Figure(
         INSIGHT, "the next sphere", "spheres that tell the fits of the forces apart", ("next",)
     ),
