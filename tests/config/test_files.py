@@ -2,10 +2,14 @@
 
 from itertools import product
 
+import numpy as np
 import pytest
+import scan_files
 from paper_numbers import SUBSTRATES, SURFACES
 from repository import PAPER
 from small_study import PATTERNS, files, selection
+
+from hardcontact.surfaces.scans import flat_measurements
 
 pytestmark = pytest.mark.usefixtures("at_root")
 
@@ -52,6 +56,18 @@ def test_measured_scans_are_read_where_they_lie():
     study = files(measured=["mcd"])
     assert study.spectrum("mcd") == "results/store/spectra/mcd/study/measured-flat.nc"
     assert study.spectrum("uncd") == "results/store/spectra/uncd/study/calibrated.nc"
+
+
+def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
+    x = (np.arange(64) - 31.5) * 10.0
+    ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
+    rough = np.random.default_rng(1).standard_normal((64, 64))
+    path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
+    measuring = files(scans=[1], measured=["ruby"]).measuring("ruby")
+    (measured,) = flat_measurements([path], measuring)
+    assert measuring["sphere_radius"] == 250e3
+    assert measured.heights.std() == pytest.approx(rough.std(), rel=0.01)
+    assert files(measured=["uncd"]).measuring("uncd")["sphere_radius"] is None
 
 
 def test_realizations_begin_again_when_the_scans_are_used_up():

@@ -85,14 +85,14 @@ class Files:
     def measuring(self, surface: str) -> Measuring:
         """Return how the measurements of a surface are read."""
         scan, measured = self._configuration["scan"], self._selection.measured(surface)
-        sphere = surface == self._selection.sphere
+        radius = magnitude(self._configuration["sphere"]["radius"], "nm")
         return {
             "datasets": [one.dataset for one in measured],
             "tip_radii": [one.tip_radius for one in measured],
             "undefined_pixels": scan["undefined_pixels"],
             "unit": scan["unit"],
             "levelling": scan["levelling"],
-            "sphere_radius": self._configuration["sphere"]["radius"] if sphere else None,
+            "sphere_radius": radius if surface == self._selection.sphere else None,
         }
 
     def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
