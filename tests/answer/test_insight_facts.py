@@ -5,7 +5,6 @@ import pytest
 from figure_inputs.closed_form import closed_form
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
-from figure_inputs.models import models
 from figure_inputs.published_tables import published_constants
 from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band
@@ -18,7 +17,6 @@ from hardcontact.answer.facts import between, number_of
 from hardcontact.answer.insight_facts import (
     band_facts,
     closed_form_facts,
-    model_facts,
     scaling_facts,
     scan_size_facts,
 )
@@ -246,14 +244,6 @@ def test_strengths_are_those_of_what_is_known():
     assert (hamaker.value, hamaker.unit) == (pytest.approx(1e-17), "J")
     assert (potential.value, potential.unit) == (2, "V")
     assert np.isnan(casimir.value) and casimir.status == "none"
-
-
-def test_models_have_a_factor_of_each_regime_and_where_they_fail():
-    data, facts = models(), model_facts(models())
-    assert facts["held_back"] == 4 and column(facts, "model") == data["model"].values.tolist()
-    for place, regime in enumerate(facts["regimes"]):
-        assert column(facts, regime) == pytest.approx(data["median_factor"].values[:, place])
-    assert column(facts, "wrong") == pytest.approx(data["last_wrong"].values)
 
 
 def test_the_scatter_beyond_the_law_is_what_is_left_of_the_published():

@@ -21,7 +21,6 @@ from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
 from hardcontact.insight.prediction import coordinates
-from hardcontact.insight.summits import moment, rough_waves
 from hardcontact.numbers.random import generator
 from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
 from hardcontact.scales.filtered_masters import scaled_pull_off
@@ -159,15 +158,12 @@ def predicted(row: dict[str, Any]) -> dict[str, Any]:
     contact = Contact(row["radius"], row["rho"], WORK, row["area"])
     found = closed_form(waves, contact)
     short, long = edges(waves, contact, TOLERANCE)
-    rough = rough_waves(waves, contact.radius)
-    assert rough is not None
     return {
         "predicted_force": found.force,
         "predicted_short_edge": short,
         "predicted_long_edge": long,
         **coordinates(waves, contact, found),
         "waves_height": found.rms_height,
-        "waves_gradient": np.sqrt(moment(rough, 2)),
         "approach": found.closest_approach,
     }
 

@@ -45,24 +45,6 @@ rule compare_closed_form:
         "../scripts/compare_closed_form.py"
 
 
-rule compare_models:
-    """Compare models of others with computed forces: models.nc."""
-    input:
-        closed_form=rules.compare_closed_form.output[0],
-        validation="resources/validation/prediction.csv",
-        code=code_inputs("compare_models.py"),
-    output:
-        PATTERNS.dataset("models"),
-    log:
-        PATTERNS.log("compare_models"),
-    benchmark:
-        PATTERNS.benchmark("compare_models")
-    params:
-        canonical=canonical({}),
-    script:
-        "../scripts/compare_models.py"
-
-
 rule compare_statistics:
     """Compare the law of the scatter of forces with computed and published scatter: statistics.nc."""
     input:

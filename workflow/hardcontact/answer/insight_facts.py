@@ -36,7 +36,6 @@ from hardcontact.insight.edge_scaling import (
     RANGE,
     UNDECIDED,
 )
-from hardcontact.insight.other_models import RIGHT
 from hardcontact.insight.prediction import validated_errors
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
@@ -49,6 +48,9 @@ KINDS = ("corrected", "uncorrected")
 
 #: A regime of the closed form beside those of `closed_form`.
 AT_TRANSITION = "transition"
+
+#: Factor between a predicted and a computed edge from which on the prediction is wrong.
+MAX_ERROR_FACTOR = 2.0
 
 
 def band_facts(band: xr.Dataset, constants: pd.DataFrame) -> dict[str, Any]:
@@ -150,7 +152,7 @@ def _edge_errors(scaling: xr.Dataset) -> Iterator[Cells]:
         for regime, chosen in ((MANY_POINTS, many), (SINGLE_PEAKS, ~many)):
             found = held_back["designed_bound"].sel(side=side) == 0
             errors = held_back["designed_error"].sel(side=side, designed=chosen & found)
-            wrong = np.abs(np.log(errors.sel(prediction=FORMULA))) > np.log(RIGHT)
+            wrong = np.abs(np.log(errors.sel(prediction=FORMULA))) > np.log(MAX_ERROR_FACTOR)
             last = modulus.where(wrong).max().item()
             row: Cells = {
                 "edge": side,
@@ -268,22 +270,6 @@ def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, An
             for (name, regime), (error, count) in validated_errors().items()
         ],
     }
-
-
-def model_facts(models: xr.Dataset) -> dict[str, Any]:
-    """Return how far the forces of every model are off, by regime, and up to which modulus."""
-    regimes = models["regime"].values.tolist()
-    rows = []
-    for name in models["model"].values:
-        row: Cells = {"model": str(name), "wrong": number_of(models.sel(model=name), "last_wrong")}
-        for regime in regimes:
-            of_regime = models.sel(model=name, regime=regime)
-            row |= {
-                regime: number_of(of_regime, "median_factor", strict=False),
-                f"{regime}_rms": number_of(of_regime, "rms_factor"),
-            }
-        rows.append(row)
-    return {"rows": rows, "regimes": regimes, "held_back": int(models["held_back"].sum())}
 
 
 def _ratio(case: xr.Dataset) -> Number:

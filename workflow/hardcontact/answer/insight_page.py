@@ -25,7 +25,6 @@ PARTS: dict[str, Callable[[xr.Dataset, xr.Dataset], dict[str, Any]]] = {
     "fig_scaling": lambda scaling, _: facts.scaling_facts(scaling),
     "fig_scan_size": lambda scan_size, _: facts.scan_size_facts(scan_size),
     "fig_closed_form": facts.closed_form_facts,
-    "fig_models": lambda models, _: facts.model_facts(models),
     "fig_laws": lambda laws, _: force_facts.law_facts(laws),
     "fig_statistics": lambda statistics, _: force_facts.statistics_facts(statistics),
     "fig_repeated_contact": lambda contacts, _: force_facts.repeated_contact_facts(contacts),

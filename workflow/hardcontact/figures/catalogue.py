@@ -117,9 +117,6 @@ OF_INSIGHT = {
     "fig_closed_form": Figure(
         INSIGHT, "force from a spectrum", "closed form of the pull-off force", ("closed_form",)
     ),
-    "fig_models": Figure(
-        INSIGHT, "models of others", "models of others beside computed forces", ("models",)
-    ),
     "fig_laws": Figure(
         INSIGHT,
         "other laws of attraction",

@@ -16,7 +16,7 @@ from hardcontact.insight.closed_form import (
     edges,
     filtered_spectrum,
 )
-from hardcontact.insight.summits import banded, moment, rough_waves
+from hardcontact.insight.summits import banded
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import student_log_interval
 from hardcontact.surfaces.spectrum import Spectrum
@@ -66,11 +66,10 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
     realizations with its interval over realizations; also over source ("spectrum": closest approach
     expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
     ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
-    ``computed_approach`` and ``predicted_approach`` in nm, ``contact_area`` in nm2, and of the
-    waves that the sphere does not follow ``waves_height`` (nm) and ``waves_gradient``. Of the whole
-    spectra ``whole_force`` (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge``
-    (surface, side) in nm, and ``filtered_ratio`` (surface, side, cutoff_wavelength), the force
-    without the waves of a side over that with all; NaN at cutoffs of the other side.
+    ``computed_approach`` and ``predicted_approach`` in nm. Of the whole spectra ``whole_force``
+    (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge`` (surface, side) in nm, and
+    ``filtered_ratio`` (surface, side, cutoff_wavelength), the force without the waves of a side
+    over that with all; NaN at cutoffs of the other side.
     """
     compared = [
         [_compared(name, one, size, trial) for size in trial.sizes] for name, one in spectra.items()
@@ -120,8 +119,6 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
     given = {"spectrum": None, "contacts": np.array(approaches)}
     formulas = [[closed_form(waves, one, given[source]) for one in contacts] for source in SOURCES]
     first, over, newton = formulas[0][0], ("source", "rho"), {"units": "N"}
-    rough = rough_waves(waves, trial.radius)
-    gradient = np.sqrt(moment(rough, 2)) if rough else 0.0
     smooth = first.force / first.relative
     predicted = [[one.force for one in row] for row in formulas]
     of_first_term = [[one.first_term * smooth for one in row] for row in formulas]
@@ -134,9 +131,6 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
             "freezing": (over, freezing, {"units": "1"}),
             "computed_approach": ((), np.mean(approaches), {"units": "nm"}),
             "predicted_approach": ((), first.closest_approach, {"units": "nm"}),
-            "waves_height": ((), first.rms_height, {"units": "nm"}),
-            "waves_gradient": ((), gradient, {"units": "1"}),
-            "contact_area": ((), area, {"units": "nm2"}),
         }
     )
 
