@@ -23,7 +23,7 @@ def coarse(monkeypatch):
 
 def outputs(folder: Path) -> dict[str, str]:
     folder.mkdir(exist_ok=True)
-    return {kind: str(folder / f"figure.{kind}") for kind in ("pdf", "png", "csv")}
+    return {kind: str(folder / f"figure.{kind}") for kind in drawing.KINDS}
 
 
 def contents(folder: Path) -> dict[str, bytes]:
@@ -48,8 +48,9 @@ slow = [pytest.param(name, marks=pytest.mark.study) for name in FIGURES if name 
 def test_a_figure_is_drawn_from_its_files(name, tmp_path):
     drawing.draw_figure(name, input_files(name, tmp_path), outputs(tmp_path / "made"))
     made = contents(tmp_path / "made")
-    assert set(made) == {"figure.pdf", "figure.png", "figure.csv"}
+    assert set(made) == {f"figure.{kind}" for kind in drawing.KINDS}
     assert made["figure.pdf"].startswith(b"%PDF") and made["figure.png"].startswith(b"\x89PNG")
+    assert b"<svg" in made["figure.svg"]
     assert made["figure.csv"].count(b"\n") > 10
 
 

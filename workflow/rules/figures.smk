@@ -20,6 +20,7 @@ for name, figure in (FIGURES | OF_ATOMIC).items():
                 category=figure.chapter,
                 labels={"figure": figure.label},
             ),
+            svg=PATTERNS.figure(name, "svg"),
             csv=PATTERNS.figure(name, "csv"),
             record=PATTERNS.record(name),
         log:

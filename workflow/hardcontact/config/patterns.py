@@ -90,7 +90,7 @@ class Patterns:
         return f"{self.results}/provenance/{name}.json"
 
     def figure(self, name: str, kind: str) -> str:
-        """Return the path of a figure, by its kind: pdf, png or csv."""
+        """Return the path of a figure, by its kind: pdf, png, svg or csv."""
         return f"{self.results}/figures/{name}.{kind}"
 
     def page(self, name: str) -> str:

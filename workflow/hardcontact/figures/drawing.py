@@ -1,14 +1,18 @@
-"""Drawing of a figure: its sheet, and the files that it is written to, PDF, PNG and its table."""
+"""Drawing of a figure: its sheet, and the files that it is written to: PDF, PNG, SVG, its table."""
 
 import importlib
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
+from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
+from matplotlib.artist import Artist
+from matplotlib.collections import Collection
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
 from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
@@ -18,6 +22,9 @@ from hardcontact.records.whole_file import whole_file
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
 RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
+SVG_RESOLUTION = 200  # dots per inch of the images inside the SVG
+MAX_VECTOR_POINTS = 1000  # of a curve or of symbols that the SVG holds as such
+KINDS = ("pdf", "png", "svg", "csv")
 READERS = {
     "published_constants": published.constants,
     "published_pull_off": published.pull_off,
@@ -29,7 +36,7 @@ def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
     """Draw a figure of the catalogue, named by a key of `FIGURES` or of `OF_ATOMIC`.
 
     Inputs are the paths of the datasets and published tables that it is drawn from, outputs those
-    of its "pdf", "png" and "csv".
+    of its "pdf", "png", "svg" and "csv".
     """
     module = importlib.import_module(f"hardcontact.figures.{name}")
     figure = (FIGURES | OF_ATOMIC)[name]
@@ -39,19 +46,41 @@ def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]
 
 
 def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:
-    """Write a figure and the table of its numbers as "pdf", "png" and "csv", with its title.
+    """Write a figure and the table of its numbers, with its title.
 
-    The bytes are the same each time, and all files are written or none.
+    Outputs are the paths of "pdf", "png", "svg" and "csv". The bytes are the same each time, and
+    all files are written or none.
     """
     style.freeze_layout(figure)
     with ExitStack() as stack:
-        pdf, png, csv = (
-            stack.enter_context(whole_file(outputs[kind])) for kind in ("pdf", "png", "csv")
+        paths = {kind: stack.enter_context(whole_file(outputs[kind])) for kind in KINDS}
+        table.to_csv(paths["csv"], index=False, float_format="%.8g", lineterminator="\n")
+        metadata = {"Title": title}
+        figure.savefig(
+            paths["png"], format="png", dpi=RESOLUTION, metadata=metadata | {"Software": None}
         )
-        table.to_csv(csv, index=False, float_format="%.8g", lineterminator="\n")
-        for path, kind, left_out in ((png, "png", "Software"), (pdf, "pdf", "CreationDate")):
-            metadata = {"Title": title, left_out: None}
-            figure.savefig(path, format=kind, dpi=RESOLUTION, metadata=metadata)
+        figure.savefig(
+            paths["pdf"], format="pdf", dpi=RESOLUTION, metadata=metadata | {"CreationDate": None}
+        )
+        save_svg(figure, paths["svg"], title)
+
+
+def save_svg(figure: Figure, path: Path, title: str) -> None:
+    """Write a figure as SVG for pages; curves and symbols of many points become an image in it."""
+    for artist in figure.findobj(_has_many_points):
+        artist.set_rasterized(True)
+    metadata = {"Title": title, "Date": None}
+    figure.savefig(path, format="svg", dpi=SVG_RESOLUTION, metadata=metadata)
+
+
+def _has_many_points(artist: Artist) -> bool:
+    """Return whether a line or a collection has too many points for an SVG."""
+    if isinstance(artist, Line2D):
+        return bool(np.size(artist.get_xdata()) > MAX_VECTOR_POINTS)
+    if isinstance(artist, Collection):
+        points = sum(len(path.vertices) for path in artist.get_paths())
+        return max(points, len(artist.get_offsets())) > MAX_VECTOR_POINTS
+    return False
 
 
 def create(height: float, surfaces: xr.Dataset) -> Figure:

@@ -72,6 +72,7 @@ RC: dict[Any, Any] = {
     "ytick.major.width": 0.6,
     "image.interpolation": "nearest",  # every pixel of a height map is shown as it is
     "pdf.fonttype": 42,  # text in the PDF can be searched and copied
+    "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
 }
 
 
