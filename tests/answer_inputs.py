@@ -5,8 +5,7 @@ import xarray as xr
 from intervals import between_multiples
 
 from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.insight.next_measurement import CONTACTS, OUTCOMES
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, WAVEVECTORS
+from hardcontact.surfaces.spectrum import BIN_EDGES, WAVEVECTORS
 
 CONFIDENCE = 0.95
 SURFACES, LABELS = ["my_coating", "twin"], ["my coating", "twin"]
@@ -256,35 +255,9 @@ def force(count=1):
         data[name] = "surface", np.full(count, value)
     smooth = np.full((len(MODELS), RHOS.size), 2 * np.pi * 250e-6 * WORK)
     data["smooth_bound"] = axes[1:], smooth
-    data = data.merge(truths(count))
     return data.assign_attrs(
         work_of_adhesion=WORK, range_of_adhesion=RANGE, confidence=CONFIDENCE, window=12.5e3,
         contact_area=400.0, sphere_radius=250e3,
-    )  # fmt: skip
-
-
-def truths(count=1):
-    """Return 40 truths of each surface: a spectrum of another height, edges and forces by it."""
-    height, rho = generator().normal(size=40), np.resize([1.3, 5.6, 8.6], 40)
-    spectra = power_law(BIN_CENTRES) * np.exp(0.5 * height)[:, None]
-    factors = np.exp(np.stack([0.3 * height, 0.2 * height, -0.4 * height], axis=1))
-    pair = np.stack([rho, 0.1 / rho], axis=1)
-    outcomes = np.hstack([factors * [37.0, 1700.0, 0.64e-6], pair])
-    forces = factors[:, [2]] * (rho[:, None] / RANGE) ** [0, 0.5, -0.5, 1.0] * 1e-6
-    return xr.Dataset(
-        {
-            "true_outcome": (("surface", "draw", "outcome"), np.tile(outcomes, (count, 1, 1))),
-            "true_force": (("surface", "draw", "contact"), np.tile(forces, (count, 1, 1))),
-            "places": (("surface", "draw"), np.tile(generator().normal(size=40), (count, 1))),
-            "variation": (("surface", "contact"), np.full((count, 4), 0.5)),
-            "drawn_spectrum": (
-                ("surface", "draw", "bin_wavevector"), np.tile(spectra, (count, 1, 1)),
-            ),
-        },
-        {
-            "surface": SURFACES[:count], "outcome": list(OUTCOMES), "contact": list(CONTACTS),
-            "bin_wavevector": BIN_CENTRES,
-        },
     )  # fmt: skip
 
 

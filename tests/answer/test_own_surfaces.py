@@ -128,7 +128,7 @@ def test_every_surface_has_its_rows_and_figures():
     for name, label in zip(SURFACES, LABELS, strict=True):
         assert sum(row[0] == f"{label} (substitute)" for row in rows) >= 8 + SCANS
         ids = shown(FORCES).values("id")
-        assert {f"{kind}-{name}" for kind in ("cutoffs", "map", "spectrum", "next")} <= set(ids)
+        assert {f"{kind}-{name}" for kind in ("cutoffs", "map", "spectrum")} <= set(ids)
 
 
 def test_curves_of_the_page_are_values():

@@ -89,6 +89,32 @@ def test_open_edges_are_bounds():
     assert place_of_edge(datasets(edges=below).of_surface(SURFACES[0]), "large") == "inside"
 
 
+@pytest.mark.parametrize(
+    ("data", "expected"),
+    [
+        (with_edge(120.0, 90.0, 150.0), []),
+        (with_edge(37.0, 20.0, 90.0), [("short_edge", "finer", 37.0)]),
+        (with_edge(70.0, 40.0, 90.0), [("short_edge", "finer", 55.0)]),
+        (unresolved_edges(), [("short_edge", "finer", 55.0), ("long_edge", "larger", 25_000.0)]),
+    ],
+)
+def test_open_and_extrapolated_edges_say_what_to_measure_next(data, expected):
+    # The scans are reliable from 55 nm to 25 µm.
+    measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
+    assert [(one["edge"], one["code"], one["limit"].value) for one in measurements] == expected
+
+
+@pytest.mark.parametrize(
+    ("at_least", "expected"), [(1, ("larger", 25_000.0)), (0, ("finer", 55.0))]
+)
+def test_an_open_edge_says_on_which_side_to_measure(at_least, expected):
+    data = open_edges()
+    data["edge_at_least"].loc[{"side": "large"}] = at_least
+    measurements = facts.next_measurements(datasets(edges=data).of_surface(SURFACES[0]))
+    long = [(one["code"], one["limit"].value) for one in measurements if one["edge"] == "long_edge"]
+    assert long == [expected]
+
+
 def test_what_has_no_interval_says_why():
     data = with_edge(120.0, np.nan, np.nan)
     assert rows(edges=data)["short_edge"].fact.status == "few_parts"

@@ -123,8 +123,6 @@ rule predict_force:
         scales=rules.aggregate_scales.output[0],
         topography=rules.aggregate_topography.output[0],
         spectra=rules.aggregate_spectra.output[0],
-        scans=[one.path for name in SELECTION.substrates for one in SELECTION.measured(name)],
-        pairs="resources/adhesion/pairs.csv",
         code=code_inputs("predict_force.py"),
     output:
         PATTERNS.dataset("force"),
@@ -138,11 +136,6 @@ rule predict_force:
                 "work": STUDY["adhesion"]["work"],
                 "rho": STUDY["scales"]["range"],
                 "radius": STUDY["sphere"]["radius"],
-                "seed": STUDY["seed"],
-                "measuring": {name: FILES.measuring(name) for name in SELECTION.substrates},
-                # A user who gave both knows them.
-                "pair_is_known": not {"range of adhesion", "work of adhesion"}
-                & set(of_paper(config, read_yaml("config/config.yaml"))),
                 "contact": STUDY["contact"],
                 "scans": {name: len(SELECTION.scans(name)) for name in SELECTION.substrates},
                 "tiles": STUDY["scales"]["large"]["tiles"],

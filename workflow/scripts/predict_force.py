@@ -1,6 +1,4 @@
-"""The pull-off forces that a work and a range of adhesion predict, and what may be true instead."""
-
-import pandas as pd
+"""The pull-off forces that a work and a range of adhesion predict."""
 
 from hardcontact.adhesion.finite_scan import (
     with_contact_area,
@@ -10,9 +8,7 @@ from hardcontact.adhesion.finite_scan import (
 from hardcontact.insight.closed_form import Contact, contact_area
 from hardcontact.insight.edge_scaling import among_regimes
 from hardcontact.insight.force_scatter import force_scatter
-from hardcontact.insight.next_measurement import TRUTHS, drawn_truths
 from hardcontact.insight.summits import draw_size
-from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.predicted_force import (
     continued_force,
@@ -21,10 +17,7 @@ from hardcontact.own_surfaces.predicted_force import (
     with_smooth_bound,
 )
 from hardcontact.records import dataset
-from hardcontact.records.dataset import stack
 from hardcontact.records.job import job
-from hardcontact.surfaces.joined_spectrum import drawn_spectra
-from hardcontact.surfaces.scans import flat_measurements
 from hardcontact.surfaces.spectrum import spectrum_from
 
 with job(snakemake) as this:
@@ -52,10 +45,6 @@ with job(snakemake) as this:
     draw_sizes = {name: draw_size(one, given["radius"], area) for name, one in joined.items()}
     force = with_finite_scans(force, topography, draw_sizes)
     force = with_window_share(force, given["contact"]["window"], given["radius"])
-    pairs, scans, truths = [(given["rho"], given["work"])], list(this.input.scans), {}
-    if not given["pair_is_known"]:
-        table = pd.read_csv(this.input.pairs)
-        pairs = table[["range_of_adhesion_nm", "work_of_adhesion_J_m2"]].values.tolist()
     contact = Contact(given["radius"], given["rho"], given["work"], area)
     one_scan, settings = dict.fromkeys(joined, 0.0), ("tolerance", "confidence")
     scatter = force_scatter(
@@ -63,21 +52,6 @@ with job(snakemake) as this:
     ).squeeze("rho", drop=True)
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
     force = force.merge(among_regimes(joined, contact))
-    for name, measuring in given["measuring"].items():
-        paths = [scans.pop(0) for _ in measuring["datasets"]]
-        if paths:  # a described surface has none
-            drawn = drawn_spectra(
-                (generator(given["seed"], name, number, "truth") for number in range(TRUTHS)),
-                flat_measurements(paths, measuring),
-                measuring["tip_radii"],
-            )
-            rng = generator(given["seed"], name, "places")
-            of_draws = [spectrum for spectrum, _ in drawn]
-            truths[(name,)] = drawn_truths(
-                rng, of_draws, joined[name], contact, pairs, given["tolerance"]
-            )
-    if truths:
-        force = force.merge(stack(truths, ["surface"]), join="left")
     this.write(
         with_contact_area(force, topography, given["contact"]),
         title="predicted pull-off forces",

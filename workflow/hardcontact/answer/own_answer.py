@@ -15,8 +15,7 @@ from hardcontact.answer.artificial import (
 from hardcontact.answer.datasets import Datasets, Setting, at_range
 from hardcontact.answer.facts import Row
 from hardcontact.answer.limits import Limit, limits, tail
-from hardcontact.answer.next_measurements import next_measurements
-from hardcontact.answer.surface_facts import SOURCES, answer_rows, verdict
+from hardcontact.answer.surface_facts import SOURCES, answer_rows, next_measurements, verdict
 from hardcontact.numbers.number import plain
 from hardcontact.numbers.statistics import bounds
 from hardcontact.scales.critical_band import computed_cutoffs

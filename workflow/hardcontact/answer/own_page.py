@@ -20,7 +20,6 @@ from hardcontact.answer.surface_facts import (
     verdict,
 )
 from hardcontact.answer.templates import rendered
-from hardcontact.insight.next_measurement import PIXELS, TESTS
 
 
 def own_page(answer: OwnAnswer) -> str:
@@ -38,8 +37,6 @@ def own_page(answer: OwnAnswer) -> str:
         surfaces=[_shown(name, one) for name, one in surfaces.items()],
         pooled=pooled_rows(given.edges, [one.rows for one in surfaces.values()]),
         quartiles=quartile_spans(given),
-        tests=TESTS,
-        pixels=PIXELS,
         contact=contact_inputs(setting),
         forces=_drawn(curves.force_curve(given.force, labels)),
         fit=None if given.fit is None else _shown_fit(given.fit, labels),

@@ -77,6 +77,36 @@ def edge_rows(of: Datasets) -> list[Row]:
     return rows
 
 
+def next_measurements(of: Datasets) -> list[Mapping[str, Any]]:
+    """Return what to measure next: one measurement for each edge that is open or extrapolated.
+
+    Each has the name of the ``edge``, a ``code``, "finer" or "larger", and as ``limit`` a
+    wavelength (nm): measurements on that side of it would find the edge. The limit is the edge, or
+    its bound, or the nearest wavelength beyond it at which no scan is reliable.
+    """
+    measured_ends = {"short_edge": "shortest_measured", "long_edge": "longest_measured"}
+    bands = artificial_bands(of.spectra)
+    measurements: list[Mapping[str, Any]] = []
+    for edge in (row.fact for row in edge_rows(of)):
+        is_open = edge.status in ("open_below", "open_above", "no_band")
+        if not is_open and edge.source not in ("artificial", "partly_artificial"):
+            continue
+        wavelength, finer = edge.value, edge.name == "short_edge"
+        if edge.status == "no_band":
+            wavelength = float(of.spectra[measured_ends[edge.name]])
+        elif is_open:
+            finer = edge.status == "open_below"
+        if finer:
+            _, longest_below = max(band for band in bands if band[0] < wavelength)
+            limit = Number("limit", min(wavelength, longest_below), "nm")
+        else:
+            shortest_above, _ = min(band for band in bands if wavelength < band[1])
+            limit = Number("limit", max(wavelength, shortest_above), "nm")
+        code = "finer" if finer else "larger"
+        measurements.append({"edge": edge.name, "code": code, "limit": limit})
+    return measurements
+
+
 def answer_rows(of: Datasets, pairs: Sequence[Mapping[str, Any]] = ()) -> list[Row]:
     """Return the rows of one surface: its edges, its forces and, if it has any, its own forces.
 
