@@ -36,7 +36,6 @@ if COMPARED:
     include: "workflow/rules/scaling.smk"
     include: "workflow/rules/scan_size.smk"
     include: "workflow/rules/figures.smk"
-    include: "workflow/rules/atomic.smk"
     include: "workflow/rules/report.smk"
     include: "workflow/rules/answer_paper.smk"
     include: "workflow/rules/answer_insight.smk"

@@ -7,7 +7,7 @@ from refusals import assert_says, refusal
 from repository import PAPER, ROOT
 
 from hardcontact.answer.captions import caption
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC, OF_PAPER
+from hardcontact.figures.catalogue import FIGURES, OF_PAPER
 
 CONFIDENCE = '{% set share = 100 * snakemake.config["inference"]["confidence"] %}\n'
 
@@ -20,7 +20,7 @@ def test_a_caption_names_the_values_of_the_study():
     assert shown == ("Fig. 1", "Its 80 % interval.", "From a.nc.")
 
 
-@pytest.mark.parametrize("name", FIGURES | OF_ATOMIC)
+@pytest.mark.parametrize("name", FIGURES)
 def test_captions_of_figures_have_a_title_and_no_markup(name):
     shown = caption((ROOT / f"workflow/report/{name}.rst").read_text(), PAPER)
     assert shown.short and 10 < len(shown.title) < 80

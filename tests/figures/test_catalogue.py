@@ -10,7 +10,7 @@ from figure_inputs.registry import module_of
 
 from hardcontact import figures
 from hardcontact.config.patterns import PUBLISHED
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
+from hardcontact.figures.catalogue import FIGURES
 from hardcontact.figures.drawing import READERS
 
 ROOT = Path(__file__).parents[2]
@@ -20,14 +20,14 @@ SHARED = {"__init__", "catalogue", "drawing", "style", "tables"}
 
 def test_each_module_is_a_figure_or_shared():
     modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
-    assert modules == set(FIGURES) | set(OF_ATOMIC) | PARTS | SHARED
+    assert modules == set(FIGURES) | PARTS | SHARED
 
 
-@pytest.mark.parametrize("name", FIGURES | OF_ATOMIC)
+@pytest.mark.parametrize("name", FIGURES)
 def test_a_module_takes_what_the_table_says(name):
     module = module_of(name)
     for function in (module.draw, module.table):
-        assert tuple(inspect.signature(function).parameters) == (FIGURES | OF_ATOMIC)[name].inputs
+        assert tuple(inspect.signature(function).parameters) == FIGURES[name].inputs
 
 
 def test_published_tables_exist_and_are_read():

@@ -8,7 +8,7 @@ from jinja2 import Environment, StrictUndefined
 from repository import PAPER, ROOT
 
 from hardcontact.config.configuration import CHAPTERS, PAGES
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
+from hardcontact.figures.catalogue import FIGURES
 
 CAPTIONS = sorted((ROOT / "workflow/report").glob("*.rst"))
 README = ROOT / "README.md"
@@ -46,7 +46,7 @@ def test_the_report_of_own_surfaces_does_not_tell_the_story_of_the_paper():
 
 def test_every_figure_and_page_has_a_caption():
     assert {path.stem for path in CAPTIONS} == {
-        "workflow", "own_surfaces", "answer", "insight", *FIGURES, *OF_ATOMIC, *PAGES,
+        "workflow", "own_surfaces", "answer", "insight", *FIGURES, *PAGES,
     }  # fmt: skip
 
 

@@ -7,12 +7,10 @@ import yaml
 from repository import PAPER, ROOT, snakemake
 
 from hardcontact.config.configuration import made
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
+from hardcontact.figures.catalogue import FIGURES
 
 FILES = [ROOT / "Snakefile", ROOT / "workflow/redraw.smk", *(ROOT / "workflow/rules").glob("*.smk")]
 DRAWN = {f"draw_{name}" for name in FIGURES}
-#: What targets make that are no part of the study.
-APART = {"compare_finer_master", *(f"draw_{name}" for name in OF_ATOMIC)}
 #: Rules that a study of own surfaces has and the paper's has not.
 OF_OWN_SURFACES = {
     "aggregate_spectra", "draw_spectra", "vary_spectrum", "find_band_edges", "predict_force",
@@ -40,7 +38,7 @@ OF_PAPER = RULES.keys() - OF_OWN_SURFACES
 TARGETS = {
     "all", "topography", "adhesion", "elastic", "plasticity", "asperities", "scales", "classical",
     "sets", "robustness", "claims", "figures", "pages", "answer",
-    "insight", "atomic", "crate", "verify",
+    "insight", "crate", "verify",
 }  # fmt: skip
 
 
@@ -74,7 +72,7 @@ def test_every_rule_says_what_it_is_for(name):
 def test_the_study_of_the_paper_has_the_rules_that_concern_it(repository):
     listed = re.findall(r"^([\w+-]+) \((.+)\)$", snakemake(repository, "--list-rules").stdout, re.M)
     names = {re.sub(rf"^({'|'.join(LOOPED)})_.*", r"\1", name) for name, _ in listed}
-    assert names == OF_PAPER | TARGETS | DRAWN | APART
+    assert names == OF_PAPER | TARGETS | DRAWN
 
 
 def test_lint_misses_nothing_but_environments(repository):
@@ -85,7 +83,7 @@ def test_lint_misses_nothing_but_environments(repository):
 def test_the_crate_describes_what_every_target_makes():
     block = RULES["describe_crate"].partition("    output:")[0]
     assert "[getattr(rules, target).input for target in made(STUDY)]" in block
-    assert set(made(PAPER)) == TARGETS - {"all", "atomic", "crate", "verify"}
+    assert set(made(PAPER)) == TARGETS - {"all", "crate", "verify"}
 
 
 def test_every_rule_wrote_its_log_and_benchmark(finished):
@@ -95,15 +93,13 @@ def test_every_rule_wrote_its_log_and_benchmark(finished):
             for folder in (finished / "results").glob(f"*/{kind}")
             for path in folder.rglob(f"*{suffix}")
         }
-        assert (
-            found - {"verify"} == (OF_PAPER | DRAWN) - {"measure_spectrum", "prepare_scan"} - APART
-        ), kind
+        assert found - {"verify"} == (OF_PAPER | DRAWN) - {"measure_spectrum", "prepare_scan"}, kind
 
 
 def test_the_cluster_profile_names_rules_there_are_and_the_resources_of_all_others():
     profile = yaml.safe_load((ROOT / "profiles/slurm/profile.yaml").read_text())
     named = profile["groups"].keys() | profile["set-resources"].keys()
-    assert named <= RULES.keys() | DRAWN | APART
+    assert named <= RULES.keys() | DRAWN
     assert profile["default-resources"].keys() == {"mem_mb", "runtime"}
     assert set(profile["groups"].values()) == profile["group-components"].keys()
 

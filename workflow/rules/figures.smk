@@ -1,8 +1,8 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC, OF_PAPER
+from hardcontact.figures.catalogue import FIGURES, OF_PAPER
 
-for name, figure in (FIGURES | OF_ATOMIC).items():
+for name, figure in FIGURES.items():
 
     rule:
         """Draw a figure, and write the table that it is drawn from."""

@@ -41,7 +41,6 @@ REASONS = {
     "robustness": "it varies how substitutes for the paper's surfaces are made",
     "claims": "claims are statements of the paper about its own surfaces",
     "figures": "the figures are the paper's; those of own surfaces are in the answer",
-    "atomic": "it is computed on the reference surface of the paper",
     "insight": "its parts are made of substitutes for the paper's surfaces",
     "pages": "the pages tell of the paper's statements; the answer tells of own surfaces",
 }

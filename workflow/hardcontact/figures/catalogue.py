@@ -149,10 +149,3 @@ OF_INSIGHT = {
 
 #: All figures.
 FIGURES = OF_PAPER | OF_INSIGHT
-
-#: Figures of targets that are no part of the study: it is complete without them.
-OF_ATOMIC = {
-    "fig_atomic": Figure(
-        "Beyond the study", "atomic scale", "pull-off force on pixels of atomic size", ("atomic",)
-    )
-}

@@ -15,7 +15,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
-from hardcontact.figures.catalogue import FIGURES, OF_ATOMIC
+from hardcontact.figures.catalogue import FIGURES
 from hardcontact.records import dataset, published
 from hardcontact.records.whole_file import whole_file
 
@@ -33,13 +33,13 @@ READERS = {
 
 
 def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
-    """Draw a figure of the catalogue, named by a key of `FIGURES` or of `OF_ATOMIC`.
+    """Draw a figure of the catalogue, named by a key of `FIGURES`.
 
     Inputs are the paths of the datasets and published tables that it is drawn from, outputs those
     of its "pdf", "png", "svg" and "csv".
     """
     module = importlib.import_module(f"hardcontact.figures.{name}")
-    figure = (FIGURES | OF_ATOMIC)[name]
+    figure = FIGURES[name]
     drawn_from = {key: READERS.get(key, dataset.read)(inputs[key]) for key in figure.inputs}
     with style.print_style():
         save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
