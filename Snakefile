@@ -31,7 +31,6 @@ if COMPARED:
     include: "workflow/rules/claims.smk"
     include: "workflow/rules/insight.smk"
     include: "workflow/rules/laws.smk"
-    include: "workflow/rules/repeated_contact.smk"
     include: "workflow/rules/elastic_limit.smk"
     include: "workflow/rules/scaling.smk"
     include: "workflow/rules/scan_size.smk"

@@ -174,6 +174,13 @@ def make_indent(surface="ncd"):
     return xr.Dataset(data, {"preload": preloads}, {"surface": surface, "confidence": CONFIDENCE})
 
 
+def make_repeated_contact(surface="ncd"):
+    """Return indents of which as good as none overlap."""
+    data = {"indented_area_ratio": 0.999, "indented_area_ratio_interval": ("bound", [0.99, 1.01])}
+    attributes = {"surface": surface, "confidence": CONFIDENCE}
+    return xr.Dataset(data, {"bound": ["low", "high"]}, attributes)
+
+
 def make_asperities(surfaces=SUBSTRATES):
     dims = ("surface", "rho", "scan", "contact")
     patches = [[9, 9, 9], [9, 6, 4], [2, 2, 2], [2, 2, 2]]
@@ -234,6 +241,7 @@ def make_datasets(basis="substitute", surfaces=SUBSTRATES):
         "band": make_band(surfaces),
         "elastic": make_elastic(surfaces),
         "indent": make_indent("ncd" if "ncd" in surfaces else surfaces[0]),
+        "repeated_contact": make_repeated_contact("ncd" if "ncd" in surfaces else surfaces[0]),
         "asperities": make_asperities(surfaces),
         "classical": make_classical(surfaces),
         "laws": make_laws(surfaces),

@@ -6,7 +6,6 @@ from figure_inputs.closed_form import closed_form
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
 from figure_inputs.published_tables import published_constants
-from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band
 from figure_inputs.scaling import scaling
 from figure_inputs.scan_size import scan_size
@@ -23,7 +22,6 @@ from hardcontact.answer.insight_facts import (
 from hardcontact.answer.insight_force_facts import (
     elastic_limit_facts,
     law_facts,
-    repeated_contact_facts,
     statistics_facts,
 )
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
@@ -267,31 +265,6 @@ def test_errors_of_the_law_are_of_gaussian_surfaces_that_were_not_looked_at():
     assert below["cases"].value + above["cases"].value == cases.sizes["case"] > 20
     rejected = sum(row["weibull_rejected"].value * row["cases"].value for row in (below, above))
     assert rejected == pytest.approx(100 * (cases["designed_distance_weibull"] > CHANCE).sum())
-
-
-def test_repeated_contact_changes_a_force_whose_interval_leaves_out_one():
-    data = repeated_contact()
-    facts = repeated_contact_facts(data)
-    assert (facts["changed"], facts["surfaces"], facts["contacts"]) == (0, 4, 400)
-    assert column(facts, "surface") == [*LABELS, "NCD", ""]
-    assert facts["rows"][4]["preload"].value == 2e-5 and facts["rows"][4]["depth"].value == 8
-    assert facts["rows"][4]["separate"].value == 25 and facts["rows"][4]["median_size"].value == 40
-    assert facts["rows"][5]["lateral_size"][3:5] == (150, 300)
-    data["mean_ratio_interval"].loc[{"surface": "mcd", "preload": 1e-5}] = [1.1, 1.2]
-    assert repeated_contact_facts(data)["changed"] == 1
-
-
-@pytest.mark.parametrize(
-    ("factor", "interval", "reached"),
-    [(1, 1, "smaller"), (1.1, 1, "open"), (2, 1, "reached"), (4, 1, "beyond"),
-     (2, np.nan, "not_known")],
-)  # fmt: skip
-def test_indents_are_judged_by_the_sizes_in_the_image(factor, interval, reached):
-    data = repeated_contact()
-    data["lateral_size"] = factor * data["lateral_size"]
-    data["lateral_size_interval"] = factor * interval * data["lateral_size_interval"]
-    facts = repeated_contact_facts(data)
-    assert facts["reached"] == {"depth": "at_once", "lateral_size": reached}
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 import scan_files
 from paper_numbers import SUBSTRATES, SURFACES
-from repository import PAPER
 from small_study import PATTERNS, files, selection
 
 from hardcontact.surfaces.scans import flat_measurements
@@ -196,9 +195,4 @@ def test_realizations_of_insight_are_the_first_scans_of_each_substrate():
     assert study.realized_scans == list(product(SUBSTRATES, [1, 2]))
     assert len(set(study.paths(PATTERNS.law_scan, study.realized_scans))) == 2 * len(SUBSTRATES)
     assert study.scaled_masters == list(product(SUBSTRATES, [1], ["small", "large"]))
-    repeated = list(study.repeated.values())
-    assert repeated[:-2] == list(product(SUBSTRATES, [1e-5], [1, 2]))
-    hardest = max(load["preload"] for load in study.repeated_loads.values())
-    indented = PAPER["indent"]["surface"]
-    assert repeated[-2:] == [(indented, hardest, 1), (indented, hardest, 2)]
-    assert f"/{list(study.repeated_loads)[1]}/{indented}/" in list(study.repeated)[-1]
+    assert study.repeated_pairs == [(1, 1), (2, 2)]

@@ -2,11 +2,19 @@
 
 import numpy as np
 import pytest
+from known_spectra import rough
 from periodic_maps import over, periodic_noise
 
 from hardcontact.contact.bearing_area import all_lowest_gaps, as_tiles, lowest_gaps
 from hardcontact.contact.geometry import gap_map
-from hardcontact.contact.repeated_contact import indent_sizes, over_window, repeated_contacts
+from hardcontact.contact.repeated_contact import (
+    MAX_PIXELS,
+    indented_area_ratio,
+    large_surface,
+    mean_over_surfaces,
+    over_window,
+    repeated_contacts,
+)
 
 
 def rough_pair(window=320):
@@ -92,10 +100,24 @@ def test_indents_lie_at_one_place_of_a_periodic_roughness():
     assert np.count_nonzero(one.depth) == np.count_nonzero(again.gaps < again.gaps[-1])
 
 
-def test_sizes_of_indents_made_by_hand():
-    depth = np.zeros((20, 20))
-    depth[2, 3:6], depth[3, 6], depth[15, 15] = (1.0, 2.0, 0.5), 0.25, 3.0
-    sizes = indent_sizes(depth, 5.0)
-    np.testing.assert_array_equal(sizes.depth, [2.0, 3.0])
-    np.testing.assert_allclose(sizes.edge_length, [10.0, 5.0])
-    np.testing.assert_array_equal(sizes.lateral_size, [20.0, 5.0])
+def test_indents_of_a_flat_all_overlap_and_those_of_rough_surfaces_partly():
+    load = {"preload": 1e-5, "hardness": 25e9}
+    flat = over(np.zeros((64, 64)), None, 10.0, 128, 1)
+    assert indented_area_ratio(flat, load, np.random.default_rng(1), 9) == pytest.approx(1 / 9)
+    uneven = over(periodic_noise(64, 3.0, 1), periodic_noise(64, 0.3, 51), 10.0, 128, 1)
+    ratio = indented_area_ratio(uneven, load, np.random.default_rng(1), 9)
+    assert 1 / 9 < ratio <= 1
+
+
+def test_a_large_surface_has_the_pixels_asked_for_and_a_limit():
+    surface = large_surface(np.random.default_rng(1), rough(4, 500, 0.8, 40), 1000.0, 10.1)
+    assert (surface.pixels, surface.pixel_size) == (100, 10.1) and surface.periodic
+    huge = large_surface(np.random.default_rng(1), rough(4, 500, 0.8, 40), 1e9, 10.0)
+    assert huge.pixels == MAX_PIXELS
+
+
+def test_the_mean_over_surfaces_has_an_interval():
+    mean = mean_over_surfaces([0.98, 1.0, 0.99], 0.95)
+    low, high = mean["indented_area_ratio_interval"].values
+    ratio = mean["indented_area_ratio"].item()
+    assert low < ratio < high and ratio == pytest.approx(0.99)

@@ -18,7 +18,6 @@ from figure_inputs.published_tables import (
     published_pull_off,
     published_table1,
 )
-from figure_inputs.repeated_contact import repeated_contact
 from figure_inputs.scales import band, scales
 from figure_inputs.scaling import scaling
 from figure_inputs.scan_size import scan_size
@@ -46,7 +45,6 @@ INPUTS = {
         closed_form,
         laws,
         statistics,
-        repeated_contact,
         elastic_limit,
         next,
         scaling,

@@ -13,6 +13,7 @@ rule evaluate_claims:
         inference=rules.infer.output[0],
         elastic=rules.aggregate_elastic.output[0],
         indent=rules.measure_indents.output[0],
+        repeated_contact=rules.repeat_contact.output[0],
         asperities=rules.aggregate_asperities.output[0],
         classical=rules.apply_classical_models.output[0],
         sets=rules.judge_sets.output[0],

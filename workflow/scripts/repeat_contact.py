@@ -1,37 +1,33 @@
-"""Repeated contact of one place of the sphere: forces on a scan, indents of a large surface."""
+"""How far indents overlap where one place of the sphere meets many places of a surface."""
 
-from hardcontact.contact.geometry import bodies, read_bodies
-from hardcontact.insight.repeated_contact import (
-    Adhesion,
-    indents_at_random_places,
+from hardcontact.contact.geometry import bodies
+from hardcontact.contact.repeated_contact import (
+    indented_area_ratio,
     large_surface,
-    repeated_forces,
+    mean_over_surfaces,
 )
 from hardcontact.numbers.random import generator
-from hardcontact.records import published
 from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
-    given, contact = this.parameters, this.parameters["contact"]
-    seed, surface, scan = (given[key] for key in ("seed", "surface", "scan"))
-    load = {"preload": contact["preload"], "hardness": contact["hardness"]}
-    constants = published.constants(this.input.published_constants).value
-    pair = read_bodies(this.input.substrate, this.input.sphere, given["radius"], contact)
-    forces = repeated_forces(
-        pair,
-        load,
-        Adhesion(constants["range_of_adhesion"], constants["work_of_adhesion"]),
-        generator(seed, surface, scan, contact["preload"], "repeated contact"),
-        given["orders"],
-    )
-    spectrum, rng = read_spectrum(this.input.spectrum), generator(seed, surface, scan, "places")
-    large = large_surface(rng, spectrum, given["size"], pair.geometry.pixel_size)
-    sphere = read_height_map(this.input.sphere)
-    # All of the large surface lies in the window, each point once.
-    over_all = bodies(large, sphere, given["radius"], {"window": large.size, "count": 1})
+    params = this.parameters
+    spectrum, ratios = read_spectrum(this.input.spectrum), []
+    paths = zip(this.input.substrates, this.input.spheres, strict=True)
+    for (scan, _), (substrate_path, sphere_path) in zip(params["pairs"], paths, strict=True):
+        sphere = read_height_map(sphere_path)
+        pixel_size = min(read_height_map(substrate_path).pixel_size, sphere.pixel_size)
+        rng = generator(params["seed"], params["surface"], scan, "places")
+        surface = large_surface(rng, spectrum, params["size"], pixel_size)
+        # All of the large surface lies in the window, each point once.
+        array = {"window": surface.size, "count": 1}
+        pair = bodies(surface, sphere, params["radius"], array)
+        ratios.append(indented_area_ratio(pair, params["load"], rng, params["contacts"]))
+    names = ("surface", "label", "basis", "contacts")
     this.write(
-        forces.merge(indents_at_random_places(over_all, load, rng, forces.sizes["contact"])),
-        title=f"repeated contact on scan {scan} of {surface}",
+        mean_over_surfaces(ratios, params["confidence"]).assign_attrs(
+            params["load"] | {name: params[name] for name in names}
+        ),
+        title=f"overlap of the indents of {params['contacts']} contacts on {params['label']}",
     )

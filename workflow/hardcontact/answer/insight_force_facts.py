@@ -1,4 +1,4 @@
-"""Numbers of the page on what decides the band: laws, scatter of forces, indents, elastic limit.
+"""Numbers of the page on what decides the band: laws, scatter of forces, elastic limit.
 
 Every function returns what a template shows of one question, as those of `insight_facts`.
 """
@@ -28,8 +28,6 @@ from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import POOLED, computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Sizes of the largest indent, as in the image and in the dataset.
-SIZES = ("depth", "lateral_size")
 #: Numbers of the scatter of forces on a surface.
 STATISTICS = (
     "modulus", "spread", "total_spread", "total_shape", "computed_spread", "contacts_needed",
@@ -156,52 +154,6 @@ def _law_error(cases: xr.Dataset) -> Cells:
         row[name] = Number(name, distance.median().item())
         row[f"{name}_rejected"] = percent(Number(name, (distance > CHANCE).mean().item()))
     return row
-
-
-def repeated_contact_facts(repeated: xr.Dataset) -> dict[str, Any]:
-    """Return what repeated contact does to the force, and its indents beside imaged ones."""
-    least, most = (float(end(repeated["preload"])) for end in (np.min, np.max))
-    rows = [
-        row | _contacts(one)
-        for preload in np.unique(repeated["preload"])
-        for row, one in surfaces(repeated.sel(preload=preload))
-        if np.isfinite(one["mean_ratio"])
-    ]
-    study = [row for row in rows if row["preload"].value == least]
-    published = {name: span(name, repeated.attrs[f"published_{name}"], "nm") for name in SIZES}
-    image = repeated.sel(preload=most).dropna("surface", subset=["mean_ratio"]).isel(surface=0)
-    return {
-        "rows": [*rows, {"surface": "", "basis": "image"} | published],
-        "contacts": int(repeated["stage"][-1]),
-        "changed": count(study, "force_says", "above", "below"),
-        "surfaces": len(study),
-        "reached": {name: _reached(image, name) for name in SIZES},
-    }
-
-
-def _contacts(one: xr.Dataset) -> Cells:
-    row: Cells = {
-        "preload": number_of(one, "preload", "N"),
-        "force": number_of(one, "mean_ratio"),
-        "force_says": against(1, one, "mean_ratio"),
-    }
-    last = one.isel(stage=-1)
-    row["separate"] = percent(number_of(last, "separate_share"))
-    return row | {name: number_of(last, name, "nm") for name in (*SIZES, "median_size")}
-
-
-def _reached(image: xr.Dataset, name: str) -> str:
-    """Return whether the largest indent after all contacts has one size of those imaged."""
-    least, most = image.attrs[f"published_{name}"]
-    first, value = (image[name].isel(stage=stage).item() for stage in (0, -1))
-    high = ends(image.isel(stage=-1), name)[1]
-    if np.isnan(high):
-        return "not_known"
-    if value < least:
-        return "smaller" if high < least else "open"
-    if value > most:
-        return "beyond"
-    return "at_once" if first >= least else "reached"
 
 
 def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:

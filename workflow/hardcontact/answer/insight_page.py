@@ -27,7 +27,6 @@ PARTS: dict[str, Callable[[xr.Dataset, xr.Dataset], dict[str, Any]]] = {
     "fig_closed_form": facts.closed_form_facts,
     "fig_laws": lambda laws, _: force_facts.law_facts(laws),
     "fig_statistics": lambda statistics, _: force_facts.statistics_facts(statistics),
-    "fig_repeated_contact": lambda contacts, _: force_facts.repeated_contact_facts(contacts),
     "fig_elastic_limit": lambda limit, _: force_facts.elastic_limit_facts(limit),
     "fig_next": lambda spheres, _: force_facts.next_sphere_facts(spheres),
 }

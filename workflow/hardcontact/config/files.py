@@ -189,30 +189,12 @@ class Files:
         return list(product(scans, self._selection.sphere_scans))
 
     @property
-    def repeated_loads(self) -> dict[str, NamedLoad]:
-        """The load of the study and that of the published image of indents, by their names."""
-        hardest = max(
-            self._configuration["indent"]["preloads"], key=lambda preload: magnitude(preload, "N")
-        )
-        of_image = named_load(hardest, self._configuration["contact"]["hardness"])
-        return {load["name"]: load for load in (self.load, of_image)}
-
-    @property
-    def repeated(self) -> dict[str, tuple[str, float, int]]:
-        """Each file of repeated contact, and its surface, preload (N) and scan.
-
-        All surfaces at the load of the study, that of the image at its own.
-        """
-        indented, realized = self._configuration["indent"]["surface"], self.realized_scans
-        return {
-            self.path(self._patterns.repeated_contact, **pair._asdict(), load=name): (
-                pair.surface, load["preload"], pair.scan,
-            )
-            for name, load in self.repeated_loads.items()
-            for pair in self.pairs_in_turn
-            if (pair.surface, pair.scan) in realized
-            and (name == self.load["name"] or pair.surface == indented)
-        }  # fmt: skip
+    def repeated_pairs(self) -> list[tuple[int, int]]:
+        """Scan of the indented surface and of the sphere in repeated contact, the first pairs."""
+        surface = self._configuration["indent"]["surface"]
+        count = self._configuration["insight"]["realizations"]
+        pairs = [pair for pair in self.pairs_in_turn if pair.surface == surface]
+        return [(pair.scan, pair.sphere_scan) for pair in pairs[:count]]
 
     @property
     def chunks(self) -> list[Chunk]:

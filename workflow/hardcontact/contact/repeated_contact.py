@@ -5,21 +5,36 @@ are flattened to it, until as many are in contact as carry the preload at the ha
 sphere. What is flattened stays so in the next contact. The substrate, harder, keeps its shape. Not
 modelled: elastic recovery, hardening, material that piles up beside an indent (what penetrates
 vanishes), wear and transfer, and that the sphere comes back to the same place by less than a pixel.
+
+Places are drawn at random on a large random surface: in a mirrored scan every summit would press
+its indent into the points of a lattice.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
 from numpy.typing import ArrayLike, NDArray
-from scipy import ndimage
 
-from hardcontact.contact.bearing_area import TILE, LowestGaps, Tiles, as_tiles, lowest_gaps
-from hardcontact.contact.geometry import Bodies
+from hardcontact.contact.bearing_area import (
+    TILE,
+    Load,
+    LowestGaps,
+    Tiles,
+    as_tiles,
+    contact_pixel_count,
+    lowest_gaps,
+)
+from hardcontact.contact.geometry import Bodies, window_pixels
+from hardcontact.numbers.statistics import student_interval
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.synthesis import random_surface
 
 Floats = NDArray[np.float64]
+#: Most pixels along an edge of a large surface.
+MAX_PIXELS = 4096
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,14 +45,6 @@ class Indentation:
     #: (window, window) in nm, what the sphere is flattened by after it, the apex at the pixel
     #: (window/2, window/2). It is the same array at every contact and changes with the next.
     depth: Floats
-
-
-class IndentSizes(NamedTuple):
-    """The indents in a sphere, one value an indent, in nm."""
-
-    depth: Floats  #: Of the deepest pixel.
-    edge_length: Floats  #: Root of the area.
-    lateral_size: Floats  #: Longer side of the bounding box.
 
 
 def over_window(bodies: Bodies) -> Bodies:
@@ -88,14 +95,43 @@ def _flatten(roughness: Tiles, offsets: NDArray[np.int_], penetration: Floats) -
         roughness.maxima[row, column] = roughness.blocks[row, :, column, :].max()
 
 
-def indent_sizes(depth: Floats, pixel_size: float) -> IndentSizes:
-    """Return the sizes of the connected indents in a map (n, n) of depths in nm."""
-    # Pixels that share an edge or a corner belong to one indent, as in the indents of one contact.
-    label, _ = ndimage.label(depth > 0, np.ones((3, 3)))
-    boxes = ndimage.find_objects(label)
-    deepest = [depth[box][label[box] == k].max() for k, box in enumerate(boxes, 1)]
-    longest = [max(side.stop - side.start for side in box) for box in boxes]
-    pixels = np.bincount(label.ravel())[1:]
-    return IndentSizes(
-        np.array(deepest), np.sqrt(pixels) * pixel_size, np.array(longest) * pixel_size
+def large_surface(
+    rng: np.random.Generator, spectrum: Spectrum, size: float, pixel_size: float
+) -> HeightMap:
+    """Return a random surface of at most a size (nm) and MAX_PIXELS pixels along an edge."""
+    pixels = min(window_pixels(size, pixel_size), MAX_PIXELS)
+    return random_surface(rng, pixels, pixel_size, spectrum)
+
+
+def indented_area_ratio(
+    bodies: Bodies, load: Load, rng: np.random.Generator, contacts: int
+) -> float:
+    """Return the area of the indents of many contacts over that of as many separate contacts.
+
+    One place of the sphere meets random places of the substrate. The ratio is one where no indents
+    overlap.
+    """
+    contact_pixels = contact_pixel_count(load, bodies.geometry.pixel_size)
+    places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
+    indented_pixels = [
+        np.count_nonzero(indentation.depth)
+        for indentation in repeated_contacts(bodies, places, contact_pixels)
+    ]
+    # The first contact is that of a sphere without indents, and so are separate ones.
+    return indented_pixels[-1] / (contacts * indented_pixels[0])
+
+
+def mean_over_surfaces(ratios: Sequence[float], confidence: float) -> xr.Dataset:
+    """Return the mean of `indented_area_ratio` over random surfaces.
+
+    ``indented_area_ratio`` has no dimensions; its interval is by Student's t, cut at 0.
+    """
+    ratio = xr.DataArray(list(ratios), dims="scan", attrs={"units": "1"})
+    interval = student_interval(ratio, confidence, "scan").clip(0, keep_attrs=True)
+    return xr.Dataset(
+        {
+            "indented_area_ratio": ratio.mean("scan", keep_attrs=True),
+            "indented_area_ratio_interval": interval,
+        },
+        attrs={"confidence": confidence},
     )

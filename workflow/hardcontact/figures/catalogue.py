@@ -129,13 +129,6 @@ OF_INSIGHT = {
         "distribution of pull-off forces by its law, computed and published",
         ("statistics",),
     ),
-    "fig_repeated_contact": Figure(
-        INSIGHT,
-        "repeated contact",
-        "force and indents of repeated contact",
-        ("repeated_contact",),
-        ("published_constants",),
-    ),
     "fig_elastic_limit": Figure(
         INSIGHT,
         "limit of the bearing area",

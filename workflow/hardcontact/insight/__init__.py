@@ -1,1 +1,1 @@
-"""What decides the band: closed form, statistics, laws, scan sizes, repeated contact."""
+"""What decides the band: closed form, statistics, laws, scan sizes."""
