@@ -7,10 +7,10 @@ from repository import PAPER, SCHEMAS
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import nested
 from hardcontact.commands.proposal import Choice
-from hardcontact.commands.proposed_contact import Probe
 from hardcontact.commands.request import Source
 from hardcontact.config.configuration import configuration
 from hardcontact.config.limits import check_grids
+from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES
 
@@ -43,9 +43,9 @@ def entry(size=2500.0, pixels=512, rms=17.0, **others):
     )  # fmt: skip
 
 
-def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6, given=False):
+def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
     """Return a sphere and its load; the paper's, if nothing else is said."""
-    return Probe(radius, {"preload": preload, "hardness": hardness}, rho, given)
+    return Contact(radius=radius, preload=preload, hardness=hardness, range=rho)
 
 
 def numbers(asked, choices):
@@ -56,8 +56,8 @@ def numbers(asked, choices):
         Choice("published", "none", ""),
         Choice("sphere.surface", "smooth", ""),
         Choice("sphere.radius", f"{asked.radius:.12g} nm", ""),
-        Choice("contact.preload", f"{asked.load['preload']:.12g} N", ""),
-        Choice("contact.hardness", f"{asked.load['hardness']:.12g} Pa", ""),
+        Choice("contact.preload", f"{asked.preload:.12g} N", ""),
+        Choice("contact.hardness", f"{asked.hardness:.12g} Pa", ""),
     ]
 
     return configuration(nested([*named, *choices], PAPER), SCHEMAS["config"])

@@ -1,6 +1,6 @@
 """Contacts on windows that are cut out of small surfaces."""
 
-LOAD = {"name": "one", "preload": 10e-6, "hardness": 25e9}
+LOAD = {"preload": 10e-6, "hardness": 25e9}
 RANGES = [2.0, 5.0]
 
 
@@ -16,5 +16,5 @@ def contacts_on(size, radius, windows):
         "ranges": RANGES,
         "window": size,
         "count": 2,
-        "load": LOAD,
+        **LOAD,
     }

@@ -4,6 +4,7 @@ from functools import cache
 
 from random_scans import uncd
 
+from hardcontact.contact.contact import Contact
 from hardcontact.numbers.random import generator
 from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
@@ -12,12 +13,10 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level
 
 GRID = ScanGrid(pixels=64, size=640.0, realization_pixels=128)
-CONTACT = {"window": 1600.0, "count": 2, "preload": 10e-6, "hardness": 25e9}
+CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, count=2)
 TARGETS = Targets({"rms_height": 10.0}, 4.0, ())
 HEIGHTS = pool_heights(TARGETS, 5, 7)
-SETTINGS = PoolSettings(
-    seed=7, surface="uncd", scan=GRID, contact=CONTACT, radius=250e3, ranges=[0.05, 1.0, 5.6]
-)
+SETTINGS = PoolSettings(seed=7, surface="uncd", scan=GRID, contact=CONTACT, ranges=[0.05, 1.0, 5.6])
 
 
 def raw_scan(number):

@@ -24,7 +24,7 @@ from repository import ROOT
 import hardcontact as hc
 from hardcontact import api
 from hardcontact.commands.predict import predict, predict_arguments
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.numbers.number import plain
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
@@ -160,7 +160,7 @@ def test_forces_are_the_direct_sum_over_every_pixel(files):
         y, x = places[i], places[j]
         seen = mirrored[np.ix_((y + offset) % pixels, (x + offset) % pixels)]
         gap = sphere[:, None] + sphere - seen
-        for model, count in (("rigid", 1), ("plastic", contact_pixel_count(LOAD, PIXEL))):
+        for model, count in (("rigid", 1), ("plastic", Contact(radius=1.0, **LOAD).pixels(PIXEL))):
             expected = work / (rho * 1e-9) * (PIXEL * 1e-9) ** 2 * direct_total(gap, count, rho)
             found = forces.pull_off_force.sel(contact_model=model, rho=rho)[i, j].item()
             assert found == pytest.approx(expected, rel=1e-6)
@@ -206,9 +206,9 @@ def test_scripts_give_the_same_numbers(script):
     np.testing.assert_array_equal(whole.density, read_spectrum("spectrum.nc").density)
 
     scales = {"pixels": 256, "cutoffs": [40.0, 80.0, 160.0]}
-    given = {"side": "small", "scales": scales, "rho": 5.6, "loads": [LOAD | {"name": "given"}]}
+    given = {"side": "small", "scales": scales, "rho": 5.6, "contact": LOAD | ARRAY}
     inputs = {"master": "stitched.nc", "sphere": []}
-    script("compute_filtered_pull_off", given | SPHERE | ARRAY, inputs, made="filtered.nc")
+    script("compute_filtered_pull_off", given | SPHERE, inputs, made="filtered.nc")
     forces = dataset.read("filtered.nc").mean(["contact_y", "contact_x"]).isel(load=0)
     ratios = hc.force_ratios(scan, {"small": scales["cutoffs"]}, rho=5.6, **SPHERE, **LOAD, **ARRAY)
     np.testing.assert_allclose(

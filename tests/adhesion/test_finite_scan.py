@@ -15,6 +15,7 @@ from hardcontact.adhesion.finite_scan import (
     with_window_share,
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.summits import banded, draw_size, moment
 from hardcontact.numbers.random import generator
@@ -28,9 +29,9 @@ RADIUS, PIXEL = 250e3, 10e3 / 256
 
 
 def mean_force(surface):
-    pair = bodies(surface, None, RADIUS, {"window": 10e3, "count": 4})
-    load = {"preload": 10e-6, "hardness": 25e9}
-    return pull_off_of_pair(pair, load, [5.6])["pull_off_force"].values[1].mean()
+    contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=10e3, count=4)
+    pair = bodies(surface, None, contact)
+    return pull_off_of_pair(pair, contact, [5.6])["pull_off_force"].values[1].mean()
 
 
 def force_ratio(rms_height, pixels):
@@ -83,7 +84,6 @@ def test_a_window_holds_what_a_sum_over_its_pixels_finds():
 
 def test_the_area_that_carries_the_preload_is_compared_with_a_pixel():
     sizes = xr.Dataset({"pixel_size": ("surface", [10.0, 20.0])}, {"surface": ["a", "b"]})
-    load = {"preload": 1e-7, "hardness": 5e9}
-    found = with_contact_area(xr.Dataset(coords={"surface": ["b"]}), sizes, load)
+    found = with_contact_area(xr.Dataset(coords={"surface": ["b"]}), sizes, 20.0)
     assert found.pixel_area.values.tolist() == [400.0]
-    assert found.attrs["contact_area"] == pytest.approx(20.0)  # nm² of 100 nN at 5 GPa
+    assert found.attrs["contact_area"] == 20.0

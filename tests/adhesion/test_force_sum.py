@@ -181,15 +181,3 @@ def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
 def test_force_decays_with_the_range_of_adhesion_on_parting():
     force = force_separation(1e-6, 5.6, [0.0, 5.6])
     np.testing.assert_allclose(force, [-1e-6, -1e-6 / np.e])
-
-
-def test_results_do_not_depend_on_threads():
-    substrate = periodic_noise(512, 20.0, 7).astype(np.float32)
-    bodies = over(substrate, None, 10.0, 800, 5)
-    one, two = (plastic_totals(bodies, [17], 5.6, threads) for threads in (1, 2))
-    np.testing.assert_array_equal(one, two)
-
-
-def test_a_sum_out_of_range_is_an_error_not_a_number():
-    with pytest.raises(ValueError, match="too small"):
-        pull_off_force(np.array([1.0, np.nan]), 0.01, 5.0, 1.0)

@@ -14,18 +14,16 @@ from hardcontact.adhesion.pull_off import (
     window_change,
 )
 from hardcontact.adhesion.traced_contact import traced_contact
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.records import dataset
-from hardcontact.scales.filtered_masters import filtered_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.filters import filtered
 
-LOAD = {"preload": 10e-6, "hardness": 25e9}
-CONTACT = LOAD | {"window": 4000.0, "count": 3}
-LOADS = [
-    {"name": "H25GPa-F10uN", "preload": 10e-6, "hardness": 25e9},
-    {"name": "H25GPa-F40uN", "preload": 40e-6, "hardness": 25e9},
-]
+LOAD = Contact(
+    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, range=5.6, work=46.3e-3
+)
+LOADS = [LOAD, replace(LOAD, preload=40e-6)]
 RHOS = [1.0, 5.6]
 
 
@@ -43,7 +41,7 @@ def test_pull_off_of_a_pair_is_the_direct_sum_at_every_contact_and_range():
     arrays, bodies_of_pair = pull_off_of_pair(pair(), LOAD, RHOS), pair()
     forces = arrays["pull_off_force"].values
     approaches = arrays["closest_approach"].values
-    count = contact_pixel_count(LOAD, 8.0)
+    count = LOAD.pixels(8.0)
     assert forces.shape == (2, 2, 3, 3) and count == 7
     assert arrays["contact_pixels"].values.tolist() == [1, count]
     for place in np.ndindex(3, 3):
@@ -68,7 +66,7 @@ def test_mean_pull_off_of_a_pair_is_the_mean_over_its_contacts_at_each_load():
 
 def test_window_change_is_that_of_the_direct_sum():
     pairs = [pair(seed) for seed in (1, 3)]
-    count, rho, changes = contact_pixel_count(LOAD, 8.0), 5.6, []
+    count, rho, changes = LOAD.pixels(8.0), 5.6, []
     for one in pairs:
         wider = replace(one, geometry=replace(one.geometry, window=320 + 2 * 128))
         for place in np.ndindex(3, 3):
@@ -77,15 +75,15 @@ def test_window_change_is_that_of_the_direct_sum():
                 for bodies_of_pair in (one, wider)
             )
             changes.append(abs(wide / narrow - 1))
-    arrays = window_change(iter(pairs), LOAD, rho)
+    arrays = window_change(iter(pairs), LOAD)
     assert arrays["window_change"].values == pytest.approx(max(changes), rel=1e-6)
 
 
 @pytest.mark.parametrize(("pixels", "expected"), [(1, 1 / 4), (4, 1), (40, 1)])
 def test_at_a_small_range_finer_pixels_change_the_area_in_contact_alone(pixels, expected):
     """One pixel of any size touches at least; a larger area is the same on all pixels."""
-    load = {"preload": pixels / 4 * 25e9 * 64e-18, "hardness": 25e9}
-    change = finer_pixel_change(pair(), load, 0.02)["finer_pixel_change"]
+    load = replace(LOAD, preload=pixels / 4 * 25e9 * 64e-18, range=0.02)
+    change = finer_pixel_change(pair(), load)["finer_pixel_change"]
     assert change == pytest.approx(expected, rel=0.05)
 
 
@@ -98,28 +96,21 @@ def test_filtered_pull_off_is_the_direct_sum_over_every_filtered_master(sphere, 
     master, cutoffs = height_map(periodic_noise(128, 20.0, 4), 8.0), [100.0, 400.0]
     found = filtered_pull_off(
         master,
+        Filters(side, 160, cutoffs),
+        LOADS,
         sphere,
-        {
-            "side": side,
-            "scales": {"pixels": 160, "cutoffs": cutoffs},
-            "radius": RADIUS,
-            "rho": 5.6,
-            "loads": LOADS,
-            "window": 4000.0,
-            "count": 3,
-        },
     )
     assert found["unfiltered_wavelength"].item() == pytest.approx(end)
     of_cutoffs = [found["unfiltered_pull_off_force"], *found["pull_off_force"]]
     for cutoff, forces in zip([None, *cutoffs], of_cutoffs, strict=True):
         surface = filtered(master, side, cutoff, 160)
-        under = bodies(surface, sphere, RADIUS, {"window": 4000.0, "count": 3})
+        under = bodies(surface, sphere, LOAD)
         pixel_size = under.geometry.pixel_size
         for load in LOADS:
-            count = contact_pixel_count(load, pixel_size)
+            count = load.pixels(pixel_size)
             for place in np.ndindex(3, 3):
                 expected = direct_force(gap_map(under, place), count, 5.6, pixel_size)
-                force = forces.sel(load=load["name"]).values[place]
+                force = forces.sel(load=load.load).values[place]
                 assert force == pytest.approx(expected, rel=1e-9)
 
 
@@ -132,7 +123,7 @@ def test_loads_are_selected_by_name(tmp_path):
 
 
 def test_traced_contact_is_one_of_the_pair():
-    traced = traced_contact(pair(), (1, 2), LOAD, 5.6, 46.3e-3)
+    traced = traced_contact(pair(), (1, 2), LOAD)
     arrays = pull_off_of_pair(pair(), LOAD, [5.6])
     force = 46.3e-3 * arrays["pull_off_force"].values[1, 0, 1, 2]
     assert traced.attrs["pull_off_force"] == pytest.approx(force, rel=1e-9)

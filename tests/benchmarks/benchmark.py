@@ -32,7 +32,8 @@ from direct_sum import direct_total
 from hardcontact.adhesion.pull_off import plastic_totals
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact import elastic as elastic_solvers
-from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces import spectral_models, topography
@@ -41,9 +42,8 @@ from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
 
 RADIUS, RHO = 250e3, 5.6
-LOAD = {"preload": 10e-6, "hardness": 25e9}
 CONTACTS = 20
-ARRAY = {"window": 12500.0, "count": CONTACTS}
+CONTACT = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=12500.0, count=CONTACTS)
 MODULUS, WORK = 289.7e9, 46.3e-3
 RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
 
@@ -59,8 +59,8 @@ def surface(pixels):
 
 def under_sphere(substrate, sphere=None):
     """Substrate and sphere with the study's array of contacts, and how many pixels touch."""
-    pair = bodies(substrate, sphere, RADIUS, ARRAY)
-    return pair, contact_pixel_count(LOAD, pair.geometry.pixel_size)
+    pair = bodies(substrate, sphere, CONTACT)
+    return pair, CONTACT.pixels(pair.geometry.pixel_size)
 
 
 def timed(function, repeats=3):
@@ -80,10 +80,10 @@ def timed_in_turn(*functions, repeats=3):
     return [(statistics.median(one), result) for one, result in zip(seconds, results, strict=True)]
 
 
-def pull_off(substrate, threads):
+def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixels = under_sphere(substrate)
-    return plastic_totals(pair, [contact_pixels], RHO, threads)[0]
+    return plastic_totals(pair, [contact_pixels], RHO)[0]
 
 
 def smooth_sphere(threads):
@@ -92,7 +92,7 @@ def smooth_sphere(threads):
     transform, _ = timed(
         lambda: fft.irfft2(fft.rfft2(heights.astype(float), workers=threads), workers=threads)
     )
-    fast, totals = timed(lambda: pull_off(substrate, threads))
+    fast, totals = timed(lambda: pull_off(substrate))
     places = [(0, 0), (7, 13), (19, 4)]
     pair, contact_pixels = under_sphere(substrate)
     slow, expected = timed(
@@ -146,7 +146,7 @@ def library_at_load(gap, pixel):
     body = Topography(gap.mean() - gap, size, periodic=True)
     system = NonSmoothContactSystem(half_space, body)
     return system.minimize_proxy(
-        external_force=LOAD["preload"] * 1e9, pentol=elastic_solvers.OVERLAP / 2
+        external_force=CONTACT.preload * 1e9, pentol=elastic_solvers.OVERLAP / 2
     )
 
 
@@ -177,7 +177,7 @@ def elastic_contact(pixels=512):
     for what, ours, library in (
         (
             "elastic contact at the preload",
-            lambda: elastic_solvers.contact_at_load(gap, pixel, MODULUS, LOAD["preload"]),
+            lambda: elastic_solvers.contact_at_load(gap, pixel, MODULUS, CONTACT.preload),
             lambda: library_at_load(gap, pixel),
         ),
         (
@@ -195,7 +195,7 @@ def filtered_job(pixels, threads, answer):
     """What one job of Fig. 6 does at a size, in a process of its own: seconds, peak memory."""
     substrate = surface(pixels)
     start = time.perf_counter()
-    pull_off(interpolate(lowpass(substrate, 43.0), pixels), threads)
+    pull_off(interpolate(lowpass(substrate, 43.0), pixels))
     seconds = time.perf_counter() - start
     # The high-water mark of this process alone; getrusage would begin at its parent's.
     peak = next(line for line in Path("/proc/self/status").open() if line.startswith("VmHWM"))

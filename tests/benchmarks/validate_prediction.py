@@ -17,13 +17,13 @@ import numpy as np
 import pandas as pd
 from scipy.stats import qmc
 
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact as ArrayContact
 from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
 from hardcontact.insight.prediction import coordinates
 from hardcontact.numbers.random import generator
 from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
-from hardcontact.scales.filtered_masters import scaled_pull_off
+from hardcontact.scales.filtered_masters import Filters, scaled_pull_off
 from hardcontact.surfaces.spectral_models import self_affine, varying_hurst
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.synthesis import SIDES, random_surface
@@ -80,13 +80,14 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     finest = np.sqrt(row["area"]) / 12
     pixels = next((n for n in GRIDS if size / n <= finest), max(GRIDS))
     pixel_size = size / pixels
-    load = {"preload": row["area"] * HARDNESS * 1e-18, "hardness": HARDNESS}
+    preload = row["area"] * HARDNESS * 1e-18
+    contact = ArrayContact(radius=row["radius"], preload=preload, hardness=HARDNESS)
     coarse, small = pixel_size > 3 * finest, size < wanted / 2
     return {
         "size": size,
         "pixels": pixels,
         "shortest": 4 * pixel_size,
-        "area": contact_pixel_count(load, pixel_size) * pixel_size**2,
+        "area": contact.pixels(pixel_size) * pixel_size**2,
         "lacks": "short" if coarse else "long" if small else "nothing",
     }
 
@@ -112,18 +113,22 @@ def computed(row: dict[str, Any]) -> dict[str, Any]:
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
     cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFFS)
     wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
-    parameters: Any = {
-        "pixels": pixels, "cutoffs": cutoffs.tolist(), "window": max(wide, 32 * size / pixels),
-        "count": CONTACTS, "radii": [row["radius"]], "ranges": [row["rho"]], "hardness": HARDNESS,
-        "preloads": [row["area"] * HARDNESS * 1e-18],
-    }  # fmt: skip
+    contact = ArrayContact(
+        radius=row["radius"],
+        preload=row["area"] * HARDNESS * 1e-18,
+        hardness=HARDNESS,
+        window=max(wide, 32 * size / pixels),
+        count=CONTACTS,
+    )
     curves: dict[str, list[Any]] = {side: [] for side in SIDES}
     forces = []
     for realization in range(GRIDS[pixels]):
         rng = generator(SEED, row["surface"], realization, "validation")
         surface = random_surface(rng, pixels, size / pixels, spectrum)
         for side in SIDES:
-            found = scaled_pull_off(surface, parameters | {"side": side})
+            found = scaled_pull_off(
+                surface, Filters(side, pixels, cutoffs), [contact], [row["radius"]], [row["rho"]]
+            )
             whole = found["unfiltered_pull_off_force"].item()
             curves[side].append(found["pull_off_force"].values.ravel() / whole)
         forces.append(whole)

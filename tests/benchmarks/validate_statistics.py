@@ -21,7 +21,7 @@ from scipy import special, stats
 from validate_prediction import HARDNESS, drawn, spectrum_of
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact as ArrayContact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.closed_form import Contact
@@ -80,13 +80,14 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     ]
     _, along, pixels = min(grids, default=(0, ALONG[-1], PIXELS[-1]))
     size = along * apart
-    load = {"preload": row["area"] * HARDNESS * 1e-18, "hardness": HARDNESS}
+    preload = row["area"] * HARDNESS * 1e-18
+    contact = ArrayContact(radius=row["radius"], preload=preload, hardness=HARDNESS)
     return {
         "size": size,
         "pixels": pixels,
         "along": along,
         "shortest": 4 * size / pixels,
-        "area": contact_pixel_count(load, size / pixels) * (size / pixels) ** 2,
+        "area": contact.pixels(size / pixels) * (size / pixels) ** 2,
     }
 
 
@@ -104,15 +105,20 @@ def mapped(surface: HeightMap, row: dict[str, Any]) -> HeightMap:
 def computed(row: dict[str, Any]) -> xr.Dataset:
     """Return the inputs, and forces and closest approach (contact model, place) of a surface."""
     spectrum, pixels = spectrum_of(row), row["pixels"]
-    load: Any = {"preload": row["area"] * HARDNESS * 1e-18, "hardness": HARDNESS}
     wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
-    array: Any = {"window": max(wide, 32 * row["size"] / pixels), "count": row["along"]}
+    contact = ArrayContact(
+        radius=row["radius"],
+        preload=row["area"] * HARDNESS * 1e-18,
+        hardness=HARDNESS,
+        window=max(wide, 32 * row["size"] / pixels),
+        count=row["along"],
+    )
     found = []
     for realization in range(-(-PLACES // row["along"] ** 2)):
         rng = generator(SEED, row["surface"], realization, "statistics")
         surface = mapped(random_surface(rng, pixels, row["size"] / pixels, spectrum), row)
-        pair = bodies(surface, None, row["radius"], array)
-        found.append(pull_off_of_pair(pair, load, [row["rho"]]).squeeze("rho", drop=True))
+        pair = bodies(surface, None, contact)
+        found.append(pull_off_of_pair(pair, contact, [row["rho"]]).squeeze("rho", drop=True))
     axes = ["realization", "contact_y", "contact_x"]
     every = xr.concat(found, "realization").stack(place=axes).isel(place=slice(PLACES))
     over, smooth = ("contact_model", "place"), float(dmt_pull_off(1.0, row["radius"]))

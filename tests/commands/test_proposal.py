@@ -30,14 +30,14 @@ def scans(draw):
 
 def longest_least(scan, asked):
     """An upper bound on the shortest range of adhesion (nm) that a scan permits."""
-    depth = 1e9 * math.sqrt(asked.load["preload"] / asked.load["hardness"])
+    depth = 1e9 * math.sqrt(asked.preload / asked.hardness)
     pixels = 2 * scan.pixel_size**2 / asked.radius
     return max(pixels, scan.relief / 500, depth / 25)
 
 
 def least_window(scan, asked):
     """A lower bound on the edge (nm) of what carries the load."""
-    return min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.rho))
+    return min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.range))
 
 
 def check_any(found, asked):
@@ -52,7 +52,7 @@ def check_any(found, asked):
             elif line.startswith("--range"):
                 assert longest_least(found[0], asked) > 39.9, line
             else:
-                area = 1e18 * asked.load["preload"] / asked.load["hardness"]
+                area = 1e18 * asked.preload / asked.hardness
                 in_window = area / least_window(found[0], asked) ** 2
                 # What 16 contacts with a hundred images of each pixel keep in memory.
                 in_memory = area / found[0].pixel_size ** 2 / (2**26 / 16 / 100)
@@ -101,13 +101,15 @@ def test_scans_of_the_paper_get_about_its_values():
 
 
 def test_a_colloidal_probe():
-    asked = probe(radius=5e3, preload=100e-9, hardness=5e9, rho=2.0, given=True)
+    asked = probe(radius=5e3, preload=100e-9, hardness=5e9, rho=2.0)
     for scan in (entry(), entry(10000, 512, 14), entry(1000, 256, 2)):
-        proposal = propose([scan], None, asked)
+        proposal = propose([scan], None, asked, True)
         check_study(asked, proposal)
         assert chosen(proposal)["scales.range"] == "2 nm"
     # 20 nm² are less than a pixel of 19.5 nm, and more than one of 3.9 nm.
-    said = [propose([scan], None, asked).cautions for scan in (entry(10000), entry(1000, 256, 2))]
+    said = [
+        propose([scan], None, asked, True).cautions for scan in (entry(10000), entry(1000, 256, 2))
+    ]
     assert "less than a pixel" in " ".join(said[0])
     assert "less than a pixel" not in " ".join(said[1])
 
@@ -143,14 +145,14 @@ def test_a_usual_range_that_is_too_short_is_made_longer_and_said():
     proposal = propose([rough], None, probe())
     assert chosen(proposal)["scales.range"] == "11.2 nm"
     assert "11.2 nm, not the usual 5.6 nm" in " ".join(proposal.cautions)
-    message = refusal(propose, [rough], None, probe(rho=6.0, given=True))
+    message = refusal(propose, [rough], None, probe(rho=6.0), True)
     assert_says(message, "--range: expected at least 11.2 nm", "found 6 nm")
 
 
 def test_a_range_and_a_preload_are_refused_together():
-    asked = probe(preload=1.0, hardness=1e9, rho=0.02, given=True)
+    asked = probe(preload=1.0, hardness=1e9, rho=0.02)
     with pytest.raises(ValueError) as caught:
-        propose([entry()], None, asked)
+        propose([entry()], None, asked, True)
     lines = str(caught.value).splitlines()
     assert [line.split(":")[0] for line in lines] == ["--range", "--preload"]
     # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.

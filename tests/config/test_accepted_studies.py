@@ -1,5 +1,6 @@
 """Studies that are accepted can be computed."""
 
+from dataclasses import replace
 from itertools import product
 
 import numpy as np
@@ -13,10 +14,11 @@ from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.config import checks, configuration
 from hardcontact.config import selection as surface_table
 from hardcontact.contact.asperities import asperities_of_pair
-from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
-from hardcontact.contact.geometry import bodies
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies, sampled_contacts
 from hardcontact.contact.indents import indents
-from hardcontact.scales.filtered_masters import filtered_pull_off, scaled_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off, scaled_pull_off
 from hardcontact.surfaces import spectral_models, synthesis
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
@@ -149,37 +151,37 @@ def assert_forces(arrays):
 
 def check_pair(config, rng, substrate, sphere):
     """Compute forces at all contacts and ranges, the largest indents, and asperities."""
-    contact = config["contact"]
-    pair = bodies(substrate, sphere, config["sphere"]["radius"], contact)
+    contact = Contact(radius=config["sphere"]["radius"], **config["contact"])
+    pair = bodies(substrate, sphere, contact)
     pixel_size = pair.geometry.pixel_size
     assert_forces(pull_off_of_pair(pair, contact, config["adhesion"]["ranges"]))
     for preload in config["indent"]["preloads"]:
-        contact_pixels = contact_pixel_count(contact | {"preload": preload}, pixel_size)
+        contact_pixels = replace(contact, preload=preload).pixels(pixel_size)
         for lowest in all_lowest_gaps(pair, contact_pixels).values():
             assert len(lowest.gaps) == contact_pixels
             assert 0 < indents(lowest, pixel_size).depth < np.inf
-    carriers = asperities_of_pair(pair, contact, config["asperities"], rng)
+    carried = config["asperities"]
+    places = sampled_contacts(rng, contact.count, carried["contacts"])
+    carriers = asperities_of_pair(pair, contact, places, carried["share"], carried["ranges"])
     assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
 
 
 def check_masters(config, rng, stitched, sphere, section, side):
     """Compute forces of one master, filtered at every cutoff, on a smooth and a rough sphere."""
-    scales, contact = config["scales"][side], config["contact"]
+    scales = config["scales"][side]
     wanted = scales | config[section][side]
     size = wanted["pixels"] if side == "small" else scales["tiles"]
     make = getattr(synthesis, f"{side}_scale_master")
     master = make(rng, stitched, size, wanted["transition"], ROUGH)
-    parameters = {
-        "side": side,
-        "scales": {"pixels": wanted["pixels"], "cutoffs": wanted["cutoffs"]},
-        "radius": config["sphere"]["radius"],
-        "rho": config["scales"]["range"],
-        "window": contact["window"],
-        "count": config["sets" if section == "sets" else "contact"]["count"],
-        "loads": [{"name": "one", "preload": contact["preload"], "hardness": contact["hardness"]}],
-    }
+    filters = Filters(side, wanted["pixels"], wanted["cutoffs"])
+    count = config["sets" if section == "sets" else "contact"]["count"]
+    contact = Contact(
+        radius=config["sphere"]["radius"],
+        range=config["scales"]["range"],
+        **config["contact"] | {"count": count},
+    )
     for probe in [None, sphere] if section == "sets" else [None]:
-        assert_forces(filtered_pull_off(master, probe, parameters))
+        assert_forces(filtered_pull_off(master, filters, [contact], probe))
 
 
 def check_scaled(config, rng, stitched, side):
@@ -187,10 +189,13 @@ def check_scaled(config, rng, stitched, side):
     scaling, contact = config["insight"]["scaling"], config["contact"]
     wanted = config["scales"][side] | scaling[side]
     master = synthesized_master(side, rng, stitched, wanted, ROUGH)
-    contacts = {name: scaling[name] for name in ("radii", "ranges", "preloads", "count")}
-    contacts |= {name: contact[name] for name in ("window", "hardness")}
-    filters = {name: wanted[name] for name in ("pixels", "cutoffs")}
-    assert_forces(scaled_pull_off(master, {"side": side, **filters, **contacts}))
+    contacts = [
+        Contact(radius=1.0, **contact | {"count": scaling["count"], "preload": preload})
+        for preload in scaling["preloads"]
+    ]
+    filters = Filters(side, wanted["pixels"], wanted["cutoffs"])
+    forces = scaled_pull_off(master, filters, contacts, scaling["radii"], scaling["ranges"])
+    assert_forces(forces)
 
 
 @pytest.mark.parametrize("examples", [5, pytest.param(40, marks=pytest.mark.study)])

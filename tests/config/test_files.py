@@ -166,8 +166,8 @@ def test_what_changes_no_spectrum_has_that_of_the_study():
 def test_the_other_sphere_bears_the_load_of_the_study_alone():
     study = files(robustness__preloads=["5 uN", "10 uN"], robustness__hardnesses=[])
     loads = [
-        {"name": "H25GPa-F10uN", "preload": 1e-5, "hardness": 25e9},
-        {"name": "H25GPa-F5uN", "preload": 5e-6, "hardness": 25e9},
+        {"preload": 1e-5, "hardness": 25e9},
+        {"preload": 5e-6, "hardness": 25e9},
     ]
     assert study.loads("smooth") == loads  # the study's own preload is not listed again
     assert study.loads("rough") == loads[:1]

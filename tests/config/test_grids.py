@@ -7,6 +7,7 @@ from repository import ROOT
 
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
 from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_spectra import described_rms_height, from_description
@@ -27,9 +28,10 @@ def test_contacts_on_a_described_surface_lie_within_its_relief(name):
     path = ROOT / f"resources/spectra/{name}.csv"
     grid = surface_grid(CONFIG, name, rows(path))
     density = Spectrum(WAVEVECTORS, from_description(path, None, None)[0])
+    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, count=8)
     for seed in range(2):
         surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
-        pair = bodies(surface, None, 250e3, {"window": 12.5e3, "count": 8})
+        pair = bodies(surface, None, contact)
         highest_gap = max(one.gaps[0] for one in all_lowest_gaps(pair, 1).values())
         apart = float(surface.heights.max() + highest_gap)
         assert 0.2 * grid.relief < apart < grid.relief

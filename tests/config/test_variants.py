@@ -1,12 +1,14 @@
 """The table of robustness: one other choice at a time, and nothing where it changes nothing."""
 
+from dataclasses import replace
+
 import pytest
 from small_study import configuration, selection
 
-from hardcontact.config.variants import named_load, surface_variants, variants
+from hardcontact.config.variants import study_contact, surface_variants, variants
 
 pytestmark = pytest.mark.usefixtures("at_root")
-STUDY = {"name": "H25GPa-F10uN", "preload": 1e-5, "hardness": 25e9}
+STUDY = "H25GPa-F10uN"
 
 
 def by_name(made):
@@ -20,7 +22,7 @@ def test_the_variants_of_the_paper():
         "tip-10nm", "tip-17nm", "tip-26nm", "rough_sphere",
         "preload-5uN", "preload-20uN", "hardness-16GPa", "hardness-47GPa",
     ]  # fmt: skip
-    assert made[0].load == STUDY
+    assert made[0].contact.load == STUDY
     assert set(made[0].variant.values()) == {"study"}
 
 
@@ -29,19 +31,19 @@ def test_each_variant_differs_from_the_study_in_one_choice():
     for other in others:
         changed = [
             name
-            for name in ("variant", "load", "probe")
+            for name in ("variant", "contact", "probe")
             if getattr(other, name) != getattr(baseline, name)
         ]
         assert len(changed) == 1, other
 
 
-def test_loads_are_values_with_the_names_of_paths():
-    assert named_load("10 uN", "25 GPa") == named_load("0.01 mN", "25000 MPa") == STUDY
+def test_loads_have_names_that_do_not_depend_on_units():
+    for preload, hardness in (("10 uN", "25 GPa"), ("0.01 mN", "25000 MPa")):
+        changed = configuration(contact__preload=preload, contact__hardness=hardness)
+        assert study_contact(changed).load == STUDY
     made = by_name(variants(configuration(), selection()))
-    twice = STUDY | {"name": "H25GPa-F20uN", "preload": 2e-5}
-    soft = STUDY | {"name": "H16GPa-F10uN", "hardness": 16e9}
-    assert made["preload-20uN"].load == twice
-    assert made["hardness-16GPa"].load == soft
+    assert made["preload-20uN"].contact == replace(made["laplacian"].contact, preload=2e-5)
+    assert made["hardness-16GPa"].contact.load == "H16GPa-F10uN"
     assert made["preload-20uN"].label == "preload 20 µN"
 
 

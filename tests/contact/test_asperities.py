@@ -5,6 +5,7 @@ import pytest
 from periodic_maps import RADIUS, over
 
 from hardcontact.contact.asperities import asperities, asperities_of_pair
+from hardcontact.contact.contact import Contact
 
 
 @pytest.mark.parametrize("share", [0.5, 0.9])
@@ -41,14 +42,13 @@ def test_a_flat_is_one_patch_of_all_it_needs():
 
 def test_a_summit_at_a_crease_carries_the_force_there():
     """A single peak on a flat, at a corner of the scan, in the middle of an edge, or within it."""
-    load = {"preload": 1e-6, "hardness": 25e9, "window": 4000.0, "count": 2}
-    settings = {"contacts": 4, "share": 0.9, "ranges": [1.0]}
+    contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)
+    places = np.array([(0, 0), (0, 1), (1, 0), (1, 1)])
     for row, column, expected in ((0, 199, 1.0), (100, 50, 1.0), (104, 50, 1.0), (105, 94, 0.0)):
         heights = np.zeros((200, 200))
         heights[row, column] = 60.0
-        found = asperities_of_pair(
-            over(heights, None, 20.0, 200, 2), load, settings, np.random.default_rng(1)
-        )
+        pair = over(heights, None, 20.0, 200, 2)
+        found = asperities_of_pair(pair, contact, places, 0.9, [1.0])
         assert (found.crease_contact == expected).all()
         assert abs(found.crease_force - expected).max() < 0.01
         away = np.array([25, 125]) - np.array([[row], [column]])  # of apexes from the peak

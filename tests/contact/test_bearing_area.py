@@ -7,9 +7,9 @@ from scipy.stats import norm
 
 from hardcontact.contact.bearing_area import (
     all_lowest_gaps,
-    contact_pixel_count,
     stacked_gaps,
 )
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
     flattened_gaps,
     gap_map,
@@ -63,10 +63,11 @@ def test_bearing_area_of_a_gaussian_surface_is_its_quantile(share):
 
 
 def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
-    load = {"preload": 10e-6, "hardness": 25e9}
-    assert contact_pixel_count(load, 2500 / 512) == 17  # 16.8 rounded up
-    assert contact_pixel_count(load, 5000 / 8192) == 1074  # 1073.7
-    assert contact_pixel_count(load, 20.0) == 1  # exactly one pixel
+    contact = Contact(radius=250e3, preload=10e-6, hardness=25e9)
+    assert contact.pixels(2500 / 512) == 17  # 16.8 rounded up
+    assert contact.pixels(5000 / 8192) == 1074  # 1073.7
+    assert contact.pixels(20.0) == 1  # exactly one pixel
+    assert contact.area == pytest.approx(400.0)
 
 
 def test_plastic_contact_has_exactly_the_pixels_that_carry_the_load():

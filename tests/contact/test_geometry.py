@@ -5,10 +5,11 @@ import pytest
 from periodic_maps import RADIUS, height_map, over
 
 from hardcontact.contact import geometry
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
 from hardcontact.records import dataset
 
-ARRAY = {"window": 3000.0, "count": 4}
+CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, count=4)
 
 
 def heights(pixels):
@@ -25,7 +26,7 @@ def test_mirrored_contacts_of_the_array_are_all_different_places():
 
 def test_bodies_interpolates_the_coarser_map():
     coarse, fine = 5.0 * heights(50), heights(120)
-    pair = geometry.bodies(height_map(coarse, 30.0), height_map(fine, 10.0), RADIUS, ARRAY)
+    pair = geometry.bodies(height_map(coarse, 30.0), height_map(fine, 10.0), CONTACT)
     assert pair.substrate.pixels == 150 and pair.roughness.pixels == 120
     assert pair.geometry.pixel_size == 10.0 and pair.stretch < 1e-12
     np.testing.assert_allclose(pair.substrate.heights[::3, ::3], coarse, atol=1e-5)
@@ -36,9 +37,7 @@ def test_bodies_interpolates_the_coarser_map():
 
 
 def test_a_period_that_is_no_whole_number_of_pixels_is_stretched_by_half_of_one_at_most():
-    pair = geometry.bodies(
-        height_map(heights(50), 30.0), height_map(heights(100), 11.0), RADIUS, ARRAY
-    )
+    pair = geometry.bodies(height_map(heights(50), 30.0), height_map(heights(100), 11.0), CONTACT)
     assert pair.substrate.pixels == round(1500 / 11)
     assert pair.stretch == pytest.approx(abs(136 * 11 / 1500 - 1))
     assert pair.stretch * 1500 <= 11 / 2
@@ -46,7 +45,7 @@ def test_a_period_that_is_no_whole_number_of_pixels_is_stretched_by_half_of_one_
 
 def test_a_smooth_sphere_leaves_the_substrate_as_it_is():
     substrate = height_map(heights(50), 30.0)
-    pair = geometry.bodies(substrate, None, RADIUS, ARRAY)
+    pair = geometry.bodies(substrate, None, CONTACT)
     assert pair.substrate is substrate and pair.roughness is None and pair.stretch == 0
 
 
@@ -55,8 +54,8 @@ def test_bodies_of_files_are_those_of_their_maps(tmp_path):
     paths = [str(tmp_path / name) for name in ("substrate.nc", "sphere.nc")]
     for surface, path in zip(maps, paths, strict=True):
         dataset.write(surface.dataset(), path)
-    pair = geometry.read_bodies(*paths, RADIUS, ARRAY)
-    expected = geometry.bodies(*maps, RADIUS, ARRAY)
+    pair = geometry.read_bodies(*paths, CONTACT)
+    expected = geometry.bodies(*maps, CONTACT)
     assert pair.substrate.pixels == 80 and pair.geometry.pixel_size == 25.0
     for name in ("substrate", "roughness"):
         np.testing.assert_allclose(

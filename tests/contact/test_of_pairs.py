@@ -1,34 +1,33 @@
 """What is computed of pairs of scans: indents, asperities, elastic contacts."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from periodic_maps import RADIUS, height_map, over, periodic_noise
+from published_contact import MODULUS
 
 from hardcontact.contact.asperities import asperities_of_pair
-from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import UNITS, elastic_contacts_of_pair
-from hardcontact.contact.geometry import bodies, sphere_height
+from hardcontact.contact.geometry import bodies, sampled_contacts, sphere_height
 from hardcontact.contact.indents import REACH, flattening, indents_of_scans
-from hardcontact.contact.smooth_sphere import effective_modulus, hertz_contact
+from hardcontact.contact.smooth_sphere import hertz_contact
 
-CONTACT = {"preload": 10e-6, "hardness": 25e9, "window": 4000.0, "count": 3}
-ELASTIC = {
-    "sphere": {"modulus": 365e9, "poisson_ratio": 0.29},
-    "substrate": {"modulus": 1010e9, "poisson_ratio": 0.22},
-    "contacts": 2,
-    "window": 600.0,
-}
+CONTACT = Contact(
+    radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, range=5.6, work=46.3e-3
+)
 SHAPE = {"scan": 2, "sphere_scan": 2, "preload": 2, "contact_y": 3, "contact_x": 3}
 
 
 def test_indents_of_scans_are_those_of_each_pair():
     substrates = {k: height_map(periodic_noise(128, 20.0, k), 8.0) for k in (1, 4)}
     spheres = {k: height_map(periodic_noise(128, 0.5, 10 + k), 8.0) for k in (2, 3)}
-    settings = {key: CONTACT[key] for key in ("hardness", "window", "count")}
-    indents = indents_of_scans(substrates, spheres, RADIUS, settings, [10e-6, 40e-6])
+    indents = indents_of_scans(substrates, spheres, CONTACT, [10e-6, 40e-6])
     assert {name: indents.depth.sizes[name] for name in indents.depth.dims} == SHAPE
-    pair = bodies(substrates[4], spheres[2], RADIUS, settings)
-    contacts = all_lowest_gaps(pair, contact_pixel_count(settings | {"preload": 40e-6}, 8.0))
+    pair = bodies(substrates[4], spheres[2], CONTACT)
+    contacts = all_lowest_gaps(pair, replace(CONTACT, preload=40e-6).pixels(8.0))
     depth = indents.depth.sel(scan=4, sphere_scan=2, preload=40e-6).values
     for place, (gaps, _) in contacts.items():
         assert depth[place] == pytest.approx(gaps[-1] - gaps[0], abs=1e-12)
@@ -43,10 +42,10 @@ def test_the_indents_drawn_lie_in_the_sphere_that_is_drawn():
     substrate, sphere = (
         height_map(periodic_noise(128, rms, seed), 8.0) for rms, seed in ((20.0, 1), (0.5, 2))
     )
-    settings = {"hardness": 25e9, "window": 4000.0, "count": 1}
-    indents = indents_of_scans({1: substrate}, {1: sphere}, RADIUS, settings, [40e-6])
-    pair = bodies(substrate, sphere, RADIUS, settings)
-    contact_pixels = contact_pixel_count(settings | {"preload": 40e-6}, 8.0)
+    alone = replace(CONTACT, count=1)
+    indents = indents_of_scans({1: substrate}, {1: sphere}, alone, [40e-6])
+    pair = bodies(substrate, sphere, alone)
+    contact_pixels = replace(CONTACT, preload=40e-6).pixels(8.0)
     (contact,) = all_lowest_gaps(pair, contact_pixels).values()
     np.testing.assert_array_equal(indents.indentation[0], flattening(contact, REACH))
     np.testing.assert_array_equal(
@@ -57,8 +56,8 @@ def test_the_indents_drawn_lie_in_the_sphere_that_is_drawn():
 def test_a_smooth_pair_carries_its_force_in_one_asperity():
     # exp(-r²/2R rho) holds a share 1 - exp(-r²/2R rho) of the force within r.
     pair = over(np.zeros((128, 128)), np.zeros((128, 128)), 50.0, 256, 3)
-    settings = {"contacts": 4, "share": 0.9, "ranges": [1.0, 5.6]}
-    carriers = asperities_of_pair(pair, CONTACT, settings, np.random.default_rng(1))
+    places = sampled_contacts(np.random.default_rng(1), 3, 4)
+    carriers = asperities_of_pair(pair, CONTACT, places, 0.9, [1.0, 5.6])
     assert carriers.sizes == {"contact": 4, "rho": 2}
     np.testing.assert_array_equal(carriers.patches, 1)
     expected = 2 * np.sqrt(-2 * RADIUS * carriers.rho * np.log(0.1))
@@ -69,9 +68,8 @@ def test_a_smooth_pair_carries_its_force_in_one_asperity():
 
 def test_elastic_contacts_carry_the_preload():
     pair = over(periodic_noise(96, 2.0, 1), periodic_noise(96, 0.3, 2), 8.0, 512, 3)
-    solved = elastic_contacts_of_pair(
-        pair, CONTACT, ELASTIC, 5.6, 46.3e-3, np.random.default_rng(1)
-    )
+    places = sampled_contacts(np.random.default_rng(1), 3, 2)
+    solved = elastic_contacts_of_pair(pair, CONTACT, places, MODULUS, 600.0)
     assert {name: solved[name].units for name in UNITS} == UNITS
     assert solved.sizes["contact"] == 2
     load = solved.contact_area * 1e-18 * solved.mean_pressure
@@ -79,6 +77,5 @@ def test_elastic_contacts_carry_the_preload():
     assert (solved.elastic_pull_off_force <= solved.rigid_pull_off_force * (1 + 1e-6)).all()
     assert solved.pressure.max() == solved.peak_pressure[0]
     assert solved.pressure.values[32, 32] == solved.pressure.max()
-    modulus = effective_modulus(ELASTIC["sphere"], ELASTIC["substrate"])
-    assert solved.effective_modulus == modulus
-    assert solved.hertz_peak_pressure == hertz_contact(10e-6, RADIUS, modulus).peak_pressure
+    assert solved.effective_modulus == MODULUS
+    assert solved.hertz_peak_pressure == hertz_contact(10e-6, RADIUS, MODULUS).peak_pressure

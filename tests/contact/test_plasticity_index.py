@@ -1,17 +1,20 @@
 """Elastic area and plasticity index: Hertz, the plastic limit, and the solver on rough surfaces."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from periodic_maps import RADIUS, over, periodic_noise
 from published_contact import MODULUS
 
-from hardcontact.contact.bearing_area import all_lowest_gaps, contact_pixel_count
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import contact_at_load
 from hardcontact.contact.geometry import gap_map, gaps_at
 from hardcontact.contact.smooth_sphere import hertz_contact
 from hardcontact.insight.elastic_limit import SLOPE_OVER_PRESSURE, elastic_estimates, squared_slopes
 
-LOAD = {"preload": 10e-6, "hardness": 25e9}
+LOAD = Contact(radius=RADIUS, preload=10e-6, hardness=25e9)
 
 
 def only(estimates):
@@ -22,7 +25,7 @@ def only(estimates):
 @pytest.mark.parametrize("preload", [1e-6, 10e-6])
 def test_a_smooth_sphere_is_hertz(preload):
     pixel_size = 5.0 * np.sqrt(preload / 10e-6)  # as many contact pixels at both
-    load = LOAD | {"preload": preload}
+    load = replace(LOAD, preload=preload)
     pair = over(np.zeros((128, 128)), None, pixel_size, 256, 1)
     one = only(elastic_estimates(pair, load, MODULUS))
     radius = hertz_contact(preload, RADIUS, MODULUS).radius
@@ -31,9 +34,9 @@ def test_a_smooth_sphere_is_hertz(preload):
     assert len(one.contact.gaps) == one.elastic_pixels
     # The mean pressure of Hertz on a disc of radius r is 4 E* r/(3 pi R), the squared slope r²/2R²;
     # differences over a pixel p add p²/2R² to it.
-    disc = np.sqrt(contact_pixel_count(load, pixel_size) * pixel_size**2 / np.pi)
+    disc = np.sqrt(load.pixels(pixel_size) * pixel_size**2 / np.pi)
     slope = np.sqrt((disc**2 + pixel_size**2) / 2) / RADIUS
-    expected = 4 * np.sqrt(2) / (3 * np.pi) * MODULUS * slope / load["hardness"]
+    expected = 4 * np.sqrt(2) / (3 * np.pi) * MODULUS * slope / load.hardness
     assert one.plasticity_index == pytest.approx(expected, rel=0.05) and one.plasticity_index < 1
 
 
@@ -65,7 +68,7 @@ def test_gaps_at_offsets_are_those_of_the_whole_window():
 
 def test_a_rough_surface_is_plastic():
     pair = over(periodic_noise(128, 40.0, 1), periodic_noise(128, 0.5, 2), 5.0, 320, 3)
-    bearing = all_lowest_gaps(pair, contact_pixel_count(LOAD, 5.0))
+    bearing = all_lowest_gaps(pair, LOAD.pixels(5.0))
     for place, one in elastic_estimates(pair, LOAD, MODULUS).items():
         assert one.plasticity_index > 1 and one.elastic_pixels <= len(bearing[place].gaps)
         np.testing.assert_array_equal(one.contact.gaps, bearing[place].gaps)
@@ -75,7 +78,7 @@ def test_a_rough_surface_is_plastic():
 @pytest.mark.parametrize("rms", [0.1, 0.5, 2.0])
 def test_the_index_says_which_area_is_larger(rms):
     pair = over(periodic_noise(128, rms, 4), None, 5.0, 320, 3)
-    bearing = contact_pixel_count(LOAD, 5.0)
+    bearing = LOAD.pixels(5.0)
     for one in elastic_estimates(pair, LOAD, MODULUS).values():
         assert (one.plasticity_index >= 1) == (one.elastic_pixels <= bearing)
 
@@ -85,5 +88,5 @@ def test_elastic_area_is_that_of_the_solver_within_a_factor_of_three(rms):
     # Elastic bodies touch beyond the lowest gaps, so the estimate is the smaller area.
     pair = over(periodic_noise(64, rms, 4), None, 5.0, 64, 1)
     one = only(elastic_estimates(pair, LOAD, MODULUS))
-    pressure = contact_at_load(gap_map(pair, (0, 0)), 5.0, MODULUS, LOAD["preload"]).pressure
+    pressure = contact_at_load(gap_map(pair, (0, 0)), 5.0, MODULUS, LOAD.preload).pressure
     assert 1 / 3 < one.elastic_pixels / np.count_nonzero(pressure) < 1

@@ -6,6 +6,7 @@ from known_spectra import rough, rounded
 from scipy import stats
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
+from hardcontact.contact.contact import Contact as ArrayContact
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -91,7 +92,7 @@ def test_regimes_lie_on_both_sides_of_freezing():
 def test_force_is_linear_in_work_and_area_of_contact_attracts():
     double = closed_form(rough(), Contact(RADIUS, 5.6, 2.0, 400.0))
     assert double.force == pytest.approx(2 * closed_form(rough(), contact()).force)
-    assert contact_area({"preload": 1e-5, "hardness": 25e9}) == pytest.approx(400)
+    assert contact_area(1e-5, 25e9) == pytest.approx(400)
     rigid, plastic = (closed_form(rough(), contact(area=area)) for area in (0.0, 400.0))
     assert plastic.closest_approach < rigid.closest_approach
     assert plastic.force > rigid.force
@@ -104,12 +105,12 @@ def test_force_is_linear_in_work_and_area_of_contact_attracts():
 def test_forces_on_random_surfaces(rms, rho, of_spectrum, of_contacts):
     pixels, size, radius = 512, 10e3, 50e3
     spectrum = rough(rms, 800.0, 0.8, 80.0)
-    load = {"preload": 1e-5, "hardness": 25e9}
+    touching = ArrayContact(radius=radius, preload=1e-5, hardness=25e9, window=size, count=8)
     forces, approaches = [], []
     for k in range(3):
         surface = random_surface(generator(7, k), pixels, size / pixels, spectrum)
-        pair = bodies(surface, None, radius, {"window": size, "count": 8})
-        plastic = pull_off_of_pair(pair, load, [rho]).sel(contact_model="plastic")
+        pair = bodies(surface, None, touching)
+        plastic = pull_off_of_pair(pair, touching, [rho]).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean())
         approaches.append(-plastic["closest_approach"].values)
     at = contact(rho, 400.0, radius)

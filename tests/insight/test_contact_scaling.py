@@ -1,27 +1,24 @@
 """Scaled contacts against closed forms and single contacts; edges against power laws."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray as xr
 from scipy.special import erf
 
+from hardcontact.contact.contact import Contact
 from hardcontact.insight import edge_scaling as scaling
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.scales.filtered_masters import filtered_pull_off, scaled_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off, scaled_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
-COMBINATIONS = {
-    "side": "small",
-    "pixels": 64,
-    "cutoffs": [40.0, 80.0],
-    "window": 640.0,
-    "count": 3,
-    "radii": [500.0, 2000.0],
-    "ranges": [2.0, 5.0],
-    "hardness": 25e9,
-    "preloads": [2.5e-6, 20e-6],
-}
+CONTACTS = [
+    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
+    for preload in (2.5e-6, 20e-6)
+]
+FILTERS, COMBINATIONS = Filters("small", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
 
 
 def master(rms):
@@ -30,9 +27,9 @@ def master(rms):
 
 
 def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
-    computed = scaled_pull_off(master(0.0), COMBINATIONS)
+    computed = scaled_pull_off(master(0.0), FILTERS, CONTACTS, *COMBINATIONS)
     force = computed["unfiltered_pull_off_force"].values
-    radius, rho = (np.array(COMBINATIONS[name]) for name in ("radii", "ranges"))
+    radius, rho = (np.array(values) for values in COMBINATIONS)
     radius = radius[:, None]
     # 2 pi R W, but for what lies outside the window of 640 nm.
     rigid = 2 * np.pi * radius * 1e-9 * erf(640 / np.sqrt(8 * radius * rho)) ** 2
@@ -46,21 +43,9 @@ def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
 
 
 def test_every_combination_is_that_of_single_contacts():
-    computed = scaled_pull_off(master(3.0), COMBINATIONS)
-    radius, rho, preload = 2000.0, 5.0, 20e-6
-    loads = [{"name": "one", "preload": preload, "hardness": 25e9}]
+    computed = scaled_pull_off(master(3.0), FILTERS, CONTACTS, *COMBINATIONS)
     single = filtered_pull_off(
-        master(3.0),
-        None,
-        {
-            "side": "small",
-            "scales": {"pixels": 64, "cutoffs": COMBINATIONS["cutoffs"]},
-            "radius": radius,
-            "rho": rho,
-            "window": 640.0,
-            "count": 3,
-            "loads": loads,
-        },
+        master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, range=5.0)]
     )
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(

@@ -8,7 +8,7 @@ from periodic_maps import RADIUS, over, periodic_noise
 from published_contact import MODULUS
 
 from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
 from hardcontact.contact.smooth_sphere import hertz_contact
 from hardcontact.insight.elastic_limit import (
@@ -19,7 +19,7 @@ from hardcontact.insight.elastic_limit import (
 )
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
-LOAD = {"preload": 10e-6, "hardness": 25e9}
+LOAD = Contact(radius=RADIUS, preload=10e-6, hardness=25e9)
 PIXEL, RHO, WORK = 10.0, 5.6, 0.05
 DESCRIBED = {
     "labels": {"smooth": "Smooth", "rough": "Rough"},
@@ -38,7 +38,7 @@ def of_pair(bodies):
 def test_forces_are_direct_sums_with_each_contact():
     bodies = pair(0.5, 1)
     limit = of_pair(bodies)
-    bearing = contact_pixel_count(LOAD, PIXEL)
+    bearing = LOAD.pixels(PIXEL)
     for place in np.ndindex(3, 3):
         one = limit.isel(contact_y=place[0], contact_x=place[1])
         larger = max(bearing, round(one.elastic_area.item() / PIXEL**2))
@@ -55,7 +55,7 @@ def test_a_rough_surface_keeps_the_force_of_the_bearing_area():
     bodies = pair(60.0, 2)
     limit = of_pair(bodies)
     assert (limit.plasticity_index >= 1).all()
-    (total,) = plastic_totals(bodies, [contact_pixel_count(LOAD, PIXEL)], RHO)
+    (total,) = plastic_totals(bodies, [LOAD.pixels(PIXEL)], RHO)
     single = pull_off_force(total, RHO, PIXEL, WORK)
     for variant in ("bearing_area", "larger_area", "recovered"):
         np.testing.assert_allclose(limit.pull_off_force.sel(variant=variant), single, rtol=1e-12)
@@ -64,7 +64,7 @@ def test_a_rough_surface_keeps_the_force_of_the_bearing_area():
 def test_a_smooth_sphere_has_the_area_of_hertz_and_the_rigid_force():
     bodies = over(np.zeros((64, 64)), None, PIXEL, 128, 2)
     limit = of_pair(bodies)
-    radius = hertz_contact(LOAD["preload"], RADIUS, MODULUS).radius
+    radius = hertz_contact(LOAD.preload, RADIUS, MODULUS).radius
     np.testing.assert_allclose(limit.elastic_area, np.pi * radius**2, rtol=0.03)
     force = limit.pull_off_force
     np.testing.assert_array_equal(force.sel(variant="recovered"), force.sel(variant="rigid"))

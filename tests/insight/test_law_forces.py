@@ -5,6 +5,7 @@ import pytest
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 
 from hardcontact.adhesion.pull_off import pull_off_force
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import flattened_gaps, gap_map
 from hardcontact.insight.interaction_laws import LAWS, law_forces, pressure, range_grid, work_shares
 from hardcontact.insight.law_forces import (
@@ -15,6 +16,7 @@ from hardcontact.insight.law_forces import (
     range_forces,
     scan_range_forces,
 )
+from hardcontact.scales.filtered_masters import Filters
 
 POWERS = [law for law in LAWS if not law.exponential]
 HARDNESS = 25e9
@@ -23,15 +25,8 @@ HARDNESS = 25e9
 def parameters(pixel_size, contact_pixels, ranges, count=3, reach=0.0):
     """Contacts of so many pixels, at these ranges."""
     preload = contact_pixels * HARDNESS * (pixel_size * 1e-9) ** 2
-    return {
-        "window": 8000.0,
-        "count": count,
-        "preload": preload,
-        "hardness": HARDNESS,
-        "radius": RADIUS,
-        "reach": reach,
-        "ranges": list(ranges),
-    }
+    contact = Contact(radius=RADIUS, preload=preload, hardness=HARDNESS, window=8000.0, count=count)
+    return contact, reach, list(ranges)
 
 
 def direct_forces(bodies, contact_pixels, law, rho):
@@ -49,7 +44,7 @@ def test_force_of_a_law_is_its_direct_sum(law, contact_pixels, rms, rough):
     roughness = periodic_noise(96, 0.7, 4) if rough else None
     bodies = over(periodic_noise(96, rms, 3), roughness, 50.0, 160, 3)
     ranges = range_grid(5.6, 0.5, 0.01, 1e5)
-    forces = range_forces(bodies, parameters(50.0, contact_pixels, ranges))
+    forces = range_forces(bodies, *parameters(50.0, contact_pixels, ranges))
     for rho in (0.15, 2.0, 8.0):
         found = law_forces(law, [rho], ranges, np.moveaxis(forces, 0, -1))[..., 0]
         expected = direct_forces(bodies, contact_pixels, law, rho)
@@ -62,7 +57,7 @@ def test_sums_at_small_ranges_of_a_place_far_below_the_peak_elsewhere():
     heights[48, 48] += 400.0
     bodies = over(heights, None, 500.0, 40, 2)
     law, rho, ranges = LAWS[1], 0.15, range_grid(5.6, 0.5, 0.01, 1e5)
-    forces = range_forces(bodies, parameters(500.0, 3, ranges))
+    forces = range_forces(bodies, *parameters(500.0, 3, ranges))
     found = law_forces(law, [rho], ranges, np.moveaxis(forces, 0, -1))[..., 0]
     assert 48 not in (bodies.geometry.positions[0] + bodies.geometry.offsets()) % 96
     assert heights.max() / ranges[0] > 2 * LARGEST_EXPONENT
@@ -79,7 +74,7 @@ def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin(law):
     flat = over(np.zeros((400, 400)), None, pixel_size, window, 1)
     ranges = range_grid(5.6, 0.5, 0.01, 1e6)
     given = parameters(pixel_size, 1, ranges, 1, window * pixel_size)
-    force = law_forces(law, [rho], ranges, range_forces(flat, given)[:, 0, 0]).item()
+    force = law_forces(law, [rho], ranges, range_forces(flat, *given)[:, 0, 0]).item()
     ideal = 2 * np.pi * RADIUS * 1e-9
     edge = (window * pixel_size / 2) ** 2 / (2 * RADIUS)
     beyond = (1 + np.array([2, 1]) * edge / law.spacing(rho)) ** -law.exponent
@@ -90,7 +85,7 @@ def test_smooth_sphere_on_a_flat_has_the_force_of_derjaguin(law):
 def test_exponential_law_is_interpolated_between_its_ranges():
     bodies = over(periodic_noise(96, 20.0, 3), None, 50.0, 160, 3)
     ranges, between = range_grid(5.6, 0.5, 0.5, 100.0), np.array([1.2, 5.6, 9.0])
-    coarse, exact = (range_forces(bodies, parameters(50.0, 17, one)) for one in (ranges, between))
+    coarse, exact = (range_forces(bodies, *parameters(50.0, 17, one)) for one in (ranges, between))
     found = law_forces(LAWS[0], between, ranges, np.moveaxis(coarse, 0, -1))
     np.testing.assert_allclose(np.moveaxis(found, -1, 0), exact, rtol=5e-3)
     np.testing.assert_allclose(found[..., 1], exact[1], rtol=1e-12)
@@ -116,16 +111,16 @@ def test_the_ranges_of_the_study_give_the_pressure_of_every_law(law, anchor, err
 def test_a_filter_that_removes_nothing_changes_no_force():
     master = height_map(periodic_noise(128, 10.0, 5), 20.0)
     given = parameters(20.0, 5, [1.0, 5.6], 2)
-    filters = {"pixels": 128, "cutoffs": [50.0, 400.0]}
-    made = filtered_range_forces(master, "small", filters, given)
+    filters = Filters("small", 128, [50.0, 400.0])
+    made = filtered_range_forces(master, filters, *given)
     whole = made["unfiltered_pull_off_force"].values
-    np.testing.assert_allclose(whole, mean_range_forces(master, None, given))
+    np.testing.assert_allclose(whole, mean_range_forces(master, None, *given))
     nothing, much = made["pull_off_force"].values / whole
     assert abs(nothing - 1).max() < abs(much - 1).max()
 
 
 def test_half_the_window_lacks_most_at_large_ranges():
     scan = height_map(periodic_noise(128, 10.0, 5), 50.0)
-    made = scan_range_forces(scan, None, parameters(50.0, 5, [1.0, 100.0], 2, 20e3))
+    made = scan_range_forces(scan, None, *parameters(50.0, 5, [1.0, 100.0], 2, 20e3))
     growth = made["pull_off_force"].values / made["half_window_pull_off_force"].values - 1
     assert 0 <= growth[0] < 1e-6 < 1e-2 < growth[1]

@@ -5,6 +5,7 @@ import pytest
 from scan_windows import LOAD, RANGES, contacts_on
 
 from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.scan_size_trials import Case, ScanSizeRule, correction_errors, fitted_rule
 from hardcontact.insight.scan_windows import window_forces
@@ -20,8 +21,10 @@ def surface(rms):
 
 
 def mean_force(one):
-    pair = bodies(one, None, 2000.0, {"window": 640.0, "count": 2})
-    return mean_pull_off_of_pair(pair, [LOAD], RANGES)["pull_off_force"].values[0]
+    contact = Contact(radius=2000.0, window=640.0, count=2, **LOAD)
+    return mean_pull_off_of_pair(bodies(one, None, contact), [contact], RANGES)[
+        "pull_off_force"
+    ].values[0]
 
 
 def test_windows_of_a_flat_surface_have_its_force():

@@ -4,10 +4,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from hardcontact.contact.contact import Contact
 from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
-from hardcontact.scales.filtered_masters import filtered_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectral_models import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
@@ -21,8 +22,8 @@ CUTOFFS = {
 }
 ALL = sorted({cutoff for cutoffs in CUTOFFS.values() for cutoff in cutoffs})
 PIXELS = {"small": 256, "large": 128}
-RADIUS, RHO, SIZE = 30e3, 5.6, 2500.0
-CONTACT = {"window": 2500.0, "count": 4, "preload": 2e-6, "hardness": 25e9}
+SIZE = 2500.0
+CONTACT = Contact(radius=30e3, preload=2e-6, hardness=25e9, window=2500.0, count=4, range=5.6)
 AXES = ("surface", "realization", "side")
 
 
@@ -33,11 +34,8 @@ def density(wavevector):
 
 def forces(side, master):
     """Forces (cutoff, contact_y, contact_x) of a master, the unfiltered one first."""
-    array = {key: CONTACT[key] for key in ("window", "count")}
-    load = {"name": "one", "preload": CONTACT["preload"], "hardness": CONTACT["hardness"]}
-    settings = {"side": side, "radius": RADIUS, "rho": RHO, "loads": [load], **array}
-    scales = {"pixels": PIXELS[side], "cutoffs": CUTOFFS[side]}
-    found = filtered_pull_off(master, None, settings | {"scales": scales}).isel(load=0)
+    filters = Filters(side, PIXELS[side], CUTOFFS[side])
+    found = filtered_pull_off(master, filters, [CONTACT]).isel(load=0)
     return [found.unfiltered_pull_off_force.values, *found.pull_off_force.values]
 
 
@@ -71,7 +69,7 @@ def scales(draws):
             "realization": np.arange(len(draws)) + 1,
             "cutoff_wavelength": ALL,
         },
-        {"rho": RHO, "sphere_radius": RADIUS},
+        {"rho": CONTACT.range, "sphere_radius": CONTACT.radius},
     )
     return dataset.assign(
         ratio=dataset.pull_off_force.mean(contacts)

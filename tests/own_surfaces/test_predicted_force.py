@@ -99,12 +99,11 @@ def test_the_mean_over_places_is_at_most_that_of_a_smooth_sphere(pixels):
 
 
 def test_no_mean_exceeds_the_bound():
-    load = {"preload": 1e-5, "hardness": 25e9}
     given = predicted_force(adhesion([3, 1]), **PREDICTION)  # newtons: far too large
     continued = xr.Dataset(
         {"continued_force": ("side", [1e-9, 1.0])}, {"side": ["small", "large"]}
     ).assign(continued_force_interval=("side", [1e-9, 1.0]))
-    found = with_smooth_bound(given.merge(continued), load)
+    found = with_smooth_bound(given.merge(continued), 400.0)
     rigid = 2 * np.pi * 5e-6 * 0.05
     bound = xr.DataArray(
         [[rigid] * 3, [rigid + 0.05 * 4e-16 / (1e-9 * rho) for rho in RHOS]],
@@ -115,4 +114,4 @@ def test_no_mean_exceeds_the_bound():
     assert (found.force_interval <= found.smooth_bound).all()
     np.testing.assert_allclose(found.continued_force, [1e-9, bound[1, 1]])
     endless = given.assign(force_interval=given.force_interval * 0 + np.inf).merge(continued)
-    assert np.isinf(with_smooth_bound(endless, load).force_interval).all()
+    assert np.isinf(with_smooth_bound(endless, 400.0).force_interval).all()

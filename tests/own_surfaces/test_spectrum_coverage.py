@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from hardcontact.adhesion.all_surfaces import at_load, stacked_forces, with_spectrum_shifts
+from hardcontact.contact.contact import Contact
 from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
-from hardcontact.scales.filtered_masters import filtered_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
 from hardcontact.surfaces.measurement import Measurement
@@ -22,14 +23,10 @@ from hardcontact.surfaces.topography import level, mirror_stitch
 pytestmark = pytest.mark.study
 
 SIZE, PIXELS, TILES, REALIZATIONS = 2500.0, 64, 4, 4
-RADIUS, RHO = 30e3, 5.6
 PIXEL_SIZE, CELL = SIZE / PIXELS, 2 * TILES * SIZE
 CUTOFFS = np.geomspace(300, 14_000, 12).tolist()
-LOAD = {"name": "one", "preload": 2e-6, "hardness": 25e9}
-SETTINGS = {
-    "side": "large", "scales": {"pixels": 2 * TILES * PIXELS, "cutoffs": CUTOFFS},
-    "radius": RADIUS, "rho": RHO, "loads": [LOAD], "window": 5000.0, "count": 8,
-}  # fmt: skip
+CONTACT = Contact(radius=30e3, preload=2e-6, hardness=25e9, window=5000.0, count=8, range=5.6)
+FILTERS = Filters("large", 2 * TILES * PIXELS, CUTOFFS)
 #: Roll-off wavelengths, a third and three times the size of a scan, with the plateau in nm⁴.
 SURFACES = {SIZE / 3: 1.2e6, 3 * SIZE: 6e8}
 
@@ -41,13 +38,13 @@ def density(rolloff):
 def forces(masters):
     """Forces on large-scale masters, by realization, as scales.nc has them."""
     found = {
-        ("a", number, "large"): at_load(filtered_pull_off(master, None, SETTINGS), "one")
+        ("a", number, "large"): at_load(filtered_pull_off(master, FILTERS, [CONTACT]), CONTACT.load)
         for number, master in enumerate(masters, 1)
     }
     stacked = stacked_forces(found).assign(
         label=("surface", ["a"]), basis=("surface", ["measured"])
     )
-    return stacked.assign_attrs(rho=RHO, sphere_radius=RADIUS)
+    return stacked.assign_attrs(rho=CONTACT.range, sphere_radius=CONTACT.radius)
 
 
 @cache

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import stacked_forces, with_transitions
-from hardcontact.scales.filtered_masters import forces_at_cutoffs
+from hardcontact.scales.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
 #: Wavelength in nm and amplitude of the only wave of a master of 640 nm.
@@ -20,8 +20,7 @@ def curves(side):
     moments = (("moment",), [2, 4], {})
     return forces_at_cutoffs(
         master,
-        side,
-        {"pixels": 64, "cutoffs": CUTOFFS},
+        Filters(side, 64, CUTOFFS),
         lambda surface: np.array([(surface.heights**power).mean() for power in (2, 4)]),
         {"moment": moments},
     )

@@ -38,7 +38,7 @@ def test_forces_and_roughness_of_a_set_are_those_of_its_scans_at_their_heights()
         scaled = replace(scan, heights=scan.heights * height / scan.heights.std())
         for name, value in metrics(scaled).items():
             assert one[name].item() == pytest.approx(value, rel=1e-9)
-        pair = bodies(mirror_stitch(scaled), None, SETTINGS["radius"], CONTACT)
+        pair = bodies(mirror_stitch(scaled), None, CONTACT)
         direct = pull_off_of_pair(pair, CONTACT, SETTINGS["ranges"])["pull_off_force"].values
         np.testing.assert_allclose(one["pull_off_force"].squeeze("scan"), direct, rtol=0.15)
         means = one["pull_off_force"].mean(["contact_y", "contact_x"]).squeeze("scan")

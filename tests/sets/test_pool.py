@@ -8,7 +8,6 @@ from direct_sum import direct_total
 from random_scans import uncd
 from small_pool import CONTACT, GRID, HEIGHTS, SETTINGS, TARGETS, pool_of, raw_scan
 
-from hardcontact.contact.bearing_area import contact_pixel_count
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.numbers.random import generator
 from hardcontact.sets.pool import height_weights, pool_heights
@@ -19,7 +18,7 @@ from hardcontact.surfaces.topography import metrics, mirror_stitch
 def direct_force(scan, factor, contact_pixels, rho, place):
     """Eq. 3 on a scan times a factor, in N at 1 J/m2, summed over every pixel."""
     stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
-    gap = gap_map(bodies(stitched, None, 250e3, CONTACT), place)
+    gap = gap_map(bodies(stitched, None, CONTACT), place)
     return 1e-9 / rho * GRID.pixel_size**2 * direct_total(gap, contact_pixels, rho)
 
 
@@ -53,7 +52,7 @@ def test_interpolation_is_exact_at_its_heights_and_of_cubics_in_the_root():
 
 
 def test_forces_are_the_direct_sum_over_the_scan_at_each_height(pool):
-    count, scan = contact_pixel_count(CONTACT, GRID.pixel_size), raw_scan(4)
+    count, scan = CONTACT.pixels(GRID.pixel_size), raw_scan(4)
     assert count > 1
     computed = np.exp(pool["log_force"].sel(scan=4).values.astype(float))
     for i in (0, 6):

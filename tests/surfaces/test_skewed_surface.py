@@ -10,7 +10,7 @@ from scipy.ndimage import grey_dilation, grey_erosion, maximum_filter
 from scipy.stats import skew
 
 from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
-from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.scans import read_scan
@@ -76,8 +76,9 @@ def windows(heights, pixel_size):
 
 def forces(scan):
     """Mean plastic forces in µN of 10 x 10 contacts at ranges of 2, 5.6 and 10 nm."""
-    pair = bodies(mirror_stitch(scan), None, 250e3, {"window": 12500.0, "count": 10})
-    pixels = contact_pixel_count(Load(preload=1e-5, hardness=25e9), scan.pixel_size)
+    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12500.0, count=10)
+    pair = bodies(mirror_stitch(scan), None, contact)
+    pixels = contact.pixels(scan.pixel_size)
     ranges = (2.0, 5.6, 10.0)
     totals = [plastic_totals(pair, [pixels], rho)[0].mean() for rho in ranges]
     return 1e6 * pull_off_force(totals, np.array(ranges), scan.pixel_size, 0.0463)

@@ -8,7 +8,7 @@ import xarray as xr
 from paper_numbers import SUBSTRATES
 from repository import OTHERWISE, copy_repository, run_snakemake
 
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.records import dataset
 
 #: Variables of the final datasets: unit, then names; "-" where there is no unit.
@@ -181,7 +181,9 @@ def test_indents_grow_with_the_load_and_the_one_drawn_is_the_median(results):
     assert (data.lateral_size >= data.edge_length).all() and (data.indents >= 1).all()
     pixel = float(data.x.diff("x").mean())
     for preload in data.preload.values:
-        contact_pixels = contact_pixel_count(data.attrs | {"preload": preload}, pixel)
+        contact_pixels = Contact(
+            radius=data.sphere_radius, preload=preload, hardness=data.hardness
+        ).pixels(pixel)
         largest = np.rint((data.edge_length.sel(preload=preload) / pixel) ** 2)
         assert (largest + data.indents.sel(preload=preload) - 1 <= contact_pixels).all()
         assert ((data.indents.sel(preload=preload) == 1) <= (largest == contact_pixels)).all()

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from repository import OTHERWISE, run_snakemake
 
-from hardcontact.contact.bearing_area import contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.numbers.statistics import bounds
 from hardcontact.records import dataset
 
@@ -51,7 +51,7 @@ def test_loads_that_as_many_pixels_carry_are_one(robustness):
     preload, hardness = (robustness.sel(variant=name) for name in ("preload-5uN", "hardness-47GPa"))
     for pixel in (2500 / 128, 5000 / 1024, 20000 / 1024):  # scans, masters of either side
         half, hard, study = (
-            contact_pixel_count({"preload": preload, "hardness": hardness}, pixel)
+            Contact(radius=1.0, preload=preload, hardness=hardness).pixels(pixel)
             for preload, hardness in ((5e-6, 25e9), (10e-6, 47e9), (10e-6, 25e9))
         )
         assert half == hard < study

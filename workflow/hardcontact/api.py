@@ -21,14 +21,14 @@ from hardcontact.config.grids import Grid
 from hardcontact.config.limits import limits_of_scan
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
-from hardcontact.contact.bearing_area import Load
-from hardcontact.contact.geometry import ContactArray, bodies
-from hardcontact.insight.closed_form import Contact, contact_area
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.insight import closed_form
 from hardcontact.insight.prediction import prediction, too_wide
 from hardcontact.numbers.number import Number
 from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.scales.critical_band import logarithmic_limits
-from hardcontact.scales.filtered_masters import FilteredContacts, filtered_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 from hardcontact.surfaces.scans import flat_measurement, height_map
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
@@ -177,13 +177,13 @@ def pull_off_forces(
     ... )
     >>> mean = forces.pull_off_force.sel(contact_model="plastic").mean()  # N
     """
-    load: Load = {"preload": preload, "hardness": hardness}
-    array: ContactArray = {"window": window, "count": count}
+    contact = Contact(radius=radius, preload=preload, hardness=hardness, window=window, count=count)
     _refuse_not_positive(work=work)
     surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
-    _refuse_unfit(surface, radius, load, ranges, array)
-    pair = bodies(surface, rough, radius, array)
-    found = pull_off_of_pair(pair, load, ranges).merge(window_change([pair], load, max(ranges)))
+    _refuse_unfit(surface, contact, ranges)
+    pair = bodies(surface, rough, contact)
+    longest = replace(contact, range=max(ranges))
+    found = pull_off_of_pair(pair, contact, ranges).merge(window_change([pair], longest))
     force = found.pull_off_force * (work / WORK_OF_ADHESION)
     attributes = {"units": "N", "long_name": "pull-off force"}
     return found.assign(pull_off_force=force.assign_attrs(attributes)).assign_attrs(
@@ -242,23 +242,19 @@ def force_ratios(
     ... )
     >>> short_edge = float(ratios.edge.sel(side="small"))  # nm
     """
-    load: Load = {"preload": preload, "hardness": hardness}
-    array: ContactArray = {"window": window, "count": count}
+    contact = Contact(
+        radius=radius, preload=preload, hardness=hardness, window=window, count=count, range=rho
+    )
     _refuse_not_positive(tolerance=tolerance)
     surface, rough = _periodic(scan), None if sphere is None else _periodic(sphere, "sphere")
-    _refuse_unfit(surface, radius, load, [rho], array)
+    _refuse_unfit(surface, contact, [rho])
     _refuse_cutoffs(cutoffs, surface)
     forces = {}
     for side, of_side in cutoffs.items():
-        contacts: FilteredContacts = {
-            "side": side,
-            "scales": {"pixels": surface.pixels, "cutoffs": sorted({*map(float, of_side)})},
-            "radius": radius,
-            "rho": rho,
-            "loads": [{"name": "given", **load}],
-            **array,
-        }
-        found = filtered_pull_off(surface, rough, contacts)
+        wavelengths = sorted({float(wavelength) for wavelength in of_side})
+        found = filtered_pull_off(
+            surface, Filters(side, surface.pixels, wavelengths), [contact], rough
+        )
         forces["scan", 0, side] = found.isel(load=0, drop=True)
     ratio = stacked_forces(forces).ratio.isel(surface=0, realization=0, drop=True)
     logarithm = np.log(ratio)
@@ -319,7 +315,8 @@ def predict(
     _refuse_not_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
-    contact = Contact(radius, rho, work, contact_area({"preload": preload, "hardness": hardness}))
+    area = closed_form.contact_area(preload, hardness)
+    contact = closed_form.Contact(radius, rho, work, area)
     refuse_lines(filter(None, [too_wide(contact, preload)]))
     return prediction(spectrum, contact, tolerance)
 
@@ -355,20 +352,19 @@ def _refuse_not_positive(**numbers: float) -> None:
     )
 
 
-def _refuse_unfit(
-    surface: HeightMap, radius: float, load: Load, ranges: Sequence[float], array: ContactArray
-) -> None:
+def _refuse_unfit(surface: HeightMap, contact: Contact, ranges: Sequence[float]) -> None:
     """Refuse numbers that a study of this periodic surface would refuse, in its words."""
-    contact: dict[str, Any] = {**array, **load}
+    keys = ("preload", "hardness", "window", "count")
+    section: dict[str, Any] = {key: getattr(contact, key) for key in keys}
     least = min(ranges, default=math.nan)
-    _refuse_not_positive(radius=radius, **contact, ranges=least)
+    _refuse_not_positive(radius=contact.radius, **section, ranges=least)
     # Of the scan, which mirroring doubled.
     pixels, size = surface.pixels // 2, surface.size / 2
     grid = Grid(pixels, surface.pixel_size, size, float(np.ptp(surface.heights)))
     config = {
         "published": NONE,
-        "sphere": {"radius": radius},
-        "contact": contact,
+        "sphere": {"radius": contact.radius},
+        "contact": section,
         "adhesion": {"ranges": [least]},
         "scales": {"range": least},
     }

@@ -24,16 +24,15 @@ rule compare_closed_form:
             {
                 "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
+                "contact": {
+                    **STUDY["contact"],
+                    "count": INSIGHT["count"],
+                    "radius": STUDY["sphere"]["radius"],
+                },
                 "trial": {
                     **{key: INSIGHT[key] for key in ("pixels", "realizations", "sizes")},
                     "ranges": INSIGHT_RANGES,
                     "cutoffs": {side: STUDY["scales"][side]["cutoffs"] for side in SIDES},
-                    "array": {
-                        "window": STUDY["contact"]["window"],
-                        "count": INSIGHT["count"],
-                    },
-                    "load": {key: STUDY["contact"][key] for key in ("preload", "hardness")},
-                    "radius": STUDY["sphere"]["radius"],
                     "rho": STUDY["scales"]["range"],
                     "tolerance": STUDY["scales"]["tolerance"],
                     "confidence": STUDY["inference"]["confidence"],

@@ -84,8 +84,7 @@ rule vary_spectrum:
                 "sides": {side: STUDY["scales"][side] for side in SIDES},
                 "radius": STUDY["sphere"]["radius"],
                 "rho": STUDY["scales"]["range"],
-                "loads": [FILES.load],
-                **{key: STUDY["contact"][key] for key in ("window", "count")},
+                "contact": STUDY["contact"],
             }
         ),
     script:

@@ -27,8 +27,7 @@ rule vary_adhesion:
                 "scans": SELECTION.scans(w.surface),
                 "sphere_scan": SELECTION.sphere_scans[0],
                 "loads": FILES.loads(PROBE),
-                "count": SIZE["count"],
-                "window": STUDY["contact"]["window"],
+                "array": {"count": SIZE["count"], "window": STUDY["contact"]["window"]},
                 "ranges": RANGES,
                 "radius": STUDY["sphere"]["radius"],
             }
@@ -72,8 +71,7 @@ for surfaces, variants in FILES.varied_together.items():
                     "sides": {side: STUDY["scales"][side] | SIZE[side] for side in SIDES},
                     "rho": STUDY["scales"]["range"],
                     "loads": FILES.loads(w.probe),
-                    "count": SIZE["count"],
-                    "window": STUDY["contact"]["window"],
+                    "array": {"count": SIZE["count"], "window": STUDY["contact"]["window"]},
                     "radius": STUDY["sphere"]["radius"],
                 }
             ),

@@ -83,8 +83,7 @@ rule compute_filtered_pull_off:
                 "scales": {key: STUDY["scales"][w.side][key] for key in ("pixels", "cutoffs")},
                 "radius": STUDY["sphere"]["radius"],
                 "rho": STUDY["scales"]["range"],
-                "loads": [FILES.load],
-                **{key: STUDY["contact"][key] for key in ("window", "count")},
+                "contact": STUDY["contact"],
             }
         ),
     script:
@@ -108,7 +107,7 @@ rule aggregate_scales:
             {
                 "masters": FILES.masters,
                 "varied": VARIED,
-                "load": FILES.load["name"],
+                "load": FILES.contact.load,
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,
                 "rho": STUDY["scales"]["range"],

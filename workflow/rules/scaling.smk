@@ -24,9 +24,11 @@ rule compute_scaled_pull_off:
                 "surface": w.surface,
                 "realization": int(w.scan),
                 "seed": STUDY["seed"],
-                "window": STUDY["contact"]["window"],
-                "hardness": STUDY["contact"]["hardness"],
-                **{key: SCALING[key] for key in ("radii", "ranges", "preloads", "count")},
+                "contact": {
+                    "count": SCALING["count"],
+                    **{key: STUDY["contact"][key] for key in ("window", "hardness")},
+                },
+                **{key: SCALING[key] for key in ("radii", "ranges", "preloads")},
                 "sides": {
                     side: {"transition": STUDY["scales"][side]["transition"]} | SCALING[side]
                     for side in SIDES

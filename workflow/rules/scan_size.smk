@@ -5,10 +5,7 @@ WINDOW_CONTACTS = {
     **{key: SCAN_SIZES[key] for key in ("sizes", "count")},
     "radius": STUDY["sphere"]["radius"],
     "window": STUDY["contact"]["window"],
-    "load": {
-        "name": "study",
-        **{key: STUDY["contact"][key] for key in ("preload", "hardness")},
-    },
+    **{key: STUDY["contact"][key] for key in ("preload", "hardness")},
 }
 
 

@@ -91,7 +91,7 @@ rule judge_sets:
                 "chunks": FILES.chunks,
                 "pooled": SELECTION.pooled,
                 "masters": [[one.surface, one.realization, one.side] for one in FILES.set_masters],
-                "load": FILES.variants[0].load["name"],
+                "load": FILES.contact.load,
                 "settings": {
                     "seed": STUDY["seed"],
                     "replicates": STUDY["sets"]["replicates"],

@@ -1,5 +1,6 @@
 """Mean pull-off forces of the study's scans of one substrate on a smooth sphere."""
 
+from hardcontact.contact.contact import Contact
 from hardcontact.records.job import job
 from hardcontact.sets.pool import on_smooth_sphere
 from hardcontact.surfaces.height_map import read_height_map
@@ -10,8 +11,7 @@ with job(snakemake) as this:
     this.write(
         on_smooth_sphere(
             {number: read_height_map(path) for number, path in scans},
-            given["contact"],
-            given["radius"],
+            Contact(radius=given["radius"], **given["contact"]),
             given["ranges"],
         ),
         title=f"mean pull-off forces of scans of {given['surface']} on a smooth sphere",

@@ -14,7 +14,7 @@ with job(snakemake) as this:
     given = this.parameters
     work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
     spectra = dict(zip(given["surfaces"], map(read_spectrum, this.input.spectra), strict=True))
-    contact = Contact(given["radius"], given["rho"], work, contact_area(given["load"]))
+    contact = Contact(given["radius"], given["rho"], work, contact_area(**given["load"]))
     heights = published.table1(this.input.published_table1)
     heights = heights[heights["quantity"] == "afm_rms_height"].set_index("surface")
     deviations = (heights["uncertainty"] / heights["value"]).reindex(given["surfaces"]).fillna(0)

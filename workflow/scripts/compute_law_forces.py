@@ -1,9 +1,11 @@
 """Forces of a scan and of its filtered masters at the ranges that every law is a mixture of."""
 
+from hardcontact.contact.contact import Contact
 from hardcontact.insight.interaction_laws import range_grid
 from hardcontact.insight.law_forces import MIXED_RANGES, filtered_range_forces, scan_range_forces
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import job
+from hardcontact.scales.filtered_masters import Filters
 from hardcontact.surfaces.height_map import read_height_map
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.synthesis import SIDES, synthesized_master
@@ -13,10 +15,10 @@ with job(snakemake) as this:
     surface, number = given["surface"], given["scan"]
     scan = read_height_map(this.input.scan)
     sphere = read_height_map(this.input.sphere) if this.input.sphere else None
-    contacts = given["contact"] | {name: given[name] for name in ("radius", "reach")}
+    contact, reach = Contact(radius=given["radius"], **given["contact"]), given["reach"]
     ranges = range_grid(given["anchor"], **MIXED_RANGES).tolist()
     this.write(
-        scan_range_forces(scan, sphere, contacts | {"ranges": ranges}),
+        scan_range_forces(scan, sphere, contact, reach, ranges),
         title=f"pull-off forces of a scan of {surface} at the ranges of mixtures",
         output="scan",
     )
@@ -30,7 +32,9 @@ with job(snakemake) as this:
             read_spectrum(this.input.spectrum),
         )
         this.write(
-            filtered_range_forces(master, side, scales, contacts | {"ranges": ranges}),
+            filtered_range_forces(
+                master, Filters(side, scales["pixels"], scales["cutoffs"]), contact, reach, ranges
+            ),
             title=f"pull-off forces of a filtered {side}-scale master of {surface} at these ranges",
             output=side,
         )

@@ -1,5 +1,6 @@
 """Pull-off forces of some scans of the pool of one substrate, at several heights of each."""
 
+from hardcontact.contact.contact import Contact
 from hardcontact.records import dataset, published
 from hardcontact.records.job import job
 from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
@@ -29,8 +30,7 @@ with job(snakemake) as this:
                 seed=given["seed"],
                 surface=surface,
                 scan=grid,
-                contact=given["contact"],
-                radius=given["radius"],
+                contact=Contact(radius=given["radius"], **given["contact"]),
                 ranges=given["ranges"],
             ),
         ),

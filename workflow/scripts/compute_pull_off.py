@@ -1,23 +1,27 @@
 """Rigid and plastic pull-off of one scan on all scans of the sphere, and how the window matters."""
 
+from dataclasses import replace
+
 from hardcontact.adhesion.all_surfaces import over_sphere_scans
 from hardcontact.adhesion.pull_off import finer_pixel_change, pull_off_of_pair, window_change
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    given, contact = this.parameters, this.parameters["contact"]
+    given = this.parameters
+    contact = Contact(radius=given["radius"], range=given["reference_range"], **given["contact"])
     pairs = {
-        number: read_bodies(this.input.substrate, sphere, given["radius"], contact)
+        number: read_bodies(this.input.substrate, sphere, contact)
         for number, sphere in zip(given["sphere_scans"], this.input.spheres or [None], strict=True)
     }
     forces = over_sphere_scans(
         {number: pull_off_of_pair(pair, contact, given["ranges"]) for number, pair in pairs.items()}
     )
-    first = next(iter(pairs.values()))
+    first, shortest = next(iter(pairs.values())), replace(contact, range=min(given["ranges"]))
     this.write(
-        forces.assign(window_change(pairs.values(), contact, given["reference_range"])).assign(
-            finer_pixel_change(first, contact, min(given["ranges"]))
+        forces.assign(window_change(pairs.values(), contact)).assign(
+            finer_pixel_change(first, shortest)
         ),
         title="pull-off forces of one substrate scan on all scans of the sphere",
     )

@@ -1,19 +1,23 @@
 """Which asperities carry the force of some plastic contacts on one scan, by range of adhesion."""
 
 from hardcontact.contact.asperities import asperities_of_pair
-from hardcontact.contact.geometry import read_bodies
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import read_bodies, sampled_contacts
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    given, contact = this.parameters, this.parameters["contact"]
+    given, settings = this.parameters, this.parameters["asperities"]
     surface, scan = given["surface"], given["scan"]
+    contact = Contact(radius=given["radius"], **given["contact"])
+    rng = generator(given["seed"], surface, scan, "contacts for asperities")
     this.write(
         asperities_of_pair(
-            read_bodies(this.input.substrate, this.input.sphere, given["radius"], contact),
+            read_bodies(this.input.substrate, this.input.sphere, contact),
             contact,
-            given["asperities"],
-            generator(given["seed"], surface, scan, "contacts for asperities"),
+            sampled_contacts(rng, contact.count, settings["contacts"]),
+            settings["share"],
+            settings["ranges"],
         ),
         title=f"asperities of scan {scan} of {surface}",
     )

@@ -1,5 +1,6 @@
 """Indents that plastic contact leaves in the sphere: the size of all, and one drawn."""
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.indents import indents_of_scans
 from hardcontact.records.job import job
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
@@ -17,8 +18,7 @@ with job(snakemake) as this:
     indents = indents_of_scans(
         by_scan(scans, this.input.substrates),
         by_scan(sphere_scans, this.input.spheres),
-        given["radius"],
-        given["contact"],
+        Contact(radius=given["radius"], **given["contact"]),
         given["preloads"],
     )
     this.write(

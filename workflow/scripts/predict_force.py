@@ -37,8 +37,9 @@ with job(snakemake) as this:
         given["confidence"],
     )
     force = with_continued_force(force, continued, given["tolerance"])
-    force = with_smooth_bound(force, given["contact"])
-    spectra, area = dataset.read(this.input.spectra), contact_area(given["contact"])
+    area = contact_area(given["contact"]["preload"], given["contact"]["hardness"])
+    force = with_smooth_bound(force, area)
+    spectra = dataset.read(this.input.spectra)
     joined = {
         name: spectrum_from(spectra.sel(surface=name)) for name in force["surface"].values.tolist()
     }
@@ -53,6 +54,6 @@ with job(snakemake) as this:
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
     force = force.merge(among_regimes(joined, contact))
     this.write(
-        with_contact_area(force, topography, given["contact"]),
+        with_contact_area(force, topography, area),
         title="predicted pull-off forces",
     )

@@ -1,5 +1,6 @@
 """How far indents overlap where one place of the sphere meets many places of a surface."""
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.repeated_contact import (
     indented_area_ratio,
@@ -21,9 +22,10 @@ with job(snakemake) as this:
         rng = generator(params["seed"], params["surface"], scan, "places")
         surface = large_surface(rng, spectrum, params["size"], pixel_size)
         # All of the large surface lies in the window, each point once.
-        array = {"window": surface.size, "count": 1}
-        pair = bodies(surface, sphere, params["radius"], array)
-        ratios.append(indented_area_ratio(pair, params["load"], rng, params["contacts"]))
+        contact = Contact(radius=params["radius"], window=surface.size, count=1, **params["load"])
+        pair = bodies(surface, sphere, contact)
+        contact_pixels = contact.pixels(pair.geometry.pixel_size)
+        ratios.append(indented_area_ratio(pair, contact_pixels, rng, params["contacts"]))
     names = ("surface", "label", "basis", "contacts")
     this.write(
         mean_over_surfaces(ratios, params["confidence"]).assign_attrs(

@@ -1,23 +1,31 @@
 """Elastic contact of one pair of scans at some contacts: pressure at the preload, and pull-off."""
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import elastic_contacts_of_pair
-from hardcontact.contact.geometry import read_bodies
+from hardcontact.contact.geometry import read_bodies, sampled_contacts
+from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.numbers.random import generator
 from hardcontact.records import published
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    given, contact = this.parameters, this.parameters["contact"]
+    given, elastic = this.parameters, this.parameters["elastic"]
     surface, scan = given["surface"], given["scan"]
     constants = published.constants(this.input.published_constants).value
+    contact = Contact(
+        radius=given["radius"],
+        range=constants["range_of_adhesion"],
+        work=constants["work_of_adhesion"],
+        **given["contact"],
+    )
+    rng = generator(given["seed"], surface, scan, "elastic contacts")
     this.write(
         elastic_contacts_of_pair(
-            read_bodies(this.input.substrate, this.input.sphere, given["radius"], contact),
+            read_bodies(this.input.substrate, this.input.sphere, contact),
             contact,
-            given["elastic"],
-            constants["range_of_adhesion"],
-            constants["work_of_adhesion"],
-            generator(given["seed"], surface, scan, "elastic contacts"),
+            sampled_contacts(rng, contact.count, elastic["contacts"]),
+            effective_modulus(elastic["sphere"], elastic["substrate"]),
+            elastic["window"],
         ),
         title=f"elastic contacts of scan {scan} of {surface}",
     )

@@ -1,6 +1,7 @@
 """One contact: its gap, the adhesive pressure after plastic contact, and the force on parting."""
 
 from hardcontact.adhesion.traced_contact import traced_contact
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies
 from hardcontact.records import published
 from hardcontact.records.job import job
@@ -9,14 +10,14 @@ NAMED = "surface", "scan", "sphere_scan", "contact", "label", "basis"
 
 with job(snakemake) as this:
     given, constants = this.parameters, published.constants(this.input.published_constants).value
-    pair = read_bodies(this.input.substrate, this.input.sphere, given["radius"], given["contacts"])
-    traced = traced_contact(
-        pair,
-        given["contact"],
-        given["contacts"],
-        constants["range_of_adhesion"],
-        constants["work_of_adhesion"],
+    contact = Contact(
+        radius=given["radius"],
+        range=constants["range_of_adhesion"],
+        work=constants["work_of_adhesion"],
+        **given["contacts"],
     )
+    pair = read_bodies(this.input.substrate, this.input.sphere, contact)
+    traced = traced_contact(pair, given["contact"], contact)
     named = {name: given[name] for name in NAMED}
     this.write(
         traced.assign_attrs(named),

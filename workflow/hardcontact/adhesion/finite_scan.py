@@ -11,8 +11,6 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from hardcontact.contact.bearing_area import Load
-
 #: Mean force on mirrored windows over that on the random surfaces of 20 µm they were cut out of, by
 #: the size of the window over the draw size: the least and the greatest ratio up to that size.
 #: Measured on ten Gaussian surfaces of rms height 2 to 50 nm (roll-off 300 to 2000 nm, H = 0.5 to
@@ -68,13 +66,13 @@ def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dat
     return force.assign(window_share=("rho", share, attributes)).assign_attrs(window=window)
 
 
-def with_contact_area(force: xr.Dataset, topography: xr.Dataset, load: Load) -> xr.Dataset:
-    """Return predicted forces with the area that carries the preload, and that of a pixel.
+def with_contact_area(force: xr.Dataset, topography: xr.Dataset, area: float) -> xr.Dataset:
+    """Return predicted forces with the area (nm²) that carries the preload, and that of a pixel.
 
     The topography has ``pixel_size`` (surface) in nm. The forces gain ``pixel_area`` (surface) and
     the attribute ``contact_area``, both in nm².
     """
     pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2
     return force.assign(pixel_area=pixel_area.assign_attrs(units="nm2")).assign_attrs(
-        contact_area=load["preload"] / load["hardness"] * 1e18
+        contact_area=area
     )

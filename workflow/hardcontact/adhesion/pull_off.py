@@ -13,13 +13,8 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.contact.bearing_area import (
-    Load,
-    NamedLoad,
-    all_lowest_gaps,
-    contact_pixel_count,
-    stacked_gaps,
-)
+from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies
 from hardcontact.surfaces.filters import interpolate
 
@@ -38,9 +33,9 @@ FORCE = {"units": "N", "long_name": "pull-off force at W = 1 J/m2"}
 CONTACT_AXES = ("contact_y", "contact_x")
 
 
-def load_axis(loads: Sequence[NamedLoad]) -> dict[str, Axis]:
-    """Return the coordinate of loads, by name."""
-    return {"load": (("load",), [load["name"] for load in loads], {"long_name": "load"})}
+def load_axis(contacts: Sequence[Contact]) -> dict[str, Axis]:
+    """Return the coordinate of the loads of contacts, by name."""
+    return {"load": (("load",), [contact.load for contact in contacts], {"long_name": "load"})}
 
 
 def range_axis(ranges: Sequence[float]) -> dict[str, Axis]:
@@ -80,7 +75,7 @@ def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: flo
 
 
 def _gaps_and_totals(
-    bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats, threads: int = 1
+    bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats
 ) -> tuple[Floats, Floats]:
     """Return gaps (contact, contact, k) and totals (count, rho, contact, contact) of an array.
 
@@ -88,22 +83,20 @@ def _gaps_and_totals(
     """
     contacts = all_lowest_gaps(bodies, max(counts))
     gaps = stacked_gaps(contacts, bodies.geometry)
-    outside = list(zip(outside_sums(bodies, contacts, rhos, threads), rhos, strict=True))
+    outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
     totals = [[opened_total(sums, gaps, count, rho) for sums, rho in outside] for count in counts]
     return gaps, np.array(totals)
 
 
-def plastic_totals(
-    bodies: Bodies, contact_pixels: Sequence[int], rho: float, threads: int = 1
-) -> Floats:
+def plastic_totals(bodies: Bodies, contact_pixels: Sequence[int], rho: float) -> Floats:
     """Return the sums (load, contact, contact) of exp(-gap/rho) of an array of plastic contacts.
 
     The contact pixels are those at each load, and rho is in nm.
     """
-    return _gaps_and_totals(bodies, contact_pixels, [rho], threads)[1][:, 0]
+    return _gaps_and_totals(bodies, contact_pixels, [rho])[1][:, 0]
 
 
-def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.Dataset:
+def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
 
     The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
@@ -111,7 +104,7 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.
     contact_x) and ``contact_pixels`` (contact_model).
     """
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
-    counts = [1, contact_pixel_count(load, pixel_size)]
+    counts = [1, contact.pixels(pixel_size)]
     gaps, totals = _gaps_and_totals(bodies, counts, rhos)
     forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
@@ -138,25 +131,28 @@ def pull_off_of_pair(bodies: Bodies, load: Load, ranges: Sequence[float]) -> xr.
 
 
 def mean_pull_off_of_pair(
-    bodies: Bodies, loads: Sequence[NamedLoad], ranges: Sequence[float]
+    bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the plastic ``pull_off_force`` (load, rho) of a pair, averaged over contacts."""
+    """Return the plastic ``pull_off_force`` (load, rho) of a pair, averaged over contacts.
+
+    The contacts differ in their load alone.
+    """
     pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
-    counts = [contact_pixel_count(load, pixel_size) for load in loads]
+    counts = [contact.pixels(pixel_size) for contact in contacts]
     _, totals = _gaps_and_totals(bodies, counts, rhos)
     means = totals.reshape(*totals.shape[:2], -1).mean(axis=-1)
     forces = pull_off_force(means, rhos, pixel_size, WORK_OF_ADHESION)
     return xr.Dataset(
         {"pull_off_force": (("load", "rho"), forces, FORCE)},
-        load_axis(loads) | range_axis(ranges),
+        load_axis(contacts) | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )
 
 
-def finer_pixel_change(bodies: Bodies, load: Load, rho: float) -> xr.Dataset:
+def finer_pixel_change(bodies: Bodies, contact: Contact) -> xr.Dataset:
     """Return the mean plastic force on pixels of half the size over that on those of a pair.
 
-    Both maps are Fourier interpolated, so that the surfaces stay the same; rho is in nm.
+    Both maps are Fourier interpolated, so that the surfaces stay the same.
     ``finer_pixel_change`` is over all contacts.
     """
     geometry = bodies.geometry
@@ -175,29 +171,30 @@ def finer_pixel_change(bodies: Bodies, load: Load, rho: float) -> xr.Dataset:
     forces = []
     for pair in (bodies, finer):
         size = pair.geometry.pixel_size
-        totals = plastic_totals(pair, [contact_pixel_count(load, size)], rho)
-        forces.append(pull_off_force(totals, rho, size, WORK_OF_ADHESION).mean())
+        totals = plastic_totals(pair, [contact.pixels(size)], contact.range)
+        forces.append(pull_off_force(totals, contact.range, size, WORK_OF_ADHESION).mean())
     attributes = {"units": "1", "long_name": "force on half as large pixels over that on the own"}
-    change = ((), forces[1] / forces[0], attributes | {"rho": rho})
+    change = ((), forces[1] / forces[0], attributes | {"rho": contact.range})
     return xr.Dataset({"finer_pixel_change": change})
 
 
-def window_change(pairs: Iterable[Bodies], load: Load, rho: float) -> xr.Dataset:
+def window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
     """Return the largest change of the plastic force in a window larger by a period on each side.
 
-    The pairs are one substrate with several rough spheres, rho is in nm; ``window_change`` is that
-    over all contacts of all pairs.
+    The pairs are one substrate with several rough spheres; ``window_change`` is over all contacts
+    of all pairs.
     """
     changes = []
     for bodies in pairs:
         geometry = bodies.geometry
-        contact_pixels = contact_pixel_count(load, geometry.pixel_size)
+        contact_pixels = contact.pixels(geometry.pixel_size)
         contacts = all_lowest_gaps(bodies, contact_pixels)
         wider = replace(geometry, window=geometry.window + 2 * bodies.substrate.pixels)
         narrow, wide = (
-            outside_sums(replace(bodies, geometry=windowed), contacts, [rho]) + contact_pixels
+            outside_sums(replace(bodies, geometry=windowed), contacts, [contact.range])
+            + contact_pixels
             for windowed in (geometry, wider)
         )
         changes.append(float(np.abs(wide / narrow - 1).max()))
     attributes = {"units": "1", "long_name": "change of the force by a further period a side"}
-    return xr.Dataset({"window_change": ((), max(changes), attributes)}, {}, {"rho": rho})
+    return xr.Dataset({"window_change": ((), max(changes), attributes)}, {}, {"rho": contact.range})

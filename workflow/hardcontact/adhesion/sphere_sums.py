@@ -7,8 +7,6 @@ subtraction from a sum over all pixels would cost as many digits as exp(penetrat
 """
 
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from functools import partial
 from itertools import product
 
 import numpy as np
@@ -88,7 +86,7 @@ def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_
 #: some pixels (their rows, their columns) of the substrate, seen from a contact (i, j).
 OfSphere = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
-ROWS = 64  # in a block: small enough for the cache, and the same for any number of threads
+ROWS = 64  # in a block: small enough for the cache
 
 
 def _products(
@@ -97,7 +95,6 @@ def _products(
     highest: float,
     folds: Sequence[Floats],
     rhos: Sequence[float],
-    threads: int,
 ) -> Floats:
     """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), without the contact pixels.
 
@@ -114,11 +111,7 @@ def _products(
             parts.append(fold[:, rows] @ (attractions[rho] @ of_columns))
         return np.array(parts)
 
-    starts = range(0, len(heights), ROWS)
-    if threads == 1:  # to pass blocks to a single thread would cost as much as some blocks
-        return np.asarray(sum(map(block, starts)))
-    with ThreadPoolExecutor(threads) as pool:
-        return np.asarray(sum(pool.map(block, starts)))
+    return np.asarray(sum(block(start) for start in range(0, len(heights), ROWS)))
 
 
 def _attractions(
@@ -148,14 +141,11 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
     return attraction
 
 
-def outside_sums(
-    bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats, threads: int = 1
-) -> Floats:
+def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + d)/rho) outside plastic contact.
 
     d is the separation of closest approach. What does not depend on the contact is computed once
     for each range of adhesion in nm. The contacts are `LowestGaps` by place (i, j) of the array.
-    Threads are used for a smooth sphere; the result does not depend on them.
     """
     substrate, roughness = bodies.substrate, bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
@@ -164,9 +154,9 @@ def outside_sums(
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
     ranges = [float(rho) for rho in rhos]
     outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
-    of_sphere = partial(_of_smooth_sphere, threads) if roughness is None else _of_rough_sphere
     with threadpool_limits(1, "blas"):
-        sums = of_sphere(bodies, contact_pixels, h_max, ranges)
+        sphere_terms = _of_smooth_sphere if roughness is None else _of_rough_sphere
+        sums = sphere_terms(bodies, contact_pixels, h_max, ranges)
         for k, (rho, (total, factor)) in enumerate(zip(ranges, sums, strict=True)):
             attraction = exponential(touching, h_max, rho)
             for place in contacts:
@@ -177,7 +167,7 @@ def outside_sums(
 
 
 def _of_smooth_sphere(
-    threads: int, bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
+    bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
 ) -> Iterator[OfSphere]:
     """Yield, for each range, the sums over all pixels but contact pixels and the factor at these.
 
@@ -185,7 +175,7 @@ def _of_smooth_sphere(
     """
     pixels, row, column = bodies.substrate.pixels, contact_pixels.row, contact_pixels.column
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
-    totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos, threads)
+    totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos)
     for total, fold in zip(totals, folds, strict=True):
 
         def factor(place: tuple[int, int], fold: Floats = fold) -> Floats:

@@ -7,7 +7,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.pull_off import pull_off_force
-from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
 
 
@@ -19,21 +19,18 @@ def force_separation(pull_off: float, rho: float, separation: ArrayLike) -> NDAr
     return -pull_off * np.exp(-np.asarray(separation) / rho)
 
 
-def traced_contact(
-    bodies: Bodies, place: tuple[int, int], load: Load, rho: float, work_of_adhesion: float
-) -> xr.Dataset:
+def traced_contact(bodies: Bodies, place: tuple[int, int], contact: Contact) -> xr.Dataset:
     """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
 
-    rho, the range of adhesion, is in nm and the work of adhesion in J/m². ``gap`` (y, x) is in nm
-    before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force`` (separation) in N, with the
-    pull-off force as an attribute.
+    ``gap`` (y, x) is in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
+    (separation) in N, with the pull-off force as an attribute.
     """
-    geometry = bodies.geometry
+    geometry, rho, work = bodies.geometry, contact.range, contact.work
     gap = gap_map(bodies, place)
-    gap -= plastic_approach(gap, contact_pixel_count(load, geometry.pixel_size))
+    gap -= plastic_approach(gap, contact.pixels(geometry.pixel_size))
     attraction = np.exp(-np.maximum(gap, 0) / rho)
-    pressure = work_of_adhesion / (rho * 1e-9) * attraction
-    pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work_of_adhesion))
+    pressure = work / (rho * 1e-9) * attraction
+    pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))
     separation = np.linspace(0, 10 * rho, 201)
     position = geometry.offsets() * geometry.pixel_size
     from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
@@ -49,5 +46,5 @@ def traced_contact(
             "x": ("x", position, from_apex),
             "separation": ("separation", separation, {"units": "nm"}),
         },
-        {"rho": rho, "work_of_adhesion": work_of_adhesion, "pull_off_force": pull_off},
+        {"rho": rho, "work_of_adhesion": work, "pull_off_force": pull_off},
     )

@@ -24,7 +24,6 @@ from hardcontact.commands.inventory import (
     table_rows,
 )
 from hardcontact.commands.proposal import Choice, Proposal, propose, refuse_unreliable
-from hardcontact.commands.proposed_contact import Probe
 from hardcontact.commands.request import (
     QUANTITIES,
     QUICK_NAME,
@@ -44,7 +43,7 @@ from hardcontact.config.limits import check_grids
 from hardcontact.config.schema import refuse, refuse_lines
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces
-from hardcontact.contact.bearing_area import Load
+from hardcontact.contact.contact import Contact
 from hardcontact.records.whole_file import whole_file
 
 #: Characters of a line of an overlay.
@@ -134,9 +133,14 @@ def _plan(
 
     What the study would refuse of these scans at either effort is refused.
     """
-    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
-    probe = Probe(given["radius"].number, load, given["range"].number, given["range"].given)
-    proposal = propose(entries, SPHERE if arguments.sphere else None, probe)
+    probe = Contact(
+        radius=given["radius"].number,
+        preload=given["preload"].number,
+        hardness=given["hardness"].number,
+        range=given["range"].number,
+    )
+    sphere = SPHERE if arguments.sphere else None
+    proposal = propose(entries, sphere, probe, given["range"].given)
     choices = [*_named_choices(arguments, given), *proposal.choices]
     order = list(nested(choices, {}))
     choices.sort(key=lambda choice: order.index(choice.key.split(".")[0]))

@@ -14,7 +14,6 @@ from hardcontact.commands.request import QUANTITIES, Option, add_quantities, add
 from hardcontact.config.configuration import read_yaml, refuse_all
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.schema import refuse_lines
-from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -97,9 +96,10 @@ def predict(arguments: Namespace) -> str:
     A file named - is returned in place of the words; all problems are a ValueError, a line each.
     """
     given, faults = options(arguments)
-    load: Load = {"preload": given["preload"].number, "hardness": given["hardness"].number}
     radius, rho, work = (given[name].number for name in ("radius", "range", "work"))
-    contact = Contact(radius, rho, work, contact_area(load))
+    contact = Contact(
+        radius, rho, work, contact_area(given["preload"].number, given["hardness"].number)
+    )
     wide = too_wide(contact, given["preload"].number)
     if wide and not faults:
         faults.append(f"--{wide}")

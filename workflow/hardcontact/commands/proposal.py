@@ -10,8 +10,7 @@ from hardcontact.commands.inventory import FILLING, Entry, contradicting
 from hardcontact.commands.proposed_contact import (
     FEWEST_CONTACTS,
     PIXELS,
-    Contact,
-    Probe,
+    ProposedContact,
     contact_cautions,
     contact_scans,
     draw_sizes,
@@ -21,7 +20,8 @@ from hardcontact.commands.proposed_contact import (
 from hardcontact.config.grids import CONTACT_PIXELS
 from hardcontact.config.limits import window_images
 from hardcontact.config.schema import refuse_lines
-from hardcontact.contact.bearing_area import TILE, contact_pixel_count
+from hardcontact.contact.bearing_area import TILE
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.joined_spectrum import FEWEST
@@ -91,8 +91,12 @@ class Proposal(NamedTuple):
     cautions: list[str]
 
 
-def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Proposal:
+def propose(
+    entries: Sequence[Entry], sphere: str | None, probe: Contact, range_given: bool = False
+) -> Proposal:
     """Choose every key that depends on the scans of surfaces, and of the sphere if it is rough.
+
+    The probe has the radius and the load, and the range of adhesion, given by the user or usual.
 
     A ValueError tells in one line a problem: no height map, surfaces with scans too different for
     one study, a range of adhesion that is too short, a preload that is too high.
@@ -109,8 +113,8 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
             f"{print_length(coarsest.pixel_size)} on {coarsest.source.surface}: "
             "make a study of each"
         )
-    contact = proposed_contact(scans, substrates, probe)
-    full, quick = (list(_choices(substrates, probe, contact, effort)) for effort in (FULL, QUICK))
+    proposed = proposed_contact(scans, substrates, probe, range_given)
+    full, quick = (list(_choices(substrates, proposed, effort)) for effort in (FULL, QUICK))
     usual = {choice.key: choice.value for choice in full}
     blind = (
         f"{scan.name}: no wavelength is reliable, {scan.band}"
@@ -132,7 +136,7 @@ def propose(entries: Sequence[Entry], sphere: str | None, probe: Probe) -> Propo
         [choice._replace(reason="") for choice in quick if choice.value != usual[choice.key]],
         reasons,
         [
-            *contact_cautions(substrates, probe, contact, drawn),
+            *contact_cautions(substrates, probe.range, proposed, drawn),
             *blind,
             *contradicting(entries),
             *filled,
@@ -156,11 +160,12 @@ def refuse_unreliable(entries: Sequence[Entry]) -> None:
 
 
 def _choices(
-    substrates: Sequence[Entry], probe: Probe, contact: Contact, effort: Effort
+    substrates: Sequence[Entry], proposed: ProposedContact, effort: Effort
 ) -> Iterator[Choice]:
     """Yield what is computed at some effort, within what the checks permit."""
-    small_pixels = max(_small_pixels(scan, probe, contact, effort.pixels) for scan in substrates)
-    count, slow = _count(substrates, probe, contact, small_pixels, effort.contacts)
+    contact = proposed.contact
+    small_pixels = max(_small_pixels(scan, contact, effort.pixels) for scan in substrates)
+    count, slow = _count(substrates, contact, small_pixels, effort.contacts)
     masters = effort.fewest if slow else effort.realizations
     surfaces = [scan.source.surface for scan in substrates]
     most_scans = max(map(surfaces.count, surfaces))
@@ -169,19 +174,18 @@ def _choices(
     else:
         of_each = max(1, round(masters / most_scans))
         realizations = min(most_scans * of_each, 2 * effort.realizations)
-    ranges = list(map(quantity, _ranges(contact, effort.ranges)))
-    permitted = f"these scans permit {contact.least:.3g} nm or more"
-    why = contact.rho_reason or ("as given" if probe.rho_given else "the paper's")
-    yield Choice("contact.window", quantity(contact.window), contact.window_reason)
+    ranges = list(map(quantity, _ranges(proposed, effort.ranges)))
+    permitted = f"these scans permit {proposed.shortest_range:.3g} nm or more"
+    yield Choice("contact.window", quantity(contact.window), proposed.window_reason)
     yield Choice("contact.count", count, "contacts along an edge of their array")
     yield Choice("adhesion.ranges", ranges, f"for the force as a function of it; {permitted}")
-    yield Choice("scales.range", quantity(contact.rho), why)
+    yield Choice("scales.range", quantity(contact.range), proposed.range_reason)
     yield Choice("scales.realizations", realizations, "masters on each side")
-    yield from _master_choices(substrates, probe, contact, effort, small_pixels)
+    yield from _master_choices(substrates, contact, effort, small_pixels)
 
 
 def _master_choices(
-    substrates: Sequence[Entry], probe: Probe, contact: Contact, effort: Effort, small_pixels: int
+    substrates: Sequence[Entry], contact: Contact, effort: Effort, small_pixels: int
 ) -> Iterator[Choice]:
     """Yield what masters and their filters are."""
     tiles = proposed_tiles(substrates, contact.window, effort.pixels)
@@ -189,7 +193,7 @@ def _master_choices(
     size = min(scan.size for scan in substrates)
     finest = max(2 * scan.size / small_pixels for scan in substrates)
     coarsest = max(scan.pixel_size for scan in substrates)
-    shortest = min(size / 25, math.sqrt(2 * probe.radius * contact.rho) / 16)
+    shortest = min(size / 25, math.sqrt(2 * contact.radius * contact.range) / 16)
     small = _cutoffs(4 * finest, size, effort.cutoffs)
     large = _cutoffs(max(4 * coarsest, shortest), size * tiles, effort.cutoffs)
     least, most, reason = _transitions(substrates)
@@ -204,28 +208,28 @@ def _master_choices(
     yield Choice("scales.large.cutoffs", large, "to half the size of the master")
 
 
-def _small_pixels(scan: Entry, probe: Probe, contact: Contact, most: int) -> int:
+def _small_pixels(scan: Entry, contact: Contact, most: int) -> int:
     """Return the pixels of small-scale masters of one scan: stitched, halved repeatedly."""
     pixels = 2 * scan.pixels
     while 2 * pixels <= most:
         pixel_size = scan.size / pixels
-        seconds = _contact_seconds(scan, probe, contact, pixel_size)
+        seconds = _contact_seconds(scan, contact, pixel_size)
         if pixel_size < FINEST or FEWEST_CONTACTS**2 * seconds > CONTACT_SECONDS:
             break
         pixels *= 2
     return pixels
 
 
-def _contact_seconds(scan: Entry, probe: Probe, contact: Contact, pixel_size: float) -> float:
+def _contact_seconds(scan: Entry, contact: Contact, pixel_size: float) -> float:
     """Return about how long (s) one contact, and all its images, take on pixels of a size (nm)."""
     images = window_images(contact.window, scan.size)
     tiles = (window_pixels(contact.window, pixel_size) / TILE) ** 2
-    contact_pixels = contact_pixel_count(probe.load, pixel_size)
+    contact_pixels = contact.pixels(pixel_size)
     return contact_pixels * images * SECONDS_A_PIXEL + tiles * SECONDS_A_TILE
 
 
 def _count(
-    substrates: Sequence[Entry], probe: Probe, contact: Contact, small_pixels: int, most: int
+    substrates: Sequence[Entry], contact: Contact, small_pixels: int, most: int
 ) -> tuple[int, bool]:
     """Return the contacts along an edge, as many as time and memory permit, and if they take long.
 
@@ -235,8 +239,8 @@ def _count(
     for scan in substrates:
         images, finest = window_images(contact.window, scan.size), 2 * scan.size / small_pixels
         for pixel_size, repeated in ((scan.pixel_size, images), (finest, 1.0)):
-            seconds = max(seconds, _contact_seconds(scan, probe, contact, pixel_size))
-            kept = max(kept, contact_pixel_count(probe.load, pixel_size) * repeated)
+            seconds = max(seconds, _contact_seconds(scan, contact, pixel_size))
+            kept = max(kept, contact.pixels(pixel_size) * repeated)
     for count in COUNTS:
         slow = count**2 * seconds > CONTACT_SECONDS
         if count <= most and count**2 * kept <= CONTACT_PIXELS and not slow:
@@ -263,16 +267,16 @@ def _transitions(substrates: Sequence[Entry]) -> tuple[float, float, str]:
     return shortest, longest, f"{reason}; below, roughness is artificial"
 
 
-def _ranges(contact: Contact, count: int) -> list[float]:
+def _ranges(proposed: ProposedContact, count: int) -> list[float]:
     """Return ranges of adhesion (nm) about that of the masters, which is one of them."""
-    least, most = RANGES
-    shortest = max(contact.least, contact.rho / RANGE_SPAN, least)
-    longest = min(contact.rho * RANGE_SPAN, most)
-    below = np.geomspace(shortest, contact.rho, count // 2 + 1)[:-1]
-    above = np.geomspace(contact.rho, longest, count - count // 2)[1:]
-    rounded = {float(f"{rho:.2g}") for rho in (*below[1:], *above)}
-    others = {rho for rho in rounded if rho > shortest}
-    return sorted({shortest, contact.rho, *others})
+    rho, (least, most) = proposed.contact.range, RANGES
+    shortest = max(proposed.shortest_range, rho / RANGE_SPAN, least)
+    longest = min(rho * RANGE_SPAN, most)
+    below = np.geomspace(shortest, rho, count // 2 + 1)[:-1]
+    above = np.geomspace(rho, longest, count - count // 2)[1:]
+    rounded = {float(f"{length:.2g}") for length in (*below[1:], *above)}
+    others = {length for length in rounded if length > shortest}
+    return sorted({shortest, rho, *others})
 
 
 def quantity(length: float) -> str:

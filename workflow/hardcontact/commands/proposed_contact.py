@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -17,8 +18,7 @@ from hardcontact.config.grids import (
 )
 from hardcontact.config.limits import carrying_pixels, pressed_depth, window_images
 from hardcontact.config.schema import refuse_lines
-from hardcontact.contact.bearing_area import Load
-from hardcontact.insight.closed_form import contact_area
+from hardcontact.contact.contact import Contact
 from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.surfaces.spectrum import BIN_CENTRES, Spectrum
@@ -45,58 +45,47 @@ RESOLVED = 32
 Group = list["Entry"]
 
 
-class Probe(NamedTuple):
-    """The sphere and its load; radius and range of adhesion, given by the user or not, in nm."""
+class ProposedContact(NamedTuple):
+    """The contact that is proposed, and why."""
 
-    radius: float
-    load: Load
-    rho: float
-    rho_given: bool
-
-
-class Contact(NamedTuple):
-    """What is chosen for contacts.
-
-    The range of adhesion and the shortest one that the scans permit (nm), why it is longer than the
-    usual one (or nothing), the edge of the window (nm, three digits) and its reason.
-    """
-
-    rho: float
-    least: float
-    rho_reason: str
-    window: float
+    contact: Contact  #: With its range and window, the latter of three digits.
+    shortest_range: float  #: That the scans permit, in nm.
+    range_reason: str  #: Why the range is longer than the usual one, or nothing.
     window_reason: str
 
 
 def proposed_contact(
-    scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Probe
-) -> Contact:
+    scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Contact, range_given: bool
+) -> ProposedContact:
     """Return a window, and the range asked for or the usual one, longer if the scans need it.
 
-    The scans of contacts are given with those of the sphere and without. A range that is too short
+    The probe has no window yet; its range is given by the user or the usual one. The scans of
+    contacts are given with those of the sphere and without. A range that is too short
     and a preload that is too high are refused as a ValueError of one line each.
     """
-    window, _ = _window(scans, probe.radius, probe.rho)
+    window, _ = _window(scans, probe.radius, probe.range)
     least, why = _least_range(scans, substrates, probe, window)
-    rho = max(probe.rho, least)
+    rho = max(probe.range, least)
     # A wider window, as a longer range needs, does not raise the least range.
     window, reason = _window(scans, probe.radius, rho)
     faults = []
-    if rho > probe.rho and (probe.rho_given or least > LONGEST_RANGE):
-        usual = "" if probe.rho_given else "the usual "
+    if rho > probe.range and (range_given or least > LONGEST_RANGE):
+        usual = "" if range_given else "the usual "
         faults.append(
             f"--range: expected at least {least:.3g} nm on these scans, where {why}, "
-            f"found {usual}{probe.rho:.4g} nm"
+            f"found {usual}{probe.range:.4g} nm"
         )
-    most = min(_most_load(scan, probe.load, window) for scan in scans)
-    if probe.load["preload"] > most:
+    most = min(_most_load(scan, probe.hardness, window) for scan in scans)
+    if probe.preload > most:
         faults.append(
             f"--preload: expected at most {print_quantity(most, 'N')}, which contacts on these "
-            f"scans can carry at this hardness, found {print_quantity(probe.load['preload'], 'N')}"
+            f"scans can carry at this hardness, found {print_quantity(probe.preload, 'N')}"
         )
     refuse_lines(faults)
-    raised = f"the least on these scans, where {why}" if rho > probe.rho else ""
-    return Contact(rho, least, raised, window, reason)
+    range_reason = "as given" if range_given else "the paper's"
+    if rho > probe.range:
+        range_reason = f"the least on these scans, where {why}"
+    return ProposedContact(replace(probe, range=rho, window=window), least, range_reason, reason)
 
 
 def _window(scans: Sequence["Entry"], radius: float, rho: float) -> tuple[float, str]:
@@ -116,7 +105,7 @@ def _window(scans: Sequence["Entry"], radius: float, rho: float) -> tuple[float,
 
 
 def _least_range(
-    scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Probe, window: float
+    scans: Sequence["Entry"], substrates: Sequence["Entry"], probe: Contact, window: float
 ) -> tuple[float, str]:
     """Return the shortest range of adhesion (nm) that scans and masters permit, and why."""
     tiles = proposed_tiles(substrates, window, PIXELS)
@@ -124,7 +113,7 @@ def _least_range(
     for scan in substrates:
         master = scan.grid._replace(size=scan.size * tiles)
         limits.append(least_range(probe.radius, window, master))
-        depth = pressed_depth(probe.load, scan.relief)
+        depth = pressed_depth(probe, scan.relief)
         pressed = f"the preload presses the bodies some {depth:.3g} nm into each other"
         limits.append((float(f"{1.005 * depth / PENETRATION_OVER_RANGE:.3g}"), pressed))
     return max(limits)
@@ -141,35 +130,36 @@ def proposed_tiles(substrates: Sequence["Entry"], window: float, pixels: int) ->
     return max(1, min(wanted, pixels // max(2 * scan.pixels for scan in substrates)))
 
 
-def _most_load(scan: "Entry", load: Load, window: float) -> float:
-    """Return the preload (N) that the pixels of the window, a scan and the memory can carry."""
+def _most_load(scan: "Entry", hardness: float, window: float) -> float:
+    """Return the preload (N) that window, scan and memory can carry at a hardness (Pa)."""
     kept = CONTACT_PIXELS / FEWEST_CONTACTS**2 / window_images(window, scan.size)
     area = min(carrying_pixels(window, scan.grid), kept) * (scan.pixel_size * 1e-9) ** 2
-    return area * load["hardness"]
+    return area * hardness
 
 
 def contact_cautions(
     substrates: Sequence["Entry"],
-    probe: Probe,
-    contact: Contact,
+    usual_range: float,
+    proposed: ProposedContact,
     draw_sizes: Mapping[str, float],
 ) -> Iterator[str]:
     """Yield what the user should know of contacts on these scans, in sentences.
 
-    Draw sizes (nm) are by surface.
+    The usual range and the draw sizes, by surface, are in nm.
     """
-    if contact.rho_reason:
+    contact = proposed.contact
+    if contact.range > usual_range:
         yield (
-            f"the range of adhesion is {contact.rho:.3g} nm, not the usual {probe.rho:.3g} nm: it "
-            f"is {contact.rho_reason}"
+            f"the range of adhesion is {contact.range:.3g} nm, not the usual {usual_range:.3g} nm: "
+            f"it is {proposed.range_reason}"
         )
-    share = math.erf(contact.window / math.sqrt(8 * probe.radius * contact.rho)) ** 2
+    share = math.erf(contact.window / math.sqrt(8 * contact.radius * contact.range)) ** 2
     if share < SHARE:
         yield (
             f"the window holds {share:.0%} of the force on a smooth sphere: scans this small "
             "show too little of what the sphere feels, and forces come out too low"
         )
-    area = contact_area(probe.load)
+    area = contact.area
     largest = max(scan.pixel_size for scan in substrates)
     if area < largest**2:
         yield (
@@ -188,24 +178,23 @@ def contact_cautions(
             )
 
 
-def draw_sizes(entries: Sequence["Entry"], sphere: str | None, probe: Probe) -> dict[str, float]:
+def draw_sizes(entries: Sequence["Entry"], sphere: str | None, probe: Contact) -> dict[str, float]:
     """Return within which size (nm) a contact finds its summits on each surface but the sphere's.
 
     It is that of the scan on which it is largest.
     """
-    area = contact_area(probe.load)
     drawn: dict[str, float] = {}
     for entry in entries:
         surface, known = entry.source.surface, np.isfinite(entry.density)
         if surface != sphere:
             spectrum = Spectrum(BIN_CENTRES[known], entry.density[known])
-            size = draw_size(spectrum, probe.radius, area)
+            size = draw_size(spectrum, probe.radius, probe.area)
             drawn[surface] = max(size, drawn.get(surface, 0.0))
     return drawn
 
 
 def contact_scans(
-    entries: Sequence["Entry"], sphere: str | None, probe: Probe, draw_sizes: Mapping[str, float]
+    entries: Sequence["Entry"], sphere: str | None, probe: Contact, draw_sizes: Mapping[str, float]
 ) -> tuple[list["Entry"], list[str]]:
     """Return the scans that contacts are made on, of every surface those on one grid, and reasons.
 
@@ -222,7 +211,7 @@ def contact_scans(
     reasons = []
     for surface, of_it in substrates.items():
         enough = LARGE_ENOUGH * (max(draw_sizes.values()) if common else draw_sizes[surface])
-        group = _best(of_it, math.sqrt(2 * probe.radius * probe.rho), enough)
+        group = _best(of_it, math.sqrt(2 * probe.radius * probe.range), enough)
         chosen += group
         reasons.append(f"{surface}: {_named(group)}: {_reason(group, of_it, enough)}")
     if sphere is not None:

@@ -8,8 +8,7 @@ from typing import Any, TypeVar
 
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
-from hardcontact.config.variants import Variant, named_load, surface_variants, variants
-from hardcontact.contact.bearing_area import NamedLoad
+from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
 from hardcontact.numbers.units import magnitude, token
 from hardcontact.surfaces.scans import Measuring
 from hardcontact.surfaces.synthesis import SIDES
@@ -48,12 +47,11 @@ class Files:
     ) -> None:
         self._configuration, self._selection = configuration, selection
         self._patterns = patterns
-        contact, scales = configuration["contact"], configuration["scales"]
-        self.load = named_load(contact["preload"], contact["hardness"])
+        self.contact = study_contact(configuration)
         self._swept = {
             "radius": f"R{token(configuration['sphere']['radius'], 'um')}",
-            "load": self.load["name"],
-            "range": f"rho{token(scales['range'], 'nm')}",
+            "load": self.contact.load,
+            "range": f"rho{token(configuration['scales']['range'], 'nm')}",
         }
         self.surface_variants = surface_variants(configuration)
 
@@ -260,7 +258,8 @@ class Files:
         )
         return list(dict.fromkeys(masters))
 
-    def loads(self, probe: str) -> list[NamedLoad]:
-        """Return the loads that this sphere comes with, each once."""
-        variants = [variant for variant in self.variants if variant.probe == probe]
-        return list({variant.load["name"]: variant.load for variant in variants}.values())
+    def loads(self, probe: str) -> list[dict[str, float]]:
+        """Return preload (N) and hardness (Pa) of the contacts that this sphere comes with."""
+        contacts = [variant.contact for variant in self.variants if variant.probe == probe]
+        different = {contact.load: contact for contact in contacts}.values()
+        return [{"preload": contact.preload, "hardness": contact.hardness} for contact in different]

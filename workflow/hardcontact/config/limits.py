@@ -6,6 +6,7 @@ have a table of limits, of which the first that does not hold is told.
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from functools import partial
 from itertools import islice, product
 from typing import Any
@@ -23,7 +24,7 @@ from hardcontact.config.grids import (
     refuse_beyond_memory,
 )
 from hardcontact.config.schema import refuse_lines
-from hardcontact.contact.bearing_area import Load, contact_pixel_count
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.numbers.printing import print_quantity
@@ -75,12 +76,12 @@ def carrying_pixels(window: float, grid: Grid) -> int:
     return min(window_pixels(window, grid.pixel_size), 2 * grid.pixels) ** 2 // 4
 
 
-def pressed_depth(load: Load, relief: float) -> float:
+def pressed_depth(contact: Contact, relief: float) -> float:
     """Return how deep (nm) a load presses bodies into each other, at most their relief (nm).
 
     On slopes near one a contact is about as deep as it is wide.
     """
-    return min(math.sqrt(load["preload"] / load["hardness"]) * 1e9, relief)
+    return min(math.sqrt(contact.preload / contact.hardness) * 1e9, relief)
 
 
 def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
@@ -139,8 +140,8 @@ def _of_elastic_pair(
         print_quantity(contact["preload"], "N"),
     )
     if surface == config["indent"]["surface"]:
-        largest = Load(preload=max(config["indent"]["preloads"]), hardness=contact["hardness"])
-        pixels = contact_pixel_count(largest, pixel_size)
+        largest = replace(_contact(config), preload=max(config["indent"]["preloads"]))
+        pixels = largest.pixels(pixel_size)
         within = f"2 to {INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
         yield Limit(2 <= pixels <= INDENT_PIXELS, "indent.preloads", within, pixels)
 
@@ -225,9 +226,9 @@ def _of_loads(
 ) -> Iterator[Limit]:
     """Give the limit of every load of a section to so many contact pixels (edge in nm)."""
     area = most * (pixel_size * 1e-9) ** 2
-    for key, load in _loads(config, section):
-        preload, hardness = load["preload"], load["hardness"]
-        if contact_pixel_count(load, pixel_size) <= most:
+    for key, contact in _loads(config, section):
+        preload, hardness = contact.preload, contact.hardness
+        if contact.pixels(pixel_size) <= most:
             continue
         if key == "robustness.hardnesses":
             least, found = f"{preload / area / 1e9:.3g} GPa", f"{hardness / 1e9:.4g} GPa"
@@ -239,22 +240,22 @@ def _of_loads(
 
 def _of_depth(config: dict[str, Any], section: str, rho: float, grid: Grid) -> Iterator[Limit]:
     """Give the limits of a range of adhesion (nm) beside the depth of contacts at each load."""
-    for key, load in _loads(config, section):
-        depth = pressed_depth(load, grid.relief)
+    for key, contact in _loads(config, section):
+        depth = pressed_depth(contact, grid.relief)
         least = depth / PENETRATION_OVER_RANGE
         pressed = f"as {key} presses the bodies some {depth:.3g} nm into each other"
         expected = f"at least {least:.3g} nm, {pressed}"
         yield Limit(rho >= least, "scales.range", expected, f"{rho:.4g} nm")
 
 
-def _loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
-    """Give the loads on the contacts of a section, each with the key that it comes from.
+def _loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Contact]]:
+    """Give the contacts of a section at each load, with the key that it comes from.
 
     Those of the study come first, unless all are the section's own; of several it is the largest.
     Robustness is computed at the size of the sets, at loads of its own.
     """
-    preload, hardness = (config["contact"][key] for key in ("preload", "hardness"))
-    preloads: dict[str, list[float]] = {"contact.preload": [preload]}
+    contact = _contact(config)
+    preloads: dict[str, list[float]] = {"contact.preload": [contact.preload]}
     if section == "insight.scaling":
         preloads = {"insight.scaling.preloads": [max(at(config, section)["preloads"])]}
     elif section == "contact" and config["published"] == PAPER:
@@ -263,6 +264,11 @@ def _loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Load]]:
         preloads["robustness.preloads"] = config["robustness"]["preloads"]
     for key, values in preloads.items():
         for value in values:
-            yield key, Load(preload=value, hardness=hardness)
+            yield key, replace(contact, preload=value)
     for value in config["robustness"]["hardnesses"] if section == "sets" else ():
-        yield "robustness.hardnesses", Load(preload=preload, hardness=value)
+        yield "robustness.hardnesses", replace(contact, hardness=value)
+
+
+def _contact(config: dict[str, Any]) -> Contact:
+    """Return the contact of the study."""
+    return Contact(radius=config["sphere"]["radius"], **config["contact"])

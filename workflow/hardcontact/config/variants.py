@@ -6,7 +6,7 @@ from typing import Any
 
 from hardcontact.config.patterns import STUDY_VARIANT
 from hardcontact.config.selection import Selection
-from hardcontact.contact.bearing_area import NamedLoad
+from hardcontact.contact.contact import Contact
 from hardcontact.numbers.units import magnitude, printed, token
 
 OTHER_CURVATURE = {"half_laplacian": "laplacian", "laplacian": "half_laplacian"}
@@ -61,7 +61,7 @@ class SurfaceVariant:
 class Variant:
     """The study with one other choice, in files and in print; variants of one choice are a group.
 
-    `variant` names that of each substrate; the load is on every contact, and the probe, rough or
+    `variant` names that of each substrate; the contact has another load, and the probe, rough or
     smooth, is the sphere of the critical band.
     """
 
@@ -69,20 +69,25 @@ class Variant:
     label: str
     group: str
     variant: Mapping[str, str]
-    load: NamedLoad
+    contact: Contact
     probe: str
 
     def parameters(self) -> dict[str, Any]:
-        """Return it as parameters of a rule, with the load by its name."""
-        return asdict(self) | {"load": self.load["name"]}
+        """Return it as parameters of a rule, with the name of the load of its contact."""
+        named = {name: value for name, value in asdict(self).items() if name != "contact"}
+        return named | {"load": self.contact.load}
 
 
-def named_load(preload: str, hardness: str) -> NamedLoad:
-    """Return a load from the texts of the configuration, such as ``"10 uN"`` and ``"25 GPa"``."""
-    return NamedLoad(
-        name=f"H{token(hardness, 'GPa')}-F{token(preload, 'uN')}",
-        preload=magnitude(preload, "N"),
-        hardness=magnitude(hardness, "Pa"),
+def study_contact(configuration: Mapping[str, Any]) -> Contact:
+    """Return the contact of the study from the texts of the configuration, such as ``"10 uN"``."""
+    contact = configuration["contact"]
+    return Contact(
+        radius=magnitude(configuration["sphere"]["radius"], "nm"),
+        preload=magnitude(contact["preload"], "N"),
+        hardness=magnitude(contact["hardness"], "Pa"),
+        window=magnitude(contact["window"], "nm"),
+        count=contact["count"],
+        range=magnitude(configuration["scales"]["range"], "nm"),
     )
 
 
@@ -106,14 +111,13 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
 
 
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
-    """Return the variants of robustness, the study itself first; texts of quantities name loads."""
-    usual = {key: configuration["contact"][key] for key in ("preload", "hardness")}
+    """Return the variants of robustness, the study itself first."""
     baseline = Variant(
         "baseline",
         "as the study",
         "baseline",
         dict.fromkeys(selection.substrates, STUDY_VARIANT),
-        named_load(**usual),
+        study_contact(configuration),
         "rough" if configuration["scales"]["sphere_roughness"] else "smooth",
     )
     made = [baseline]
@@ -133,6 +137,9 @@ def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Var
     for group, key, unit in (("preload", "preloads", "uN"), ("hardness", "hardnesses", "GPa")):
         for text in configuration["robustness"][key]:
             name, label = f"{group}-{token(text, unit)}", f"{group} {printed(text)}"
-            load = named_load(**usual | {group: text})
-            made.append(replace(baseline, name=name, label=label, group=group, load=load))
+            if group == "preload":
+                contact = replace(baseline.contact, preload=magnitude(text, "N"))
+            else:
+                contact = replace(baseline.contact, hardness=magnitude(text, "Pa"))
+            made.append(replace(baseline, name=name, label=label, group=group, contact=contact))
     return made

@@ -4,15 +4,16 @@ Pixels that share an edge or a corner belong to one patch. Where a scan meets it
 stitched surface has a crease: a slope that turns there into its opposite, often a summit.
 """
 
-from typing import NamedTuple, TypedDict
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 from numpy.typing import NDArray
 from scipy import ndimage
 
-from hardcontact.contact.bearing_area import ContactSettings, contact_pixel_count
-from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map, sampled_contacts
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
@@ -84,28 +85,23 @@ def share_at_creases(weights: Floats, rows: NDArray[np.bool_], columns: NDArray[
     return float(there / weights.sum())
 
 
-class AsperitySettings(TypedDict):
-    """Number of contacts, share of the force and ranges of adhesion in nm, as configured."""
-
-    contacts: int
-    share: float
-    ranges: list[float]
-
-
 def asperities_of_pair(
-    bodies: Bodies, contact: ContactSettings, settings: AsperitySettings, rng: np.random.Generator
+    bodies: Bodies,
+    contact: Contact,
+    places: NDArray[np.int_],
+    share: float,
+    ranges: Sequence[float],
 ) -> xr.Dataset:
     """Return which asperities carry the force of some plastic contacts, by range of adhesion.
 
-    The generator draws the contacts. The dataset has the fields of `Asperities` (contact, rho);
-    ``crease_force`` (contact, rho), ``crease_contact`` (contact) and ``crease_area``, the shares of
-    force, contact pixels and surface at creases; ``contact_distance`` of the closest point from the
-    apex and ``closest_approach`` (contact), the height of the apex in rigid contact, in nm, and the
-    ``rms_height`` of the surface.
+    The places (contact, 2) are of the array, ranges in nm. The dataset has the fields of
+    `Asperities` (contact, rho); ``crease_force`` (contact, rho), ``crease_contact`` (contact) and
+    ``crease_area``, the shares of force, contact pixels and surface at creases;
+    ``contact_distance`` of the closest point from the apex and ``closest_approach`` (contact), the
+    height of the apex in rigid contact, in nm, and the ``rms_height`` of the surface.
     """
-    share, ranges, pixel_size = settings["share"], settings["ranges"], bodies.geometry.pixel_size
-    places = sampled_contacts(rng, contact["count"], settings["contacts"])
-    contact_pixels = contact_pixel_count(contact, pixel_size)
+    pixel_size = bodies.geometry.pixel_size
+    contact_pixels = contact.pixels(pixel_size)
     offsets, period = bodies.geometry.offsets(), bodies.substrate.pixels
     found, creases, lowest = [], [], []
     for place in progress(places, len(places), "contacts"):

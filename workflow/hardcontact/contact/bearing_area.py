@@ -6,12 +6,12 @@ points of the tiles of a map bound its gaps, so that most tiles are never read.
 """
 
 from dataclasses import dataclass
-from typing import NamedTuple, TypedDict
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from hardcontact.contact.geometry import Bodies, ContactArray, ContactGeometry, plastic_approach
+from hardcontact.contact.geometry import Bodies, ContactGeometry, plastic_approach
 from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
@@ -65,23 +65,6 @@ def as_tiles(surface: HeightMap) -> Tiles:
     return Tiles(surface.pixels, blocks, blocks.max(axis=1).max(axis=2))
 
 
-class Load(TypedDict):
-    """The preload in N and the hardness of the softer body in Pa, which set the contact pixels."""
-
-    preload: float
-    hardness: float
-
-
-class NamedLoad(Load):
-    """A load with its name as it stands in paths, e.g. ``"H25GPa-F10uN"``."""
-
-    name: str
-
-
-class ContactSettings(ContactArray, Load):
-    """The array of contacts and the load on each, as the configuration has them."""
-
-
 class LowestGaps(NamedTuple):
     """The contact pixels of one contact."""
 
@@ -89,15 +72,6 @@ class LowestGaps(NamedTuple):
     #: the last that of plastic closest approach.
     gaps: Floats
     offsets: NDArray[np.int_]  #: (contact_pixels, 2) pixels from the apex: row, column.
-
-
-def contact_pixel_count(load: Load, pixel_size: float) -> int:
-    """Return the contact pixels (size in nm) of a load: the smallest whole number >= F/(H A_pix).
-
-    Source: the paper, plastic analysis.
-    """
-    pixel_area = (pixel_size * 1e-9) ** 2
-    return int(np.ceil(load["preload"] / (load["hardness"] * pixel_area) * (1 - 1e-12)))
 
 
 class _Window:

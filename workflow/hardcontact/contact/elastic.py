@@ -5,7 +5,7 @@ effective modulus. Towards the solvers lengths are in nm and forces in nN, so th
 in GPa and energies per area in J/m²: numbers near one, as their tolerances expect.
 """
 
-from typing import Any, NamedTuple, TypedDict
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -18,15 +18,14 @@ from scipy.optimize import minimize_scalar
 from SurfaceTopography import Topography
 from threadpoolctl import threadpool_limits
 
-from hardcontact.contact.bearing_area import ContactSettings
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
     Bodies,
     gap_map,
     part_around_lowest,
-    sampled_contacts,
     window_pixels,
 )
-from hardcontact.contact.smooth_sphere import Material, effective_modulus, hertz_contact
+from hardcontact.contact.smooth_sphere import hertz_contact
 from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
@@ -166,18 +165,6 @@ UNITS = {
 }
 
 
-class ElasticSettings(TypedDict):
-    """Materials, number of contacts, and edge of the window in nm that is solved for the pull-off.
-
-    The window is the part of a contact about its lowest gap.
-    """
-
-    sphere: Material
-    substrate: Material
-    contacts: int
-    window: float
-
-
 def _numbers(
     contact: ElasticContact, pull_off: ElasticPullOff, pixel_size: float, hardness: float
 ) -> tuple[float, ...]:
@@ -218,40 +205,37 @@ def _as_dataset(
 
 def elastic_contacts_of_pair(
     bodies: Bodies,
-    contact: ContactSettings,
-    elastic: ElasticSettings,
-    rho: float,
-    work_of_adhesion: float,
-    rng: np.random.Generator,
+    contact: Contact,
+    places: NDArray[np.int_],
+    modulus: float,
+    pull_off_window: float,
 ) -> xr.Dataset:
     """Return some contacts of a pair of scans, elastic instead of rigid or plastic.
 
-    The range of adhesion rho is in nm, the work of adhesion in J/m²; the generator draws the
-    contacts. The dataset has the variables of UNITS by contact, and of the first the pressure
-    (y, x) about its peak.
+    The places (contact, 2) are of the array, the effective modulus is in Pa. The pull-off is solved
+    in a window (edge in nm) about the lowest gap of the contact. The dataset has the variables of
+    UNITS by contact, and of the first the pressure (y, x) about its peak.
     """
-    geometry, modulus = bodies.geometry, effective_modulus(elastic["sphere"], elastic["substrate"])
-    preload, hardness, pixel_size = contact["preload"], contact["hardness"], geometry.pixel_size
+    geometry, pixel_size = bodies.geometry, bodies.geometry.pixel_size
     period = min(bodies.substrate.pixels, geometry.window)
-    window = min(window_pixels(elastic["window"], pixel_size), period)
-    places = sampled_contacts(rng, contact["count"], elastic["contacts"])
+    window = min(window_pixels(pull_off_window, pixel_size), period)
     numbers, peaks = [], []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):
         for place in progress(places, len(places), "elastic contacts"):
             gap = gap_map(bodies, place)
             whole, near = part_around_lowest(gap, period), part_around_lowest(gap, window)
-            pressed = contact_at_load(whole, pixel_size, modulus, preload)
-            pull_off = adhesive_pull_off(near, pixel_size, modulus, work_of_adhesion, rho)
-            numbers.append(_numbers(pressed, pull_off, pixel_size, hardness))
+            pressed = contact_at_load(whole, pixel_size, modulus, contact.preload)
+            pull_off = adhesive_pull_off(near, pixel_size, modulus, contact.work, contact.range)
+            numbers.append(_numbers(pressed, pull_off, pixel_size, contact.hardness))
             peaks.append(-part_around_lowest(-pressed.pressure, min(64, period)))
     return _as_dataset(places, numbers, peaks[0], pixel_size).assign_attrs(
-        hardness=hardness,
-        preload=preload,
+        hardness=contact.hardness,
+        preload=contact.preload,
         effective_modulus=modulus,
-        rho=rho,
-        work_of_adhesion=work_of_adhesion,
+        rho=contact.range,
+        work_of_adhesion=contact.work,
         window=window * pixel_size,
         sphere_radius=geometry.radius,
-        hertz_peak_pressure=hertz_contact(preload, geometry.radius, modulus).peak_pressure,
+        hertz_peak_pressure=hertz_contact(contact.preload, geometry.radius, modulus).peak_pressure,
     )

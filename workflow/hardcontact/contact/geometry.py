@@ -5,22 +5,15 @@ c + u, u from -window/2 to window/2 - 1; the substrate continues itself periodic
 """
 
 from dataclasses import dataclass, replace
-from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.filters import interpolate
 from hardcontact.surfaces.height_map import HeightMap, read_height_map
 
 Floats = NDArray[np.float64]
-
-
-class ContactArray(TypedDict):
-    """Edge of the analysis window (nm) and contacts along an edge of the array."""
-
-    window: float
-    count: int
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,14 +92,11 @@ def sampled_contacts(
     return np.stack(np.divmod(drawn, contacts_along_edge), axis=1)
 
 
-def bodies(
-    substrate: HeightMap, sphere: HeightMap | None, radius: float, array: ContactArray
-) -> Bodies:
+def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
-    substrate is periodic, the sphere its mirror-stitched roughness, or None of a smooth one, and
-    the radius in nm; the array has the window and the number of contacts.
+    substrate is periodic, the sphere its mirror-stitched roughness, or None for a smooth sphere.
     """
     roughness, stretch = None, 0.0
     if sphere is not None:
@@ -119,18 +109,18 @@ def bodies(
         heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
         roughness, stretch = replace(rough, heights=heights), max(first, second)
     geometry = ContactGeometry(
-        radius,
+        contact.radius,
         substrate.pixel_size,
-        window_pixels(array["window"], substrate.pixel_size),
-        contact_positions(substrate.pixels, array["count"]),
+        window_pixels(contact.window, substrate.pixel_size),
+        contact_positions(substrate.pixels, contact.count),
     )
     return Bodies(substrate, roughness, geometry, stretch)
 
 
-def read_bodies(substrate: str, sphere: str | None, radius: float, array: ContactArray) -> Bodies:
+def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
     """Bring together two height maps, read from files that the study wrote, as in `bodies`."""
     roughness = None if sphere is None else read_height_map(sphere)
-    return bodies(read_height_map(substrate), roughness, radius, array)
+    return bodies(read_height_map(substrate), roughness, contact)
 
 
 def _on_pixels(surface: HeightMap, pixel_size: float) -> tuple[HeightMap, float]:

@@ -4,6 +4,7 @@ Contact pixels that share an edge or a corner belong to one indent.
 """
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -11,8 +12,9 @@ import xarray as xr
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
-from hardcontact.contact.bearing_area import Load, LowestGaps, all_lowest_gaps, contact_pixel_count
-from hardcontact.contact.geometry import Bodies, ContactArray, bodies, sphere_height
+from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import Bodies, bodies, sphere_height
 from hardcontact.records.dataset import stack
 from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
@@ -60,30 +62,23 @@ def flattening(contact: LowestGaps, reach: int) -> NDArray[np.float64]:
     return depth
 
 
-class IndentingContact(ContactArray):
-    """The array of contacts, and the hardness of the softer body in Pa."""
-
-    hardness: float
-
-
 def indents_of_scans(
     substrates: Mapping[int, HeightMap],
     spheres: Mapping[int, HeightMap],
-    radius: float,
-    contact: IndentingContact,
+    contact: Contact,
     preloads: Sequence[float],
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan, by number.
 
-    The radius of the sphere is in nm, preloads are in N. The dataset has the variables of UNITS
-    (scan, sphere_scan, preload, contact_y, contact_x), and of the contact of median depth at the
-    largest preload ``indentation`` (preload, y, x) and ``sphere_height`` (y, x).
+    The contact is made at each of the preloads (N). The dataset has the variables of UNITS (scan,
+    sphere_scan, preload, contact_y, contact_x), and of the contact of median depth at the largest
+    preload ``indentation`` (preload, y, x) and ``sphere_height`` (y, x).
     """
 
     def brought_together(scan: int, sphere_scan: int) -> Bodies:
-        return bodies(substrates[scan], spheres[sphere_scan], radius, contact)
+        return bodies(substrates[scan], spheres[sphere_scan], contact)
 
-    loads = [Load(preload=preload, hardness=contact["hardness"]) for preload in preloads]
+    loads = [replace(contact, preload=preload) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
     parts = {
         key: _sizes(brought_together(*key), loads)
@@ -93,13 +88,13 @@ def indents_of_scans(
     sizes = sizes.assign_coords(preload=("preload", list(preloads), {"units": "N"}))
     key, place = _median_contact(sizes)
     return _with_contact(sizes, brought_together(*key), loads, place).assign_attrs(
-        hardness=contact["hardness"], sphere_radius=radius
+        hardness=contact.hardness, sphere_radius=contact.radius
     )
 
 
-def _contacts(pair: Bodies, loads: Sequence[Load]) -> list[dict[tuple[int, int], LowestGaps]]:
+def _contacts(pair: Bodies, loads: Sequence[Contact]) -> list[dict[tuple[int, int], LowestGaps]]:
     """Return the contact pixels of all contacts of a pair, at each load."""
-    counts = [contact_pixel_count(load, pair.geometry.pixel_size) for load in loads]
+    counts = [load.pixels(pair.geometry.pixel_size) for load in loads]
     largest = all_lowest_gaps(pair, max(counts))
     return [
         {place: LowestGaps(gaps[:n], offsets[:n]) for place, (gaps, offsets) in largest.items()}
@@ -107,7 +102,7 @@ def _contacts(pair: Bodies, loads: Sequence[Load]) -> list[dict[tuple[int, int],
     ]
 
 
-def _sizes(pair: Bodies, loads: Sequence[Load]) -> xr.Dataset:
+def _sizes(pair: Bodies, loads: Sequence[Contact]) -> xr.Dataset:
     """Return the indents (preload, contact_y, contact_x) of one pair of scans."""
     sizes = np.array(
         [
@@ -134,7 +129,7 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 
 
 def _with_contact(
-    sizes: xr.Dataset, pair: Bodies, loads: Sequence[Load], place: tuple[int, int]
+    sizes: xr.Dataset, pair: Bodies, loads: Sequence[Contact], place: tuple[int, int]
 ) -> xr.Dataset:
     """Add the indents of one contact at every preload, and the sphere there."""
     contacts = [of_all[place] for of_all in _contacts(pair, loads)]

@@ -19,11 +19,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.contact.bearing_area import (
     TILE,
-    Load,
     LowestGaps,
     Tiles,
     as_tiles,
-    contact_pixel_count,
     lowest_gaps,
 )
 from hardcontact.contact.geometry import Bodies, window_pixels
@@ -104,14 +102,13 @@ def large_surface(
 
 
 def indented_area_ratio(
-    bodies: Bodies, load: Load, rng: np.random.Generator, contacts: int
+    bodies: Bodies, contact_pixels: int, rng: np.random.Generator, contacts: int
 ) -> float:
     """Return the area of the indents of many contacts over that of as many separate contacts.
 
     One place of the sphere meets random places of the substrate. The ratio is one where no indents
     overlap.
     """
-    contact_pixels = contact_pixel_count(load, bodies.geometry.pixel_size)
     places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
     indented_pixels = [
         np.count_nonzero(indentation.depth)

@@ -38,7 +38,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import special, stats
 
-from hardcontact.contact.bearing_area import Load
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.summits import (
     Approaches,
@@ -94,9 +93,9 @@ class ClosedForm:
     regime: str  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
 
 
-def contact_area(load: Load) -> float:
-    """Return the area (nm²) that carries a load at the hardness."""
-    return load["preload"] / load["hardness"] * 1e18
+def contact_area(preload: float, hardness: float) -> float:
+    """Return the area (nm²) that carries a preload (N) at a hardness (Pa)."""
+    return preload / hardness * 1e18
 
 
 def contact_share(contact: Contact) -> float:

@@ -7,12 +7,11 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.contact.bearing_area import Load, contact_pixel_count
-from hardcontact.contact.geometry import ContactArray, bodies
+from hardcontact.contact.contact import Contact as ArrayContact
+from hardcontact.contact.geometry import bodies
 from hardcontact.insight.closed_form import (
     Contact,
     closed_form,
-    contact_area,
     edges,
     filtered_spectrum,
 )
@@ -36,9 +35,7 @@ class Trial:
     ranges: tuple[float, ...]  #: Of adhesion in nm.
     #: Wavelengths (nm) below which ("small") and above which ("large") roughness is removed.
     cutoffs: Mapping[str, Sequence[float]]
-    array: ContactArray  #: Window and contacts on each.
-    load: Load  #: Preload and hardness.
-    radius: float  #: Of the sphere in nm.
+    contact: ArrayContact  #: On each.
     work: float  #: W in J/m².
     rho: float  #: The range (nm) of the edges.
     tolerance: float  #: Change of the force that counts for an edge.
@@ -93,7 +90,7 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
             side=list(SIDES),
         )
         .assign_attrs(
-            sphere_radius=trial.radius,
+            sphere_radius=trial.contact.radius,
             work_of_adhesion=trial.work,
             range_of_adhesion=trial.rho,
             scale_tolerance=trial.tolerance,
@@ -109,13 +106,13 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
     for realization in range(trial.realizations):
         rng = generator(trial.seed, name, f"{size:g}", realization, "closed form")
         surface = random_surface(rng, trial.pixels, pixel_size, spectrum)
-        pair = bodies(surface, None, trial.radius, trial.array)
-        plastic = pull_off_of_pair(pair, trial.load, trial.ranges).sel(contact_model="plastic")
+        pair = bodies(surface, None, trial.contact)
+        plastic = pull_off_of_pair(pair, trial.contact, trial.ranges).sel(contact_model="plastic")
         forces.append(plastic["pull_off_force"].values.mean(axis=(1, 2)) * trial.work)
         approaches.append(-plastic["closest_approach"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
-    area = contact_pixel_count(trial.load, pixel_size) * pixel_size**2
-    contacts = [Contact(trial.radius, rho, trial.work, area) for rho in trial.ranges]
+    area = trial.contact.pixels(pixel_size) * pixel_size**2
+    contacts = [Contact(trial.contact.radius, rho, trial.work, area) for rho in trial.ranges]
     given = {"spectrum": None, "contacts": np.array(approaches)}
     formulas = [[closed_form(waves, one, given[source]) for one in contacts] for source in SOURCES]
     first, over, newton = formulas[0][0], ("source", "rho"), {"units": "N"}
@@ -137,7 +134,7 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
 
 def _whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
     """Return what the closed form says of a spectrum of all scales."""
-    contact = Contact(trial.radius, trial.rho, trial.work, contact_area(trial.load))
+    contact = Contact(trial.contact.radius, trial.rho, trial.work, trial.contact.area)
     formulas = [closed_form(spectrum, replace(contact, rho=rho)) for rho in trial.ranges]
     whole, ratios = closed_form(spectrum, contact).force, []
     for side in SIDES:

@@ -26,13 +26,8 @@ from scipy.integrate import cumulative_trapezoid
 from hardcontact.adhesion.all_surfaces import CONTACT_AXES, Described, Parts, with_names
 from hardcontact.adhesion.pull_off import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.contact.bearing_area import (
-    Load,
-    LowestGaps,
-    as_tiles,
-    contact_pixel_count,
-    lowest_gaps,
-)
+from hardcontact.contact.bearing_area import LowestGaps, as_tiles, lowest_gaps
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, gaps_at
 from hardcontact.numbers.statistics import student_interval, student_log_interval
 from hardcontact.records.dataset import stack
@@ -71,11 +66,11 @@ def squared_slopes(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[
 
 
 def elastic_estimates(
-    bodies: Bodies, load: Load, modulus: float
+    bodies: Bodies, load: Contact, modulus: float
 ) -> dict[tuple[int, int], ElasticEstimate]:
     """Return elastic contact, with E* in Pa, at every place (i, j) of an array of contacts."""
     geometry = bodies.geometry
-    bearing = contact_pixel_count(load, geometry.pixel_size)
+    bearing = load.pixels(geometry.pixel_size)
     # Force in N that one pixel of unit slope carries.
     stiffness = modulus * (geometry.pixel_size * 1e-9) ** 2 / SLOPE_OVER_PRESSURE
     substrate = as_tiles(bodies.substrate)
@@ -84,16 +79,16 @@ def elastic_estimates(
     for place in np.ndindex(*[len(geometry.positions)] * 2):
         position, pixels = geometry.positions[list(place)], bearing
         carried = np.zeros(1)
-        while carried[-1] < load["preload"] and pixels < geometry.window**2:
+        while carried[-1] < load.preload and pixels < geometry.window**2:
             pixels = min(GROWTH * pixels, geometry.window**2)
             contact = lowest_gaps(substrate, roughness, geometry, position, pixels)
             slopes = np.cumsum(squared_slopes(bodies, position, contact.offsets))
             carried = stiffness * np.sqrt(np.arange(1, pixels + 1) * slopes)
-        elastic = min(int(np.searchsorted(carried, load["preload"])) + 1, pixels)
+        elastic = min(int(np.searchsorted(carried, load.preload)) + 1, pixels)
         kept = max(bearing, elastic)
         of_bearing = modulus * np.sqrt(slopes[bearing - 1] / bearing) / SLOPE_OVER_PRESSURE
         estimates[place] = ElasticEstimate(
-            float(of_bearing / load["hardness"]),
+            float(of_bearing / load.hardness),
             LowestGaps(contact.gaps[:kept], contact.offsets[:kept]),
             elastic,
         )
@@ -101,7 +96,7 @@ def elastic_estimates(
 
 
 def elastic_limit_of_pair(
-    bodies: Bodies, load: Load, modulus: float, rho: float, work_of_adhesion: float
+    bodies: Bodies, load: Contact, modulus: float, rho: float, work_of_adhesion: float
 ) -> xr.Dataset:
     """Return the plasticity index, both areas and the pull-off force of every contact of a pair.
 
@@ -110,7 +105,7 @@ def elastic_limit_of_pair(
     ``pull_off_force`` (variant, contact_y, contact_x) in N; the attribute ``bearing_area`` in nm2.
     """
     pixel_size = bodies.geometry.pixel_size
-    bearing = contact_pixel_count(load, pixel_size)
+    bearing = load.pixels(pixel_size)
     estimates = elastic_estimates(bodies, load, modulus)
     contacts = {place: one.contact for place, one in estimates.items()}
     (outside,) = outside_sums(bodies, contacts, [rho])
@@ -133,7 +128,13 @@ def elastic_limit_of_pair(
             "pull_off_force": (("variant", *CONTACT_AXES), force, {"units": "N"}),
         },
         {"variant": VARIANTS, "contact_y": numbers, "contact_x": numbers},
-        {**load, "effective_modulus": modulus, "rho": rho, "work_of_adhesion": work_of_adhesion}
+        {
+            "preload": load.preload,
+            "hardness": load.hardness,
+            "effective_modulus": modulus,
+            "rho": rho,
+            "work_of_adhesion": work_of_adhesion,
+        }
         | {"bearing_area": bearing * pixel_size**2, "pixel_size": pixel_size},
     )
 

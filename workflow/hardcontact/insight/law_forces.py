@@ -7,6 +7,7 @@ mixture every term has such a factor of its own, and those of small range exceed
 contact pixels are therefore flattened to the gap 0 before each sum, which then runs over gaps >= 0.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,14 +17,13 @@ from numpy.typing import NDArray
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_force, range_axis
 from hardcontact.adhesion.sphere_sums import Contacts, outside_sums
 from hardcontact.contact.bearing_area import (
-    ContactSettings,
     all_lowest_gaps,
     as_tiles,
-    contact_pixel_count,
     lowest_gaps,
 )
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
-from hardcontact.scales.filtered_masters import Cutoffs, forces_at_cutoffs
+from hardcontact.scales.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
 Floats = NDArray[np.float64]
@@ -40,21 +40,16 @@ LARGEST_EXPONENT = 600.0
 NEGLIGIBLE = 40.0
 
 
-class RangeContacts(ContactSettings):
-    """An array of contacts; the ranges of their forces are evenly spaced in their logarithm."""
+def range_forces(pair: Bodies, contact: Contact, reach: float, rhos: Sequence[float]) -> Floats:
+    """Return the plastic pull-off force (rho, contact, contact) in N at 1 J/m².
 
-    radius: float  #: Of the sphere in nm.
-    #: Edge in nm of the window that attracts, at least that of contact: power laws reach far.
-    reach: float
-    ranges: list[float]  #: Of adhesion in nm.
-
-
-def range_forces(pair: Bodies, parameters: RangeContacts) -> Floats:
-    """Return the plastic pull-off force (rho, contact, contact) in N at 1 J/m²."""
-    pixel_size, ranges = pair.geometry.pixel_size, np.asarray(parameters["ranges"], float)
-    contact_pixels = contact_pixel_count(parameters, pixel_size)
+    The ranges of adhesion (nm) are evenly spaced in their logarithm. The reach is the edge (nm) of
+    the window that attracts, at least that of contact: power laws reach far.
+    """
+    pixel_size, ranges = pair.geometry.pixel_size, np.asarray(rhos, float)
+    contact_pixels = contact.pixels(pixel_size)
     contacts = all_lowest_gaps(pair, contact_pixels)
-    window = max(window_pixels(parameters["reach"], pixel_size), pair.geometry.window)
+    window = max(window_pixels(reach, pixel_size), pair.geometry.window)
     totals = contact_pixels + _outside(pair, window, contacts, ranges)
     return pull_off_force(totals, ranges[:, None, None], pixel_size, WORK_OF_ADHESION)
 
@@ -99,44 +94,56 @@ def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
 
 
 def mean_range_forces(
-    substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
+    substrate: HeightMap,
+    sphere: HeightMap | None,
+    contact: Contact,
+    reach: float,
+    ranges: Sequence[float],
 ) -> Floats:
     """Return the plastic pull-off force (rho,) in N at 1 J/m², averaged over all contacts.
 
-    The sphere is its roughness, or None of a smooth one.
+    The sphere is its roughness, or None for a smooth sphere; reach and ranges are as of
+    `range_forces`.
     """
-    pair = bodies(substrate, sphere, parameters["radius"], parameters)
-    return np.asarray(range_forces(pair, parameters).mean(axis=(1, 2)))
+    pair = bodies(substrate, sphere, contact)
+    return np.asarray(range_forces(pair, contact, reach, ranges).mean(axis=(1, 2)))
 
 
 def filtered_range_forces(
-    master: HeightMap, side: str, scales: Cutoffs, parameters: RangeContacts
+    master: HeightMap,
+    filters: Filters,
+    contact: Contact,
+    reach: float,
+    ranges: Sequence[float],
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of a smooth sphere: `mean_range_forces`, by range."""
     return forces_at_cutoffs(
         master,
-        side,
-        scales,
-        lambda surface: mean_range_forces(surface, None, parameters),
-        range_axis(parameters["ranges"]),
+        filters,
+        lambda surface: mean_range_forces(surface, None, contact, reach, ranges),
+        range_axis(ranges),
     )
 
 
 def scan_range_forces(
-    substrate: HeightMap, sphere: HeightMap | None, parameters: RangeContacts
+    substrate: HeightMap,
+    sphere: HeightMap | None,
+    contact: Contact,
+    reach: float,
+    ranges: Sequence[float],
 ) -> xr.Dataset:
     """Return `mean_range_forces` of a stitched scan as stored, in the window and in half of it.
 
     How much ``pull_off_force`` (rho) exceeds ``half_window_pull_off_force`` (rho) tells what may
     lie beyond the window.
     """
-    half: RangeContacts = {**parameters, "reach": parameters["reach"] / 2}
-    whole, narrow = (mean_range_forces(substrate, sphere, one) for one in (parameters, half))
+    whole = mean_range_forces(substrate, sphere, contact, reach, ranges)
+    narrow = mean_range_forces(substrate, sphere, contact, reach / 2, ranges)
     return xr.Dataset(
         {
             "pull_off_force": ("rho", whole, FORCE),
             "half_window_pull_off_force": ("rho", narrow, FORCE),
         },
-        range_axis(parameters["ranges"]),
+        range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )

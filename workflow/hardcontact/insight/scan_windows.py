@@ -2,14 +2,14 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import NamedTuple
+from typing import NamedTuple, TypedDict
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.pull_off import FORCE, mean_pull_off_of_pair
-from hardcontact.contact.bearing_area import NamedLoad
-from hardcontact.contact.geometry import ContactArray, bodies, window_pixels
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies, window_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
@@ -20,14 +20,17 @@ from hardcontact.surfaces.synthesis import random_surface
 from hardcontact.surfaces.topography import level, mirror_stitch
 
 
-class WindowContacts(ContactArray):
+class WindowContacts(TypedDict):
     """Windows that are cut out of a surface, and the contacts on them."""
 
     sizes: list[float]  #: Edges of the windows in nm.
     each: int  #: Windows of every size, along the diagonal of the surface.
     radius: float  #: Of the sphere in nm.
+    window: float  #: Edge in nm of the analysis window of a contact.
+    count: int  #: Contacts along an edge of the array.
+    preload: float  #: In N.
+    hardness: float  #: Of the softer body in Pa.
     ranges: list[float]  #: Ranges of adhesion in nm.
-    load: NamedLoad  #: Preload and hardness.
 
 
 def window_forces(surface: HeightMap, parameters: WindowContacts) -> Floats:
@@ -57,8 +60,14 @@ def mirrored_windows(surface: HeightMap, size: float, count: int) -> Iterator[He
 
 def mean_forces(surface: HeightMap, parameters: WindowContacts) -> Floats:
     """Return the plastic pull-off (rho,) in N at 1 J/m² on a periodic surface, over contacts."""
-    pair = bodies(surface, None, parameters["radius"], parameters)
-    found = mean_pull_off_of_pair(pair, [parameters["load"]], parameters["ranges"])
+    contact = Contact(
+        radius=parameters["radius"],
+        preload=parameters["preload"],
+        hardness=parameters["hardness"],
+        window=parameters["window"],
+        count=parameters["count"],
+    )
+    found = mean_pull_off_of_pair(bodies(surface, None, contact), [contact], parameters["ranges"])
     return np.asarray(found["pull_off_force"].values[0])
 
 

@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.contact.bearing_area import Load
 from hardcontact.numbers.statistics import bounds, with_interval
 from hardcontact.own_surfaces.master_forces import (
     MasterForces,
@@ -190,7 +189,7 @@ def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: fl
     return force.merge(continued).assign(continued_differs=differs.transpose("surface", "side"))
 
 
-def with_smooth_bound(force: xr.Dataset, load: Load) -> xr.Dataset:
+def with_smooth_bound(force: xr.Dataset, area: float) -> xr.Dataset:
     """Return predicted forces of which no mean, nor its interval, exceeds that of a smooth sphere.
 
     A sphere attracts a surface h by the integral of (W/rho) exp(-g/rho) over the gap g. Where long
@@ -202,11 +201,11 @@ def with_smooth_bound(force: xr.Dataset, load: Load) -> xr.Dataset:
     the highest point. So the mean is at most 2 pi R W, and in plastic contact W/rho times the area
     F/H more, which touches at gap zero. Single contacts (`force_quantile`) have no such bound.
 
-    Forces are those of `with_continued_force`, the load is in N and Pa. They gain ``smooth_bound``
+    Forces are those of `with_continued_force`, the area F/H is in nm². They gain ``smooth_bound``
     (contact_model, rho) in N, which replaces what is greater.
     """
     radius, work = force.attrs["sphere_radius"], force.attrs["work_of_adhesion"]
-    touching = load["preload"] / load["hardness"] / (1e-9 * force["rho"])
+    touching = area * 1e-18 / (1e-9 * force["rho"])
     yields = force["contact_model"] == PLASTIC
     bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)
     rho = force.attrs["range_of_adhesion"]

@@ -3,8 +3,9 @@
 The side ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
 """
 
-from collections.abc import Callable, Mapping
-from typing import TypedDict
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -20,24 +21,24 @@ from hardcontact.adhesion.pull_off import (
     plastic_totals,
     pull_off_force,
 )
-from hardcontact.contact.bearing_area import NamedLoad, contact_pixel_count
-from hardcontact.contact.geometry import ContactArray, bodies
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
 from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
 from hardcontact.surfaces.height_map import HeightMap
 
 
-class Cutoffs(TypedDict):
-    """Cutoffs in nm that a master is filtered at, and the pixels along an edge of the results."""
+class Filters(NamedTuple):
+    """The cutoffs of one side that a master is filtered at, one at a time."""
 
-    pixels: int
-    cutoffs: list[float]
+    side: str  #: "small": wavelengths below the cutoff are removed; "large": those above.
+    pixels: int  #: Along an edge of the filtered surfaces.
+    cutoffs: Sequence[float]  #: In nm.
 
 
 def forces_at_cutoffs(
     master: HeightMap,
-    side: str,
-    scales: Cutoffs,
+    filters: Filters,
     forces: Callable[[HeightMap], NDArray[np.float64]],
     axes: Mapping[str, Axis],
 ) -> xr.Dataset:
@@ -48,12 +49,13 @@ def forces_at_cutoffs(
     filtered. ``pull_off_force`` (cutoff_wavelength, ...) and ``unfiltered_pull_off_force`` (...)
     stand beside ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
     """
-    cutoffs: list[float | None] = [None, *scales["cutoffs"]]
-    surfaces = filtered_series(master, side, cutoffs, scales["pixels"])
-    unfiltered, *filtered = progress(map(forces, surfaces), len(cutoffs), "cutoffs")
-    end = 2 * master.size / scales["pixels"] if side == "small" else master.size
+    side, pixels, cutoffs = filters
+    surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
+    each = (forces(surface) for surface in surfaces)
+    unfiltered, *filtered = progress(each, 1 + len(cutoffs), "cutoffs")
+    end = 2 * master.size / pixels if side == "small" else master.size
     nanometres = {"units": "nm", "long_name": "end of the unfiltered spectrum"}
-    cutoff_axis = (("cutoff_wavelength",), np.asarray(scales["cutoffs"], float), {"units": "nm"})
+    cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
     return xr.Dataset(
         {
             "unfiltered_pull_off_force": (tuple(axes), unfiltered, FORCE),
@@ -65,79 +67,61 @@ def forces_at_cutoffs(
     )
 
 
-class FilteredContacts(ContactArray):
-    """A master, filtered at several cutoffs, in an array of contacts at several loads."""
-
-    side: str
-    scales: Cutoffs
-    radius: float  #: Of the sphere in nm.
-    rho: float  #: Range of adhesion in nm.
-    loads: list[NamedLoad]
-
-
 def filtered_pull_off(
-    master: HeightMap, sphere: HeightMap | None, parameters: FilteredContacts, threads: int = 1
+    master: HeightMap,
+    filters: Filters,
+    contacts: Sequence[Contact],
+    sphere: HeightMap | None = None,
 ) -> xr.Dataset:
     """Return `forces_at_cutoffs` of plastic contact, by load, contact_y and contact_x.
 
-    The sphere is its roughness, or None of a smooth one. Contacts are numbered; the result does not
-    depend on the threads.
+    The contacts differ in their load alone. The sphere is its roughness, or None for a smooth
+    sphere. Contacts of the array are numbered.
     """
-    loads, rho = parameters["loads"], parameters["rho"]
+    contact = contacts[0]
 
     def forces(surface: HeightMap) -> np.ndarray:
-        pair = bodies(surface, sphere, parameters["radius"], parameters)
+        pair = bodies(surface, sphere, contact)
         pixel_size = pair.geometry.pixel_size
-        contact_pixels = [contact_pixel_count(load, pixel_size) for load in loads]
-        totals = plastic_totals(pair, contact_pixels, rho, threads)
-        return pull_off_force(totals, rho, pixel_size, WORK_OF_ADHESION)
+        contact_pixels = [load.pixels(pixel_size) for load in contacts]
+        totals = plastic_totals(pair, contact_pixels, contact.range)
+        return pull_off_force(totals, contact.range, pixel_size, WORK_OF_ADHESION)
 
-    axes = load_axis(loads)
-    axes |= {axis: ((axis,), np.arange(parameters["count"]), {}) for axis in CONTACT_AXES}
-    found = forces_at_cutoffs(master, parameters["side"], parameters["scales"], forces, axes)
-    return found.assign_attrs(rho=rho)
+    axes = load_axis(contacts)
+    axes |= {axis: ((axis,), np.arange(contact.count), {}) for axis in CONTACT_AXES}
+    filtered = forces_at_cutoffs(master, filters, forces, axes)
+    return filtered.assign_attrs(rho=contact.range)
 
 
-class ScaledContacts(ContactArray, Cutoffs):
-    """A master, filtered at several cutoffs, in all combinations of sphere, range and area.
+def scaled_pull_off(
+    master: HeightMap,
+    filters: Filters,
+    contacts: Sequence[Contact],
+    radii: Sequence[float],
+    ranges: Sequence[float],
+) -> xr.Dataset:
+    """Return `forces_at_cutoffs` of plastic contact, averaged over contacts, by radius, area, rho.
 
-    The contact area is the preload over the hardness.
+    The contacts differ in their load alone; the spheres are smooth, radii and ranges in nm. Where a
+    pixel is not small against the contact area, the area is that of the pixels that touch: the
+    smallest whole number of them that carries the preload. ``contact_area`` (area), in nm², is that
+    of the pixels that touch, and the coordinate area the preload over the hardness in nm².
     """
-
-    side: str
-    radii: list[float]  #: Of the spheres in nm.
-    ranges: list[float]  #: Of adhesion in nm.
-    hardness: float  #: Of the softer body in Pa.
-    preloads: list[float]  #: In N.
-
-
-def scaled_pull_off(master: HeightMap, parameters: ScaledContacts) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of plastic contact, meaned over contacts, by radius, area and rho.
-
-    The sphere is smooth. Where a pixel is not small against the contact area, the area is that of
-    the pixels that touch: the smallest whole number of them that carries the preload.
-    ``contact_area`` (area), in nm², is that of the pixels that touch, and the coordinate area the
-    preload over the hardness in nm².
-    """
-    nm, ranges = {"units": "nm"}, parameters["ranges"]
-    loads: list[NamedLoad] = [
-        {"name": f"{preload:g}", "preload": preload, "hardness": parameters["hardness"]}
-        for preload in parameters["preloads"]
-    ]
+    spheres = [replace(contacts[0], radius=radius) for radius in radii]
 
     def forces(surface: HeightMap) -> np.ndarray:
-        pairs = (bodies(surface, None, radius, parameters) for radius in parameters["radii"])
-        means = (mean_pull_off_of_pair(pair, loads, ranges)["pull_off_force"] for pair in pairs)
-        return np.array([of_radius.values for of_radius in means])
+        pairs = (bodies(surface, None, contact) for contact in spheres)
+        means = (mean_pull_off_of_pair(pair, contacts, ranges)["pull_off_force"] for pair in pairs)
+        return np.array([mean.values for mean in means])
 
-    areas = np.asarray(parameters["preloads"]) / parameters["hardness"] * 1e18
+    areas = [contact.area for contact in contacts]
     axes: dict[str, Axis] = {
-        "radius": (("radius",), np.array(parameters["radii"]), nm),
+        "radius": (("radius",), np.array(radii), {"units": "nm"}),
         "area": (("area",), areas, {"units": "nm2", "long_name": "preload over hardness"}),
-        "rho": (("rho",), np.array(ranges), nm),
+        "rho": (("rho",), np.array(ranges), {"units": "nm"}),
     }
-    pixel_size = master.size / parameters["pixels"]
-    touching = [contact_pixel_count(load, pixel_size) * pixel_size**2 for load in loads]
+    pixel_size = master.size / filters.pixels
+    touching = [contact.pixels(pixel_size) * pixel_size**2 for contact in contacts]
     contact_area = ("area", touching, {"units": "nm2", "long_name": "touching pixels"})
-    found = forces_at_cutoffs(master, parameters["side"], parameters, forces, axes)
-    return found.assign(contact_area=contact_area)
+    filtered = forces_at_cutoffs(master, filters, forces, axes)
+    return filtered.assign(contact_area=contact_area)

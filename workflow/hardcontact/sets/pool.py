@@ -15,7 +15,7 @@ import xarray as xr
 from scipy.interpolate import make_interp_spline
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_of_pair
-from hardcontact.contact.bearing_area import ContactSettings
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
@@ -35,8 +35,7 @@ class PoolSettings(TypedDict):
     seed: int  #: The seed of the study.
     surface: str  #: Name of the substrate.
     scan: ScanGrid
-    contact: ContactSettings
-    radius: float  #: Of the smooth sphere, in nm.
+    contact: Contact  #: With a smooth sphere.
     ranges: list[float]  #: Of adhesion, in nm.
 
 
@@ -138,24 +137,23 @@ def _log_forces(scan: HeightMap, factor: float, settings: PoolSettings) -> Float
     """
     stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
     contact = settings["contact"]
-    pair = bodies(stitched, None, settings["radius"], contact)
+    pair = bodies(stitched, None, contact)
     forces = pull_off_of_pair(pair, contact, settings["ranges"])["pull_off_force"].values
     return np.asarray(np.log(forces))
 
 
 def on_smooth_sphere(
     stitched: Mapping[int, HeightMap],
-    contact: ContactSettings,
-    radius: float,
+    contact: Contact,
     ranges: Sequence[float],
 ) -> xr.Dataset:
     """Return the mean forces of some scans of one substrate on a smooth sphere.
 
-    The stitched scans are periodic, by number; the radius and the ranges of adhesion are in nm.
+    The stitched scans are periodic, by number; the ranges of adhesion are in nm.
     ``pull_off_force`` (scan, contact_model, rho) is averaged over contacts.
     """
     pairs = [
-        pull_off_of_pair(bodies(surface, None, radius, contact), contact, ranges)
+        pull_off_of_pair(bodies(surface, None, contact), contact, ranges)
         for surface in progress(stitched.values(), len(stitched), "scans on a smooth sphere")
     ]
     forces = [pair["pull_off_force"].values.mean(axis=(-2, -1)) for pair in pairs]

@@ -1,0 +1,58 @@
+"""What touches what: the sphere, its load, its attraction, and the array of contacts."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, kw_only=True)
+class Contact:
+    """A sphere pressed onto a surface at an array of contacts.
+
+    `dataclasses.replace` gives the same contact at another load, range or radius. A window,
+    range or work that nothing depends on may be left out; computing with it then fails.
+
+    Parameters
+    ----------
+    radius : float
+        Radius of the sphere in nm.
+    preload : float
+        Preload in N.
+    hardness : float
+        Hardness of the softer body in Pa.
+    window : float
+        Edge in nm of the square about each contact that is analysed.
+    count : int
+        Contacts along an edge of the array; there are count x count.
+    range : float
+        Range of adhesion rho in nm.
+    work : float
+        Work of adhesion in J/m².
+    """
+
+    radius: float
+    preload: float
+    hardness: float
+    window: float = math.nan
+    count: int = 1
+    range: float = math.nan
+    work: float = math.nan
+
+    @property
+    def load(self) -> str:
+        """The load by its name, as it stands in paths: ``"H25GPa-F10uN"``."""
+        return f"H{self.hardness / 1e9:.12g}GPa-F{self.preload * 1e6:.12g}uN"
+
+    @property
+    def area(self) -> float:
+        """The area F/H that carries the preload, in nm²."""
+        return self.preload / self.hardness * 1e18
+
+    def pixels(self, pixel_size: float) -> int:
+        """Return the contact pixels (size in nm): the smallest whole number >= F/(H A_pix).
+
+        Source: the paper, plastic analysis.
+        """
+        pixel_area = (pixel_size * 1e-9) ** 2
+        return int(np.ceil(self.preload / (self.hardness * pixel_area) * (1 - 1e-12)))
