@@ -12,7 +12,6 @@ from figure_inputs.closed_form import closed_form
 from figure_inputs.contact import asperities, contact, elastic, indent
 from figure_inputs.elastic_limit import elastic_limit
 from figure_inputs.laws import laws
-from figure_inputs.next_sphere import next
 from figure_inputs.published_tables import (
     published_constants,
     published_pull_off,
@@ -46,7 +45,6 @@ INPUTS = {
         laws,
         statistics,
         elastic_limit,
-        next,
         scaling,
         scan_size,
         published_constants,

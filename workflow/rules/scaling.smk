@@ -71,38 +71,3 @@ rule scale_edges:
         ),
     script:
         "../scripts/scale_edges.py"
-
-
-rule separate_pairs:
-    """Which second sphere tells the fits of the forces apart: next.nc."""
-    input:
-        **PUBLISHED,
-        masters=FILES.paths(PATTERNS.scaled, FILES.scaled_masters),
-        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
-        pairs="resources/adhesion/pairs.csv",
-        validation="resources/validation/prediction.csv",
-        code=code_inputs("separate_pairs.py"),
-    output:
-        PATTERNS.dataset("next"),
-    log:
-        PATTERNS.log("separate_pairs"),
-    benchmark:
-        PATTERNS.benchmark("separate_pairs")
-    resources:
-        mem_mb=1000,
-    params:
-        canonical=canonical(
-            {
-                "masters": FILES.scaled_masters,
-                "surfaces": SELECTION.substrates,
-                **NAMED_SURFACES,
-                "spheres": {
-                    "radius": STUDY["sphere"]["radius"],
-                    "preload": STUDY["contact"]["preload"],
-                    "hardness": STUDY["contact"]["hardness"],
-                    "preloads": SCALING["preloads"],
-                },
-            }
-        ),
-    script:
-        "../scripts/separate_pairs.py"

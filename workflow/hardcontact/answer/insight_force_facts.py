@@ -11,7 +11,6 @@ import xarray as xr
 from hardcontact.answer.facts import (
     Cells,
     against,
-    between,
     count,
     ends,
     number,
@@ -23,7 +22,6 @@ from hardcontact.answer.facts import (
 from hardcontact.claims.verdicts import verdict
 from hardcontact.insight.force_scatter import CHANCE, held_back
 from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
-from hardcontact.insight.next_sphere import PAIRS, RIGHT
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import POOLED, computed_cutoffs
 from hardcontact.surfaces.synthesis import SIDES
@@ -205,52 +203,3 @@ def _yielding(one: xr.Dataset) -> str:
     amounts = {0.0: "none", 1.0: "all"}
     yields = amounts.get(by_index, "some")
     return yields if np.isnan(solved) or amounts.get(solved, "some") == yields else "disputed"
-
-
-def next_sphere_facts(spheres: xr.Dataset) -> dict[str, Any]:
-    """Return the best next sphere of every surface and preload, ranked by what it separates.
-
-    The separation is that with scatter between spheres, the lower one; radii count where errors of
-    the closed form are known and forces are resolved.
-    """
-    least = spheres["separation"].min("scatter")
-    counts = least.where((spheres["tried"] == 1) & (spheres["resolved"] == 1))
-    rows = []
-    for row, one in surfaces(spheres.assign(counts=counts)):
-        for preload in one["preload"].values:
-            at_preload = one.sel(preload=preload)
-            if at_preload["counts"].notnull().any():
-                best = at_preload.isel(radius=int(at_preload["counts"].argmax("radius")))
-                rows.append(row | _next_sphere(best))
-    rows.sort(key=lambda row: -row["separation"].low)
-    attributes = spheres.attrs
-    return {
-        "rows": rows,
-        "right": Number("right", RIGHT),
-        "decides": any(row["separation"].low >= RIGHT for row in rows),
-        "may_decide": any(row["separation"].high >= RIGHT for row in rows),
-        "sphere": Number("radius", attributes["sphere_radius"], "nm"),
-        "preload": Number("preload", attributes["preload"], "N"),
-        "ranges": [Number("range", one, "nm") for one in attributes["ranges"]],
-        "works": [Number("work", one, "J m-2") for one in attributes["works"]],
-        "tests": int(attributes["tests"]),
-        "spheres": int(attributes["spheres"]),
-        "checked": int(attributes["checked_changes"]),
-        "checked_radii": span("radius", attributes["checked_radii"], "nm"),
-        "within": percent(Number("within", attributes["checked_share"])),
-        "error": Number("error", float(np.exp(attributes["checked_error"]))),
-        "stated": Number("stated", float(np.exp(attributes["checked_stated"]))),
-    }
-
-
-def _next_sphere(best: xr.Dataset) -> Cells:
-    """Return one sphere and preload: forces of both pairs and their separation."""
-    low, high = np.sort(best["separation"].values).tolist()
-    change, force = best["predicted_change"], best["predicted_force"]
-    return {
-        "preload": Number("preload", best["preload"].item(), "N"),
-        "radius": Number("radius", best["radius"].item(), "nm"),
-        "separation": between("separation", low, high),
-        "apart": Number("apart", float(np.exp(np.ptp(change.values)))),
-        **{pair: Number(pair, force.sel(pair=pair).item(), "N") for pair in PAIRS},
-    }

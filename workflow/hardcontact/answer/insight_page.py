@@ -28,7 +28,6 @@ PARTS: dict[str, Callable[[xr.Dataset, xr.Dataset], dict[str, Any]]] = {
     "fig_laws": lambda laws, _: force_facts.law_facts(laws),
     "fig_statistics": lambda statistics, _: force_facts.statistics_facts(statistics),
     "fig_elastic_limit": lambda limit, _: force_facts.elastic_limit_facts(limit),
-    "fig_next": lambda spheres, _: force_facts.next_sphere_facts(spheres),
 }
 
 

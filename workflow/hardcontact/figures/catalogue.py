@@ -135,9 +135,6 @@ OF_INSIGHT = {
         "contacts that do not yield, and their force",
         ("elastic_limit",),
     ),
-    "fig_next": Figure(
-        INSIGHT, "the next sphere", "spheres that tell the fits of the forces apart", ("next",)
-    ),
 }
 
 #: All figures.

@@ -102,37 +102,19 @@ def coordinates(waves: Spectrum, contact: Contact, found: ClosedForm) -> dict[st
 
 
 def nearest_errors(place: Mapping[str, Any], name: str) -> tuple[float, float]:
-    """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place."""
-    errors = neighbouring_errors(place, name)
-    return float(errors.min()), float(errors.max())
-
-
-def neighbouring_errors(place: Mapping[str, Any], name: str) -> pd.Series:
-    """Return the errors, of VALIDATED, of the NEAREST surfaces to a place, by their number.
+    """Return the least and the greatest error, of VALIDATED, of the NEAREST surfaces to a place.
 
     The distance is that of the logarithms of both `coordinates`; another regime is one further.
     A place beyond the table counts as at its border.
     """
-    known = validation().dropna(subset=f"{name}_error").set_index("surface")
+    known = validation().dropna(subset=f"{name}_error")
     axes = ["modulus", "contact_over_rolloff"]
     rows = known[axes].to_numpy()
     here = np.clip([place[axis] for axis in axes], rows.min(axis=0), rows.max(axis=0))
     apart = np.log(np.maximum(rows, LEAST_MODULUS) / np.maximum(here, LEAST_MODULUS))
     distance = np.hypot(*apart.T) + (known["regime"] != place["regime"]).to_numpy()
-    return known[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST]]
-
-
-def change_error(place: Mapping[str, Any], other: Mapping[str, Any]) -> float:
-    """Return the standard error of the logarithm of a change of the force between two places.
-
-    It is the root mean square by which the logarithms of the errors of the NEAREST surfaces to one
-    place differ from those of others near the other: bias that both share cancels, bias that they
-    do not share counts. Two contacts with one surface share more, so that it is rather too large.
-    """
-    near, far = (np.log(neighbouring_errors(one, "force")) for one in (place, other))
-    differences = near.to_numpy()[:, None] - far.to_numpy()
-    another = near.index.to_numpy()[:, None] != far.index.to_numpy()
-    return float(np.sqrt(np.mean(differences[another] ** 2)))
+    errors = known[f"{name}_error"].iloc[np.argsort(distance)[:NEAREST]]
+    return float(errors.min()), float(errors.max())
 
 
 def is_tried(waves: Spectrum, contact: Contact, found: ClosedForm) -> bool:
