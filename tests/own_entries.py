@@ -2,14 +2,14 @@
 
 import numpy as np
 from random_scans import uncd
-from repository import PAPER, SCHEMAS
+from repository import PAPER
 
 from hardcontact.commands.inventory import Entry
 from hardcontact.commands.new import nested
 from hardcontact.commands.proposal import Choice
 from hardcontact.commands.request import Source
-from hardcontact.config.configuration import configuration
 from hardcontact.config.limits import check_grids
+from hardcontact.config.model import configuration
 from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.spectrum import BIN_CENTRES
@@ -60,7 +60,7 @@ def numbers(asked, choices):
         Choice("contact.hardness", f"{asked.hardness:.12g} Pa", ""),
     ]
 
-    return configuration(nested([*named, *choices], PAPER), SCHEMAS["config"])
+    return configuration(nested([*named, *choices], PAPER))
 
 
 def both_efforts(asked, proposal):

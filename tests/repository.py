@@ -17,10 +17,6 @@ PARTS = [
 QUICK = "config/quick.yaml"
 PAPER = yaml.safe_load((ROOT / "config/config.yaml").read_text())
 ROWS = (ROOT / "config/surfaces.tsv").read_text()
-SCHEMAS = {
-    name: yaml.safe_load((ROOT / f"workflow/schemas/{name}.schema.yaml").read_text())
-    for name in ("config", "surfaces")
-}
 #: What robustness makes otherwise in the quick study, as it stands in paths.
 OTHERWISE = [
     "polished_uncd/laplacian", "uncd/laplacian", "ncd/laplacian", "mcd/laplacian",

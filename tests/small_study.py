@@ -5,6 +5,7 @@ import copy
 import pandas as pd
 from repository import PAPER, ROOT
 
+from hardcontact.config import model
 from hardcontact.config.files import Files
 from hardcontact.config.patterns import Patterns
 from hardcontact.config.selection import CONTACT, Selection
@@ -24,7 +25,7 @@ def selection(scans=(1, 2), measured=()):
 
 
 def configuration(**changes):
-    """Return the paper's configuration with other values of some keys, ``scales__range``."""
+    """Return the paper's configuration in numbers, with other texts of ``scales__range``."""
     changed = copy.deepcopy(PAPER)
     for name, value in changes.items():
         *above, key = name.split("__")
@@ -32,7 +33,7 @@ def configuration(**changes):
         for step in above:
             part = part[step]
         part[key] = value
-    return changed
+    return model.configuration(changed)
 
 
 def files(scans=(1, 2), measured=(), **changes):

@@ -3,25 +3,20 @@
 from functools import reduce
 
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROWS, SCHEMAS
+from repository import PAPER, ROWS
 
-from hardcontact.config import checks, configuration
+from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
-
-#: In the place of a value: the key is left out.
-MISSING = object()
+from hardcontact.config.model import configuration
 
 
 def changed(config, path, value):
-    """Return a configuration with the value at one path (list of keys) replaced or left out."""
+    """Return a configuration with the value at one path (list of keys) replaced."""
     *branch, last = path
     copy = place = dict(config)
     for key in branch:
         place[key] = place = dict(place[key])
-    if value is MISSING:
-        del place[last]
-    else:
-        place[last] = value
+    place[last] = value
     return copy
 
 
@@ -29,14 +24,14 @@ def numbers(*values):
     """Return the paper's configuration in numbers with other values: key, value, key, value."""
     pairs = zip(values[::2], values[1::2], strict=True)
     config = reduce(lambda config, pair: changed(config, pair[0].split("."), pair[1]), pairs, PAPER)
-    return configuration.configuration(config, SCHEMAS["config"])
+    return configuration(config)
 
 
 def surfaces(text, folder):
     """Read a table of surfaces of this text, with paths relative to the repository's root."""
     path = folder / "surfaces.tsv"
     path.write_bytes(text if isinstance(text, bytes) else text.encode())
-    return surface_table.surface_table(path, SCHEMAS["surfaces"])
+    return surface_table.surface_table(path)
 
 
 def check(config, folder, text=ROWS):

@@ -8,16 +8,13 @@ from copy import deepcopy
 import numpy as np
 import pytest
 import yaml
-from repository import PAPER, SCHEMAS
+from repository import PAPER
 from scan_files import MAPS, nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
 
-from hardcontact.config.configuration import (
-    configuration,
-    refuse_repeated_keys,
-    refuse_unreadable,
-)
+from hardcontact.config.configuration import refuse_repeated_keys, refuse_unreadable
+from hardcontact.config.model import configuration
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.config.selection import surface_table
 from hardcontact.config.tables import measured_forces, refuse_description
@@ -98,7 +95,7 @@ def read_overlay(path):
     overlay = yaml.safe_load(path.read_bytes().decode("utf-8"))
     config = deepcopy(PAPER)
     update_config(config, overlay)  # as Snakemake does
-    configuration(config, SCHEMAS["config"])
+    configuration(config)
 
 
 #: Kinds of input: whole files by name, of a folder, and what reads one.
@@ -115,7 +112,7 @@ KINDS = {
             "a.tsv": b"surface\tlabel\tscan\tsource\tpath\tdataset\n"
             + f"a\tA\t1\tmeasured\t{__file__}\t\na\tA\t2\tmeasured\t{random.__file__}\t\n".encode()
         },
-        lambda path: surface_table(path, SCHEMAS["surfaces"]),
+        lambda path: surface_table(path),
     ),
     "configuration": (lambda _: {"a.yaml": OVERLAY.encode()}, read_overlay),
 }

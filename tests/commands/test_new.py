@@ -7,12 +7,13 @@ import numpy as np
 import pytest
 import yaml
 from refusals import assert_says
-from repository import PAPER, ROOT, SCHEMAS, merged
+from repository import PAPER, ROOT, merged
 from scan_files import container, nanoscope, scan
 
 from hardcontact.commands import new, request
-from hardcontact.config import checks, configuration
+from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
+from hardcontact.config.model import configuration
 
 NAME = "a-test.of_new"
 
@@ -59,8 +60,8 @@ def accepted(folder, name, effort="full"):
     quick = overlay.pop("quick")
     config = merged(PAPER, overlay)
     config = merged(config, quick) if effort == "quick" else config
-    config = configuration.configuration(config, SCHEMAS["config"])
-    table = surface_table.surface_table(folder / f"config/{name}.tsv", SCHEMAS["surfaces"])
+    config = configuration(config)
+    table = surface_table.surface_table(folder / f"config/{name}.tsv")
     checks.check(config, table, [])
     return config, table
 

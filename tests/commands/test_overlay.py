@@ -3,7 +3,6 @@
 import pytest
 import yaml
 from own_entries import entry
-from repository import SCHEMAS
 from scan_files import scan
 
 from hardcontact.commands.inventory import table_rows
@@ -43,7 +42,7 @@ def test_the_table_is_read_as_it_was_meant(tmp_path):
     )
     text = table_text(table_rows([spectrum, *contact], contact, "10 nm"))
     (tmp_path / "own.tsv").write_text(text)
-    table = surface_table(tmp_path / "own.tsv", SCHEMAS["surfaces"])
+    table = surface_table(tmp_path / "own.tsv")
     assert table.path.tolist() == [paths[1], paths[2], paths[0]]
     assert table.use.tolist() == ["contact", "contact", "spectrum"]
     assert table.scan.tolist() == [1, 2, 3]

@@ -8,11 +8,12 @@ import pytest
 from hypothesis import HealthCheck, Phase, assume, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, SCHEMAS, merged
+from repository import PAPER, merged
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.config import checks, configuration
+from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
+from hardcontact.config.model import configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
@@ -116,8 +117,8 @@ def tiny(draw):
 def accepted(overlay):
     """Return the configuration in numbers, or None if the study is refused."""
     try:
-        config = configuration.configuration(merged(PAPER, overlay), SCHEMAS["config"])
-        table = surface_table.surface_table("config/surfaces.tsv", SCHEMAS["surfaces"])
+        config = configuration(merged(PAPER, overlay))
+        table = surface_table.surface_table("config/surfaces.tsv")
         checks.check(config, table, SUBSTRATES)
     except ValueError:
         return None

@@ -2,8 +2,7 @@
 
 import pytest
 
-from hardcontact.config.configuration import refuse_all
-from hardcontact.config.schema import refuse_lines
+from hardcontact.config.faults import refuse_all, refuse_lines
 
 
 def refusing(text):

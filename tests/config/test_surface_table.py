@@ -2,7 +2,7 @@
 
 import pytest
 from refusals import assert_says, refusal
-from repository import ROWS, SCHEMAS
+from repository import ROWS
 from scan_files import scan
 from studies import own_scans, surfaces
 
@@ -45,7 +45,7 @@ def test_table_refused(tmp_path, at_root, text, parts):
 
 
 def test_no_table(tmp_path):
-    message = refusal(surface_table.surface_table, tmp_path / "none.tsv", SCHEMAS["surfaces"])
+    message = refusal(surface_table.surface_table, tmp_path / "none.tsv")
     assert_says(message, "none.tsv", "expected a table of surfaces", "found")
 
 

@@ -16,11 +16,11 @@ import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import stacked_forces
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION, pull_off_of_pair, window_change
-from hardcontact.config.configuration import NONE
+from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import limits_of_scan
+from hardcontact.config.model import NONE
 from hardcontact.config.own_spectrum import own_spectrum
-from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight import closed_form

@@ -1,6 +1,7 @@
 # The page that answers for own surfaces.
 
-from hardcontact.config.configuration import NONE, contact_words, left_out, of_paper, read_yaml
+from hardcontact.config.configuration import contact_words, left_out, of_paper, read_yaml
+from hardcontact.config.model import NONE
 
 
 rule answer_surfaces:
@@ -30,8 +31,8 @@ rule answer_surfaces:
             {
                 "study": STUDY["study"],
                 "effort": STUDY["effort"],
-                "contact": contact_words(config),
-                "of_paper": of_paper(config, read_yaml("config/config.yaml")),
+                "contact": contact_words(STUDY),
+                "of_paper": of_paper(STUDY),
                 "left_out": list(left_out(STUDY).items()),
                 "citation": {
                     name: read_yaml("CITATION.cff")[name] for name in ("title", "version")

@@ -4,7 +4,7 @@ from hardcontact.records.code import code_inputs, template_inputs
 from hardcontact.records.origin import canonical
 from hardcontact.config import start
 from hardcontact.config.patterns import PUBLISHED, Patterns
-from hardcontact.config.configuration import PAPER
+from hardcontact.config.model import PAPER
 
 config.update(start.with_effort(config))
 STUDY = start.checked_configuration(workflow, config)

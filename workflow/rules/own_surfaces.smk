@@ -1,6 +1,7 @@
 # Own surfaces: edges of the band, predicted force, fit to own forces.
 
-from hardcontact.config.configuration import NONE, left_out, of_paper, read_yaml
+from hardcontact.config.configuration import left_out
+from hardcontact.config.model import NONE
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 

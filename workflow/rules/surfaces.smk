@@ -6,7 +6,7 @@ from hardcontact.config.patterns import wildcard_constraints as constraints
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere
-FILES = Files(config, SELECTION, PATTERNS)
+FILES = Files(STUDY, SELECTION, PATTERNS)
 
 
 wildcard_constraints:

@@ -141,7 +141,8 @@ def _faults_of_files() -> str:
 
     Snakemake tells neither the file nor the line.
     """
-    from hardcontact.config.configuration import refuse_all, refuse_unreadable
+    from hardcontact.config.configuration import refuse_unreadable
+    from hardcontact.config.faults import refuse_all
 
     paths = list[str]()
     for place, word in enumerate(sys.argv):

@@ -37,11 +37,12 @@ from hardcontact.commands.request import (
     refuse_another_clone,
     sources,
 )
-from hardcontact.config.configuration import NONE, SMOOTH, configuration, read_yaml, refuse_all
+from hardcontact.config.configuration import read_yaml
+from hardcontact.config.faults import refuse_all, refuse_lines, validated
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import check_grids
-from hardcontact.config.schema import refuse, refuse_lines
-from hardcontact.config.selection import CONTACT
+from hardcontact.config.model import NONE, SMOOTH, configuration
+from hardcontact.config.selection import CONTACT, LABEL, SurfaceRow
 from hardcontact.config.tables import measured_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.records.whole_file import whole_file
@@ -113,17 +114,23 @@ def _checks(
     arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str]
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of labels, which figures must have, of cells of the table, of own forces."""
-    schema = read_yaml("workflow/schemas/surfaces.schema.yaml")
     labels = [("--surface", text) for text, *_ in arguments.surface]
     if arguments.files and not list(name_faults(arguments.name, True)):
         labels.append(("NAME", arguments.name))  # The name of a study is one if files follow it.
     for option, text in labels:
-        key = f"{option}: label"
-        yield partial(refuse, {key: text}, {"properties": {key: schema["properties"]["label"]}}, "")
+        yield partial(_check_label, option, text)
     for row in rows:  # The label of a surface is refused by itself, not with each of its files.
-        yield partial(refuse, {**row, "label": row["surface"]}, schema, f"{row['path']!r}: ")
+        labelled = {**row, "label": row["surface"]}
+        yield partial(validated, SurfaceRow, labelled, f"{row['path']!r}: ")
     if arguments.forces is not None:
         yield partial(measured_forces, arguments.forces, surfaces, "--forces")
+
+
+def _check_label(option: str, text: str) -> None:
+    try:
+        LABEL.check(text)
+    except ValueError as error:
+        raise ValueError(f"{option}: label: {error}") from None
 
 
 def _plan(
@@ -156,12 +163,11 @@ def _plan(
         first = grids.setdefault(entry.source.surface, entry.grid)
         relief = max(first.relief, entry.relief)
         grids[entry.source.surface] = first._replace(relief=relief)
-    schema = read_yaml("workflow/schemas/config.schema.yaml")
     base = read_yaml("config/config.yaml")
     for keys in (choices, [*choices, *quick]):
         # What is wrong with keys that follow from the name is told of the name.
         others = [choice for choice in keys if choice.key not in ("study", "store")]
-        check_grids(configuration(nested(others, base), schema), grids)
+        check_grids(configuration(nested(others, base)), grids)
     refuse_unreliable(entries)
     return proposal, choices, quick
 

@@ -11,9 +11,9 @@ from pathlib import Path
 import pandas as pd
 
 from hardcontact.commands.request import QUANTITIES, Option, add_quantities, add_reading, options
-from hardcontact.config.configuration import read_yaml, refuse_all
+from hardcontact.config.faults import refuse_all, refuse_lines
+from hardcontact.config.model import Study
 from hardcontact.config.own_spectrum import own_spectrum
-from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
 from hardcontact.insight.closed_form import (
     MANY_POINTS,
@@ -34,7 +34,6 @@ from hardcontact.insight.prediction import (
 )
 from hardcontact.numbers.number import Number, plain
 from hardcontact.numbers.printing import print_length, print_quantity
-from hardcontact.numbers.units import magnitude
 from hardcontact.records.whole_file import whole_file
 
 #: Where nine of ten surfaces like the user's lie, in the words of the help and of a prediction.
@@ -115,7 +114,7 @@ def predict(arguments: Namespace) -> str:
         unit=arguments.unit,
     )
     _, (spectrum, notes, joined) = refuse_all([partial(refuse_lines, faults), reader])
-    tolerance = float(read_yaml("config/config.yaml")["scales"]["tolerance"])
+    tolerance = Study().scales.tolerance
     numbers = prediction(spectrum, contact, tolerance, arguments.file, joined)
     modulus = given["modulus"].number if "modulus" in given else _modulus()
     stated = Number("modulus", modulus, "Pa", status="given" if "modulus" in given else "paper")
@@ -161,13 +160,10 @@ WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv
 
 def _modulus() -> float:
     """Return the effective modulus (Pa) of the paper's bodies."""
-    paper = read_yaml("config/config.yaml")["elastic"]
+    elastic = Study().elastic
     bodies: list[Material] = [
-        {
-            "modulus": magnitude(paper[body]["modulus"], "Pa"),
-            "poisson_ratio": paper[body]["poisson_ratio"],
-        }
-        for body in ("sphere", "substrate")
+        {"modulus": body.modulus, "poisson_ratio": body.poisson_ratio}
+        for body in (elastic.sphere, elastic.substrate)
     ]
     return effective_modulus(*bodies)
 

@@ -17,9 +17,9 @@ from hardcontact.commands.proposed_contact import (
     proposed_contact,
     proposed_tiles,
 )
+from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import CONTACT_PIXELS
 from hardcontact.config.limits import window_images
-from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from hardcontact.adhesion.finite_scan import LARGE_ENOUGH, finite_scan_ratio
+from hardcontact.config.faults import refuse_lines
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
@@ -17,7 +18,6 @@ from hardcontact.config.grids import (
     least_range,
 )
 from hardcontact.config.limits import carrying_pixels, pressed_depth, window_images
-from hardcontact.config.schema import refuse_lines
 from hardcontact.contact.contact import Contact
 from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.printing import print_length, print_quantity

@@ -5,11 +5,11 @@ import re
 from argparse import ArgumentParser, Namespace, RawDescriptionHelpFormatter
 from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, get_args
 
 from hardcontact.config.configuration import at, read_yaml
-from hardcontact.config.schema import refuse, resolved
-from hardcontact.numbers.units import magnitude
+from hardcontact.config.model import STUDY_NAME, ScanKeys, quantity
+from hardcontact.config.selection import TIP_RADIUS
 from hardcontact.records.code import LIBRARY
 
 #: The top folder, whose paths studies are named relative to.
@@ -106,10 +106,9 @@ def parsed(arguments: Sequence[str]) -> Namespace:
 
 def add_reading(parser: ArgumentParser) -> None:
     """Add to a command line what files of scans may not state."""
-    units = read_yaml("workflow/schemas/config.schema.yaml")["properties"]["scan"]["properties"]
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument(
-        "--unit", choices=units["unit"]["enum"], default="none",
+        "--unit", choices=get_args(ScanKeys.model_fields["unit"].annotation), default="none",
         help="unit of length, for the files that do not state it",
     )  # fmt: skip
 
@@ -127,37 +126,32 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
     Tip and modulus are there only if they are given; a faulty quantity has the paper's value.
     """
     paper = read_yaml("config/config.yaml")
-    schema = read_yaml("workflow/schemas/config.schema.yaml")
     usual = {name: at(paper, key) for name, (key, _) in QUANTITIES.items()}
-    accepted = {
-        name: resolved(at(schema, f"properties.{key.replace('.', '.properties.')}"), schema)
-        for name, (key, _) in QUANTITIES.items()
-    }
-    columns = read_yaml("workflow/schemas/surfaces.schema.yaml")["properties"]
-    accepted |= {"tip": columns["tip_radius"]["oneOf"][-1], "modulus": accepted["hardness"]}
-    found, faults = {}, []
-    for name, part in accepted.items():
+    accepted = {name: quantity(key) for name, (key, _) in QUANTITIES.items()}
+    accepted |= {"tip": TIP_RADIUS, "modulus": accepted["hardness"]}
+    quantities, faults = {}, []
+    for name, bounds in accepted.items():
         text = getattr(arguments, name, None)
-        whole, unit = {word: part[word] for word in part if word != "$ref"}, part["unit"]
-        try:
-            refuse({} if text is None else {name: text}, {"properties": {name: whole}}, "--")
-        except ValueError as error:
-            faults.append(str(error))
-            text = None
+        if text is not None:
+            try:
+                bounds.number(text)
+            except ValueError as error:
+                faults.append(f"--{name}: {error}")
+                text = None
         used = usual.get(name) if text is None else text.strip()
         if used is not None:
-            found[name] = Option(used, magnitude(used, unit), unit, text is not None)
-    return found, faults
+            number = bounds.number(used)
+            quantities[name] = Option(used, number, bounds.unit, text is not None)
+    return quantities, faults
 
 
 def name_faults(name: str, overwrite: bool) -> Iterator[str]:
     """Yield what is wrong with the name of a study, whose files may be overwritten, a line each."""
-    schema = read_yaml("workflow/schemas/config.schema.yaml")["properties"]["study"]
     try:
         # The quick study beside it must have a name, too.
-        refuse({"NAME": f"{name}{QUICK_NAME}"}, {"properties": {"NAME": schema}}, "")
+        STUDY_NAME.check(f"{name}{QUICK_NAME}")
     except ValueError:
-        expected = schema["expects"].replace("100", str(100 - len(QUICK_NAME)))
+        expected = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_NAME)))
         yield f"NAME: expected {expected}, no blanks, found {name!r}"
         return
     if name.endswith(QUICK_NAME):

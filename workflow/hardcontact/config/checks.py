@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from hardcontact.config.configuration import NONE, PAPER, SMOOTH, Limit, at, refuse_all, unmet
+from hardcontact.config.configuration import at
+from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
 from hardcontact.config.grids import MAP_PIXELS, PIXEL_SIZES, Grid, alike
 from hardcontact.config.limits import check_grids
+from hardcontact.config.model import NONE, PAPER, SMOOTH
 from hardcontact.config.patterns import PUBLISHED
-from hardcontact.config.schema import refuse_lines
 from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
 from hardcontact.records import published

@@ -1,27 +1,17 @@
-"""The configuration of a study: read, checked against its schema, quantities made numbers.
+"""What a study makes of its configuration: its targets, its pages, its contacts in words."""
 
-Which targets and pages a study has, how all faults of the user's input are told at once (one line
-each: the key, what was expected, what was found), and what contacts are computed for, in words.
-"""
-
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Mapping
 from functools import reduce
 from operator import getitem
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import yaml
 
-from hardcontact.config.schema import Schema, plain, refuse, refuse_lines, resolved
-from hardcontact.numbers.units import magnitude, printed
+from hardcontact.config.faults import plain
+from hardcontact.config.model import NONE, PAPER, Study
+from hardcontact.numbers.units import printed
 from hardcontact.records.code import LIBRARY
-
-#: Value of the key `published` in a study that is compared with the paper.
-PAPER = "paper"
-#: What stands for a table that the study does not have.
-NONE = "none"
-#: Value of the key `sphere.surface` of a sphere without roughness.
-SMOOTH = "smooth"
 
 #: Targets of a study that is compared with the paper.
 OF_PAPER = (
@@ -125,33 +115,9 @@ def refuse_repeated_keys(path: str | Path) -> None:
             pending.append((f"{name}.", value))
 
 
-def configuration(config: Any, schema: Schema, where: str = "config key ") -> dict[str, Any]:
-    """Return a configuration, as read from YAML, with every quantity as a number.
-
-    Lengths are in nm, forces in N, pressures in Pa, as its JSON schema names them. A key that is
-    unknown, missing or of the wrong type, unit or size is a ValueError in one line that begins with
-    `where`.
-    """
-    refuse(config, schema, where)
-    numbers: dict[str, Any] = _numbers(config, schema, schema)
-    return numbers
-
-
 def at(tree: Mapping[str, Any], key: str) -> Any:
     """Return what a tree of keys has at one, with dots between its parts."""
     return reduce(getitem, key.split("."), tree)
-
-
-def _numbers(value: Any, schema: Schema, root: Schema) -> Any:
-    """Return the part of a configuration below one place of its schema, quantities as numbers."""
-    schema = resolved(schema, root)
-    if "unit" in schema:
-        return magnitude(value, schema["unit"])
-    if isinstance(value, dict) and "properties" in schema:
-        return {key: _numbers(item, schema["properties"][key], root) for key, item in value.items()}
-    if isinstance(value, list) and "items" in schema:
-        return [_numbers(item, schema["items"], root) for item in value]
-    return value
 
 
 def made(configuration: Mapping[str, Any]) -> list[str]:
@@ -171,43 +137,11 @@ def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     """Return what contacts are computed for: the surface of the sphere, QUANTITIES as printed."""
-    quantities = {name: printed(at(config, key)) for name, (key, _) in QUANTITIES.items()}
+    quantities = {name: printed(at(config, key), unit) for name, (key, unit) in QUANTITIES.items()}
     return {"sphere": str(config["sphere"]["surface"])} | quantities
 
 
-def of_paper(config: Mapping[str, Any], paper: Mapping[str, Any]) -> list[str]:
+def of_paper(config: Mapping[str, Any]) -> list[str]:
     """Return which of QUANTITIES, by name, are those of the paper, a ruby sphere on diamond."""
-    return [
-        name
-        for name, (key, unit) in QUANTITIES.items()
-        if magnitude(at(config, key), unit) == magnitude(at(paper, key), unit)
-    ]
-
-
-class Limit(NamedTuple):
-    """What is expected of a key, or of several with "and" between them, and found, in words."""
-
-    holds: bool
-    key: str
-    expected: object
-    found: object
-
-
-def unmet(limits: Iterable[Limit]) -> Iterator[str]:
-    """Yield a line for each limit that does not hold."""
-    for holds, key, expected, found in limits:
-        if not holds:
-            keys = "keys" if " and " in key else "key"
-            yield f"config {keys} {key}: expected {expected}, found {found}"
-
-
-def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
-    """Carry out all checks; return what they return, or raise a ValueError of each fault once."""
-    results, faults = [], list[str]()
-    for one in checks:
-        try:
-            results.append(one())
-        except ValueError as error:
-            faults += str(error).splitlines()
-    refuse_lines(dict.fromkeys(faults))
-    return results
+    paper = Study().model_dump(warnings=False)
+    return [name for name, (key, _) in QUANTITIES.items() if at(config, key) == at(paper, key)]

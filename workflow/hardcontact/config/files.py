@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
-from hardcontact.numbers.units import magnitude, token
+from hardcontact.numbers.units import token
 from hardcontact.surfaces.scans import Measuring
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -38,8 +38,7 @@ def _grouped(pairs: Iterable[tuple[Key, str]]) -> dict[Key, list[str]]:
 class Files:
     """The files of one study, with its load and its ways to make substitutes, by name.
 
-    Quantities of the configuration are the texts that the user wrote: they stand in paths. Lists
-    are of rows whose fields are wildcards of patterns: `paths` gives the files.
+    Lists are of rows whose fields are wildcards of patterns: `paths` gives the files.
     """
 
     def __init__(
@@ -83,7 +82,7 @@ class Files:
     def measuring(self, surface: str) -> Measuring:
         """Return how the measurements of a surface are read."""
         scan, measured = self._configuration["scan"], self._selection.measured(surface)
-        radius = magnitude(self._configuration["sphere"]["radius"], "nm")
+        radius = self._configuration["sphere"]["radius"]
         return {
             "datasets": [one.dataset for one in measured],
             "tip_radii": [one.tip_radius for one in measured],

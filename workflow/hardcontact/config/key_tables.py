@@ -1,83 +1,103 @@
-"""The tables of `config/README.md`, made from the schemas of the configuration.
+"""The tables of `config/README.md`, made from the models of the configuration.
 
 ``python -m hardcontact.config.key_tables``, in the top folder, writes them between their markers.
 """
 
+import ast
+import inspect
 from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from pathlib import Path
-from typing import Any
+from types import ModuleType
+from typing import Any, Literal, get_args, get_origin
 
-import yaml
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
 
-from hardcontact.config.schema import Schema, resolved
+from hardcontact.config import model, selection
 
 README = Path("config/README.md")
-SCHEMAS = Path("workflow/schemas")
+COLUMNS = ("key", "meaning", "values", "default", "paper", "recomputes")
 #: Lists of more entries are given by their number, first and last entry.
 LIST_LIMIT = 4
+#: Values of keys whose types have no bounds.
+VALUES = {"scans": "`all` or a list: 1 to 9999", "quick": "a mapping"}
 
 
-def documented(text: str, keys: Schema, columns: Schema) -> str:
+def documented(text: str) -> str:
     """Return Markdown with its tables made anew: of keys, of columns of a table of surfaces.
 
     They stand between the lines ``<!-- NAME: begin -->`` and ``<!-- NAME: end -->``, for the names
     ``keys`` and ``columns``.
     """
-    text = _inserted(text, "keys", "\n\n".join(_sections(keys)))
-    cells = [
-        (f"`{name}`", part["description"], _values(part))
-        for name, part in columns["properties"].items()
+    text = _inserted(text, "keys", "\n\n".join(_sections()))
+    meanings = _meanings(selection)
+    rows = [
+        (f"`{name}`", meanings["SurfaceRow", name], _values(field))
+        for name, field in selection.SurfaceRow.model_fields.items()
     ]
-    return _inserted(text, "columns", _table(("column", "content", "values"), cells))
+    return _inserted(text, "columns", _table(("column", "content", "values"), rows))
 
 
 def _inserted(text: str, name: str, lines: str) -> str:
     begin, end = f"<!-- {name}: begin -->\n", f"<!-- {name}: end -->\n"
-    before, _, rest = text.partition(begin)
-    return f"{before}{begin}\n{lines}\n\n{end}{rest.partition(end)[2]}"
+    before, _, after = text.partition(begin)
+    return f"{before}{begin}\n{lines}\n\n{end}{after.partition(end)[2]}"
 
 
-def _sections(schema: Schema) -> Iterator[str]:
-    """Give heading, text and table of the keys at the top, and of each group of keys below."""
-    parts = schema["properties"].items()
-    at_top = {key: part for key, part in parts if "properties" not in part}
-    groups = {f"{key}.": part for key, part in parts if "properties" in part}
-    for prefix, group in {"": {"title": "The study", "properties": at_top}, **groups}.items():
-        columns = ("key", "meaning", "values", "default", "paper", "recomputes")
-        cells = [_cells(name, part) for name, part in _keys(group, prefix, schema)]
-        yield f"### {group['title']}"
-        yield _table(columns, cells)
-        if "description" in group:
-            yield group["description"]
+def _meanings(module: ModuleType) -> dict[tuple[str, str], str]:
+    """Return the string below each field of the models of a module, by their names."""
+    return {
+        (part.name, field.target.id): " ".join(str(string.value.value).split())
+        for part in ast.parse(inspect.getsource(module)).body
+        if isinstance(part, ast.ClassDef)
+        for field, string in pairwise(part.body)
+        if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
+        if isinstance(string, ast.Expr) and isinstance(string.value, ast.Constant)
+    }
 
 
-def _keys(group: Schema, prefix: str, root: Schema) -> Iterator[tuple[str, Schema]]:
-    """Give the full name and the schema of every key of a group, without references."""
-    for name, part in group["properties"].items():
-        if "properties" in part:
-            yield from _keys(part, f"{prefix}{name}.", root)
-        else:
-            yield f"{prefix}{name}", _without_references(part, root)
+def _sections() -> Iterator[str]:
+    """Yield heading, table and text of the keys at the top, and of each section of keys."""
+    meanings = _meanings(model)
+    sections: dict[str, type[BaseModel]] = {"": model.Study, **_subsections(model.Study)}
+    for prefix, section in sections.items():
+        heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
+        yield f"### {heading.rstrip('.')}"
+        rows = [_cells(*row, meanings) for row in _keys(prefix, section, nested=bool(prefix))]
+        yield _table(COLUMNS, rows)
+        yield from (" ".join(text.split()) for text in texts)
 
 
-def _without_references(schema: Schema, root: Schema) -> Schema:
-    whole = {**resolved(schema, root)}
-    if "items" in whole:
-        whole["items"] = _without_references(whole["items"], root)
-    if "oneOf" in whole:
-        whole["oneOf"] = [_without_references(choice, root) for choice in whole["oneOf"]]
-    return whole
+def _subsections(section: type[BaseModel]) -> dict[str, type[BaseModel]]:
+    """Return the sections of a section, by their names with a dot."""
+    parts = {f"{name}.": field.annotation for name, field in section.model_fields.items()}
+    return {
+        name: part
+        for name, part in parts.items()
+        if isinstance(part, type) and issubclass(part, BaseModel)
+    }
 
 
-def _cells(name: str, schema: Schema) -> tuple[str, ...]:
-    return (
-        f"`{name}`",
-        schema["description"],
-        _values(schema),
-        _default(schema["default"]),
-        schema.get("paper", ""),
-        schema["recomputes"],
-    )
+def _keys(
+    prefix: str, section: type[BaseModel], *, nested: bool
+) -> Iterator[tuple[str, str, str, FieldInfo]]:
+    """Yield full name, model, name and field of the keys of a section, of all levels if nested."""
+    subsections = _subsections(section)
+    for name, field in section.model_fields.items():
+        if f"{name}." not in subsections:
+            yield f"{prefix}{name}", section.__name__, name, field
+        elif nested:
+            yield from _keys(f"{prefix}{name}.", subsections[f"{name}."], nested=True)
+
+
+def _cells(
+    key: str, owner: str, name: str, field: FieldInfo, meanings: dict[tuple[str, str], str]
+) -> tuple[str, ...]:
+    about: Any = field.json_schema_extra
+    values = VALUES.get(key) or _values(field)
+    default = _default(field.default)
+    return f"`{key}`", meanings[owner, name], values, default, about["paper"], about["recomputes"]
 
 
 def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -85,29 +105,26 @@ def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     return "\n".join(f"| {' | '.join(cells)} |" for cells in lines)
 
 
-def _values(schema: Schema) -> str:
-    """Return which values a key may have, with their unit."""
-    if choices := _choices(schema):
-        return " or ".join(choices)
-    if "unit" in schema:
-        low, high = schema["between"]
-        return f"{low:g} to {high:g} {schema['unit']}"
-    if "minimum" in schema:
-        multiple = f", a multiple of {schema['multipleOf']}" if "multipleOf" in schema else ""
-        most = f"to {schema['maximum']}" if "maximum" in schema else "or more"
-        return f"{schema['minimum']} {most}{multiple}"
-    if schema["type"] == "array":
-        return f"a list: {_values(schema['items'])}"
-    return str(schema["title"] if "title" in schema else schema["expects"])
-
-
-def _choices(schema: Schema) -> list[str]:
-    if "oneOf" in schema:
-        return [_values(choice) for choice in schema["oneOf"] if choice.get("const") != ""]
-    if schema.get("type") == "boolean":
-        return [_code(True), _code(False)]
-    constants = [schema["const"]] if "const" in schema else []
-    return [_code(value) for value in schema.get("enum", constants) if value != ""]
+def _values(field: FieldInfo) -> str:
+    """Return which values a field may have, with their unit."""
+    for part in field.metadata:
+        if isinstance(part, model.Quantity | model.Matching):
+            return part.expects
+    kind: Any = field.annotation
+    if get_origin(kind) is Literal:
+        return " or ".join(_code(value) for value in get_args(kind) if value)
+    if get_origin(kind) is list:
+        return f"a list: {_values(FieldInfo.from_annotation(get_args(kind)[0]))}"
+    if kind is bool:
+        return "`true` or `false`"
+    limits = {
+        name: getattr(part, name)
+        for part in field.metadata
+        for name in ("ge", "le", "multiple_of")
+        if hasattr(part, name)
+    }
+    multiple = f", a multiple of {limits['multiple_of']}" if "multiple_of" in limits else ""
+    return f"{limits['ge']} to {limits['le']}{multiple}"
 
 
 def _default(value: Any) -> str:
@@ -120,14 +137,5 @@ def _code(value: Any) -> str:
     return f"`{str(value).lower() if isinstance(value, bool) else value}`"
 
 
-def main() -> None:
-    """Write the tables of the documentation, in the top folder."""
-    keys, columns = (
-        yaml.safe_load((SCHEMAS / f"{name}.schema.yaml").read_text("utf-8"))
-        for name in ("config", "surfaces")
-    )
-    README.write_text(documented(README.read_text("utf-8"), keys, columns), "utf-8")
-
-
 if __name__ == "__main__":
-    main()
+    README.write_text(documented(README.read_text("utf-8")), "utf-8")

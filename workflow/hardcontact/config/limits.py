@@ -13,7 +13,8 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.config.configuration import PAPER, Limit, at, refuse_all, unmet
+from hardcontact.config.configuration import at
+from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
     MAP_PIXELS,
@@ -23,7 +24,7 @@ from hardcontact.config.grids import (
     machine_megabytes,
     refuse_beyond_memory,
 )
-from hardcontact.config.schema import refuse_lines
+from hardcontact.config.model import PAPER
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.smooth_sphere import effective_modulus

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.config.schema import plain, refuse_lines
+from hardcontact.config.faults import plain, refuse_lines
 from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum

@@ -3,12 +3,15 @@
 import os
 import reprlib
 from pathlib import Path
-from typing import Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple
 
 import pandas as pd
+from pydantic import GetCoreSchemaHandler
+from pydantic_core import CoreSchema, core_schema
 
+from hardcontact.config.faults import plain, validated
+from hardcontact.config.model import Keys, Matching, Quantity
 from hardcontact.config.patterns import PUBLISHED
-from hardcontact.config.schema import Schema, plain, refuse
 from hardcontact.config.tables import user_table
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.spectral_models import is_calibrated
@@ -19,6 +22,67 @@ NO_SCAN = 0
 #: The use of scans that contacts are made on; the others only enter the spectrum of their surface.
 CONTACT = "contact"
 HEIGHT_DISTRIBUTION = "resources/spectra/height_distribution.csv"
+
+
+class QuantityText(Quantity):
+    """Text of a quantity within bounds, or none; it stays as it is written."""
+
+    def check(self, text: str) -> str:
+        """Return a text that is a quantity or empty, or raise a ValueError."""
+        if text:
+            self.number(text)
+        return text
+
+    def __get_pydantic_core_schema__(self, _type: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        """Let pydantic check texts."""
+        return core_schema.no_info_after_validator_function(self.check, handler(str))
+
+
+#: The radius of the tip that measured a scan; the tip of a stylus is blunt.
+TIP_RADIUS = QuantityText("nm", 0.1, 1e5)
+LABEL = Matching("[^${}]{1,60}", "a name for figures, up to 60 characters without $, { and }")
+
+
+class SurfaceRow(Keys):
+    """A row of the table of surfaces: one scan."""
+
+    surface: Annotated[
+        str,
+        # pooled is the mean over surfaces, smooth a sphere
+        Matching(
+            "(?!(pooled|smooth)$)[a-z][a-z0-9_]{0,39}",
+            "the id of the surface, up to 40 lower-case letters, digits and underscores, a letter "
+            "first, neither pooled nor smooth",
+        ),
+    ]
+    """Id of the surface, which names it everywhere."""
+    label: Annotated[str, LABEL]
+    """Its name in figures, the same in all rows of a surface."""
+    scan: Annotated[str, Matching("[1-9][0-9]{0,3}", "the number of the scan, 1 to 9999")]
+    """Number of the scan, each once a surface."""
+    source: Literal["measured", "substitute"]
+    """The same in all rows of a surface."""
+    path: Annotated[
+        str,
+        Matching(
+            "[^{}<>]{1,1000}",
+            "the path of a scan, or of the description of a substitute, without {, }, < and >",
+        ),
+    ]
+    """From the top folder; `measured`: the scan's file; `substitute`: the description of the
+    surface (`resources/README.md`), the same in all rows of a surface."""
+    dataset: Annotated[
+        str, Matching(".{0,1000}", "the name of one scan of a container, of a channel, or nothing")
+    ]
+    """Of a contact.engineering container (`.zip`): which of its scans, by name or data file; of any
+    other file the channel, or nothing for the file's own choice."""
+    use: Literal["", "contact", "spectrum"] = ""
+    """Optional; of measured scans: `contact`, height maps on which contacts are made, all of a
+    surface on the same pixels, or `spectrum`, scans of other sizes and line scans, which only enter
+    the spectrum; empty: `contact`."""
+    tip_radius: Annotated[str, TIP_RADIUS] = ""
+    """Optional; radius of the tip that measured the scan, such as `10 nm`; it counts before what
+    the file states."""
 
 
 class Measured(NamedTuple):
@@ -127,18 +191,19 @@ class Selection:
         return is_calibrated(pd.read_csv(self.description(surface)))
 
 
-def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
+def surface_table(path: str | Path) -> pd.DataFrame:
     """Return the table of surfaces, tab-separated, checked for what its rows say of each other.
 
-    One row a scan, indexed by the line of the file; columns as in the schema of a row, `scan` as
-    int. An optional column that the file lacks is empty, an empty `use` is CONTACT. A fault is a
-    ValueError of one line that names the file and the line or the surface.
+    One row a scan, indexed by the line of the file; columns as in `SurfaceRow`, `scan` as int. An
+    optional column that the file lacks is empty, an empty `use` is CONTACT. Raises ValueError with
+    one line a fault, which names the file and the line or the surface.
     """
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
     content = "a table of surfaces"
     _, header, rows = user_table(path, content, form=content, separator="\t")
-    columns, known = schema["required"], schema["properties"]
+    known = SurfaceRow.model_fields
+    columns = [name for name, field in known.items() if field.is_required()]
     once = len(header) == len(set(header))
     if not (rows and once and set(columns) <= set(header) <= set(known)):
         raise ValueError(
@@ -152,7 +217,7 @@ def surface_table(path: str | Path, schema: Schema) -> pd.DataFrame:
                 f"{path}: line {line}: expected {len(header)} cells, separated by tabs, "
                 f"found {len(cells)}"
             )
-        refuse(dict(zip(header, cells, strict=True)), schema, f"{path}: line {line}, ")
+        validated(SurfaceRow, dict(zip(header, cells, strict=True)), f"{path}: line {line}, ")
     table = pd.DataFrame([*rows.values()], columns=header, index=[*rows], dtype=str)
     table = table.reindex(columns=[*known], fill_value="")
     table["scan"] = table["scan"].astype(int)

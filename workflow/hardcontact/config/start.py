@@ -13,13 +13,13 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
-import yaml
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
 from hardcontact.config.checks import check
-from hardcontact.config.configuration import configuration as numbers_of
-from hardcontact.config.configuration import refuse_all, refuse_repeated_keys
+from hardcontact.config.configuration import refuse_repeated_keys
+from hardcontact.config.faults import refuse_all
+from hardcontact.config.model import configuration as numbers_of
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 from hardcontact.records import published
@@ -29,7 +29,6 @@ from hardcontact.records.whole_file import hold, refuse_future
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
-SCHEMAS = LIBRARY.parent / "schemas"
 #: What the study itself says, which a terminal shows beside the stages of a run.
 logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
@@ -85,10 +84,6 @@ def _is_main(workflow: Any) -> bool:
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
 
 
-def _schema(name: str) -> Any:
-    return yaml.safe_load((SCHEMAS / name).read_text("utf-8"))
-
-
 def kept_configuration(config: Mapping[str, Any]) -> str:
     """Return the path of the configuration of a finished study; refuse a changed one, and none.
 
@@ -118,15 +113,14 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
 
     The keys under `quick` are checked even where they are not used.
     """
-    schema = _schema("config.schema.yaml")
     try:
         if _is_main(workflow):
             refuse_all(
                 partial(refuse_repeated_keys, os.path.relpath(path))
                 for path in workflow.configfiles
             )
-        numbers = numbers_of(config, schema)
-        numbers_of(with_effort(config | {"effort": "quick"}), schema, "effort quick: config key ")
+        numbers = numbers_of(config)
+        numbers_of(with_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)
@@ -135,10 +129,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
 def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection:
     """Return the surfaces and scans of the study, or refuse what could only fail later."""
     try:
-        rows = selected_scans(
-            surface_table(configuration["surfaces"], _schema("surfaces.schema.yaml")),
-            configuration["scans"],
-        )
+        rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
         if _is_main(workflow):
             compared = published.pull_off(PUBLISHED["published_pull_off"]).index
             check(configuration, rows, compared)

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import pandas as pd
 
-from hardcontact.config.schema import plain, refuse_lines
+from hardcontact.config.faults import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.spectral_models import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 

@@ -7,7 +7,7 @@ from typing import Any
 from hardcontact.config.patterns import STUDY_VARIANT
 from hardcontact.config.selection import Selection
 from hardcontact.contact.contact import Contact
-from hardcontact.numbers.units import magnitude, printed, token
+from hardcontact.numbers.units import printed, token
 
 OTHER_CURVATURE = {"half_laplacian": "laplacian", "laplacian": "half_laplacian"}
 OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
@@ -79,15 +79,11 @@ class Variant:
 
 
 def study_contact(configuration: Mapping[str, Any]) -> Contact:
-    """Return the contact of the study from the texts of the configuration, such as ``"10 uN"``."""
-    contact = configuration["contact"]
+    """Return the contact of the study."""
     return Contact(
-        radius=magnitude(configuration["sphere"]["radius"], "nm"),
-        preload=magnitude(contact["preload"], "N"),
-        hardness=magnitude(contact["hardness"], "Pa"),
-        window=magnitude(contact["window"], "nm"),
-        count=contact["count"],
-        range=magnitude(configuration["scales"]["range"], "nm"),
+        **configuration["contact"],
+        radius=configuration["sphere"]["radius"],
+        range=configuration["scales"]["range"],
     )
 
 
@@ -100,12 +96,11 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
         SurfaceVariant(STUDY_VARIANT, "as the study", "baseline"),
         SurfaceVariant(curvature, label, "curvature", curvature=curvature),
     ]
-    for value in map(float, heights["skewness"]):
+    for value in heights["skewness"]:
         name, label = f"skewness{value:+g}", f"skewness {value:+g}"
         made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
-    for text in tip["radii"]:
-        name, radius = f"tip-{token(text, 'nm')}", magnitude(text, "nm")
-        label = f"tip of {radius:g} nm"
+    for radius in tip["radii"]:
+        name, label = f"tip-{token(radius, 'nm')}", f"tip of {radius:g} nm"
         made.append(SurfaceVariant(name, label, "tip", tip["surface"], tip_radius=radius))
     return {variant.name: variant for variant in made}
 
@@ -134,12 +129,12 @@ def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Var
     probe = OTHER_PROBE[baseline.probe]
     name, label = f"{probe}_sphere", f"{probe} sphere in Fig. 6"
     made.append(replace(baseline, name=name, label=label, group="sphere", probe=probe))
-    for group, key, unit in (("preload", "preloads", "uN"), ("hardness", "hardnesses", "GPa")):
-        for text in configuration["robustness"][key]:
-            name, label = f"{group}-{token(text, unit)}", f"{group} {printed(text)}"
-            if group == "preload":
-                contact = replace(baseline.contact, preload=magnitude(text, "N"))
-            else:
-                contact = replace(baseline.contact, hardness=magnitude(text, "Pa"))
-            made.append(replace(baseline, name=name, label=label, group=group, contact=contact))
+    for preload in configuration["robustness"]["preloads"]:
+        name, label = f"preload-{token(preload, 'uN')}", f"preload {printed(preload, 'N')}"
+        contact = replace(baseline.contact, preload=preload)
+        made.append(replace(baseline, name=name, label=label, group="preload", contact=contact))
+    for hardness in configuration["robustness"]["hardnesses"]:
+        name, label = f"hardness-{token(hardness, 'GPa')}", f"hardness {printed(hardness, 'Pa')}"
+        contact = replace(baseline.contact, hardness=hardness)
+        made.append(replace(baseline, name=name, label=label, group="hardness", contact=contact))
     return made

@@ -1,68 +1,65 @@
-"""Units: nm, N, J/m² and Pa inside the study; in the configuration any unit of that dimension."""
+"""Units: nm, N, J/m² and Pa inside the study; in files of the user any unit of that dimension."""
 
 import math
 import re
 import reprlib
-from functools import cache
 
-import pint
-
-#: What has each unit, in words, and how users may write it.
+#: What has each unit of the study, in words, and how users may write it.
 QUANTITIES = {
     "nm": "a length with a unit, such as 5.6 nm or 250 um",
     "N": "a force with a unit, such as 10 uN",
     "Pa": "a pressure with a unit, such as 25 GPa",
     "J/m2": "an energy per area with a unit, such as 46.3 mJ/m2",
 }
-
-_registry: pint.UnitRegistry[float] = pint.UnitRegistry(cache_folder=None)
-
-# A number and the name of a unit, and no expression: pint would evaluate 9**9**9 nm.
+#: Powers of ten of the prefixes; both signs of micro are in use.
+PREFIXES = {
+    "f": -15, "p": -12, "n": -9, "u": -6, "µ": -6, "μ": -6, "m": -3, "c": -2, "": 0, "k": 3, "M": 6,
+    "G": 9, "T": 12,
+}  # fmt: skip
+#: Powers of ten of every accepted unit, in the unit of the study of the same dimension.
+POWERS = {
+    "nm": {f"{prefix}m": power + 9 for prefix, power in PREFIXES.items()} | {"Å": -1},
+    "N": {f"{prefix}N": power for prefix, power in PREFIXES.items()} | {"dyn": -5},
+    "Pa": {f"{prefix}Pa": power for prefix, power in PREFIXES.items()} | {"bar": 5, "N/mm2": 6},
+    "J/m2": {
+        f"{prefix}{unit}": power for prefix, power in PREFIXES.items() for unit in ("J/m2", "N/m")
+    }
+    | {"erg/cm2": -3, "dyn/cm": -3},
+}
 _QUANTITY = re.compile(
-    r"\s*([+-]?\d+(?:\.\d*)?(?:[eE][+-]?\d{1,3})?)\s*([A-Za-zµμÅ]{1,20}(?:/[a-z]{1,2}(?:\^?2|²)?)?)\s*"
+    r"\s*([+-]?[0-9]+(?:\.[0-9]*)?(?:[eE][+-]?[0-9]{1,3})?)\s*([A-Za-zµμÅ/]+)(\^?2|²)?\s*"
 )
+#: Prefixes that units are printed with.
+_PRINTED = ("G", "M", "k", "", "m", "µ", "n", "p", "f")
 
 
 def magnitude(text: object, unit: str) -> float:
-    """Return the number of a quantity such as ``"10 uN"`` in a unit such as ``"N"`` or ``"J/m2"``.
+    """Return the number of a quantity such as ``"10 uN"`` in a unit of the study such as ``"N"``.
 
-    It is rounded to twelve digits. A ValueError tells in one line that the quantity is no finite
+    It is rounded to twelve digits. Raises ValueError with one line if the quantity is no finite
     number with a unit of this dimension.
     """
-    value = _magnitude(text, unit) if isinstance(text, str) else math.nan
-    if math.isfinite(value):
-        return value
+    match = _QUANTITY.fullmatch(text) if isinstance(text, str) else None
+    written = f"{match[2]}{'2' if match[3] else ''}" if match else ""
+    if match is not None and written in POWERS[unit]:
+        # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
+        value = float(f"{float(match[1]) * 10.0 ** POWERS[unit][written]:.12g}")
+        if math.isfinite(value):
+            return value
     raise ValueError(f"expected {QUANTITIES[unit]}, found {reprlib.repr(text)}")
 
 
-@cache
-def _magnitude(text: str, unit: str) -> float:
-    """Return the number of a quantity in a unit, NaN of what is none; pint takes its time."""
-    match = _QUANTITY.fullmatch(text)
-    if match is None:
-        return math.nan
-    try:
-        quantity = _registry.Quantity(float(match[1]), _powered(match[2]))
-        # Rounding to twelve digits undoes what the change of unit adds: 25 GPa is 2.5e10 Pa.
-        return float(f"{quantity.m_as(_powered(unit)):.12g}")
-    except (pint.PintError, ValueError, AttributeError):
-        return math.nan  # not a unit, or not of this dimension
+def printed(value: float, unit: str) -> str:
+    """Return a quantity in a unit of the study as it is printed: ``(1e-5, "N")`` is ``"10 µN"``."""
+    name = "m" if unit == "nm" else unit
+    for prefix in _PRINTED:
+        number = float(f"{value / 10.0 ** POWERS[unit][prefix + name]:.12g}")
+        if abs(number) >= 1:
+            break
+    return f"{number:.12g} {prefix}{name.replace('2', '²')}"
 
 
-def printed(text: str) -> str:
-    """Return a quantity as it is printed: ``"250um"`` is ``"250 µm"``."""
-    match = _QUANTITY.fullmatch(text)
-    if match is None:
-        raise ValueError(f"expected a number with a unit, found {reprlib.repr(text)}")
-    unit = re.sub(r"(?<=[a-z])\^?2$", "²", re.sub("^u(?=[mNJ])", "µ", match[2]))
-    return f"{match[1]} {unit}"
-
-
-def _powered(unit: str) -> str:
-    """Return a unit as pint reads it, ``mJ/m**2`` for ``mJ/m2``, ``mJ/m^2`` and ``mJ/m²``."""
-    return re.sub(r"(?<=[a-z])(\^?2|²)$", "**2", unit)
-
-
-def token(text: str, unit: str) -> str:
-    """Return a quantity as it stands in a path: ``"10 uN"`` in ``"uN"`` is ``"10uN"``."""
-    return f"{magnitude(text, unit):.12g}{unit}"
+def token(value: float, unit: str) -> str:
+    """Return a quantity of the study as it stands in a path: ``(1e-5, "uN")`` is ``"10uN"``."""
+    power = next(powers[unit] for powers in POWERS.values() if unit in powers)
+    return f"{value / 10.0**power:.12g}{unit}"
