@@ -131,30 +131,6 @@ from hardcontact.config.model import configuration
             ("insight.ranges", ["0.04 nm", "1 nm"]),
             ["insight.ranges", "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"],
         ),
-        (
-            ("insight.scan_sizes.radii", ["250 um", "20 um"]),
-            ["insight.scan_sizes.radii", "ascending"],
-        ),
-        (
-            ("insight.scan_sizes.sizes", ["20 um"]),
-            ["insight.scan_sizes.sizes", "insight.scan_sizes.size (20000 nm)", "found 20000 nm"],
-        ),
-        (
-            ("insight.scan_sizes.edges.size", "20 um"),
-            ["insight.scan_sizes.edges.size", "more than", "found 20000 nm"],
-        ),
-        (
-            ("insight.scan_sizes.edges.size", "400 um"),
-            ["insight.scan_sizes.edges.size", "16384 of its pixels", "found 400000 nm"],
-        ),
-        (
-            ("insight.scan_sizes.edges.cutoffs", ["39 nm"]),
-            ["insight.scan_sizes.edges.cutoffs", "two pixels (39.06 nm)", "found 39 nm"],
-        ),
-        (
-            ("insight.scan_sizes.edges.cutoffs", ["2 um", "1 um"]),
-            ["insight.scan_sizes.edges.cutoffs", "ascending"],
-        ),
     ],
 )
 def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):

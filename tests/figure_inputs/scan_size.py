@@ -4,8 +4,8 @@ import numpy as np
 import xarray as xr
 
 from figure_inputs.building import bounded, named
-from hardcontact.insight.scan_size_trials import RATIOS
 
+RATIOS = ["draw size / scan size", "roll-off / scan size", "rms height / range"]
 SIZES, RHO, TRIALS = [1250.0, 2500.0, 5000.0], [1.4, 5.6], 5
 #: The last two are whole surfaces.
 EDGE_SIZES, CUTOFFS = [*SIZES, 20e3, 40e3], [500.0, 2000.0]

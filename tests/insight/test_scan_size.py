@@ -1,54 +1,96 @@
-"""Windows of surfaces against the surfaces; rules for the scan size against known ones."""
+"""Sizes of scans: creases by their density, the validation table, and what makes it."""
+
+import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
-from scan_windows import LOAD, RANGES, contacts_on
+import xarray as xr
+from repository import ROOT
 
-from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+sys.path.insert(0, str(ROOT / "tests/benchmarks"))
+
+from scan_windows import Windows, filtered_forces, mean_forces, mirrored_windows, window_forces
+from validate_scan_sizes import (
+    TABLE,
+    Case,
+    ScanSizeRule,
+    correction_errors,
+    fitted_rule,
+    random_spectra,
+    ratio_of_means,
+    window_edges,
+)
+
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import bodies
-from hardcontact.insight.scan_size_trials import Case, ScanSizeRule, correction_errors, fitted_rule
-from hardcontact.insight.scan_windows import window_forces
+from hardcontact.insight.scan_size import crease_shares
+from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.spectrum import all_scales_moments, roll_off
 from hardcontact.surfaces.topography import level, mirror_stitch
 
-WINDOWS = contacts_on(640.0, 2000.0, [320.0, 640.0])
+CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, count=2)
+WINDOWS = Windows([320.0, 640.0], 2, [2.0, 5.0], CONTACT)
+CUTOFFS = [90.0, 180.0, 400.0, 1000.0]
 
 
-def surface(rms):
-    heights = rms * np.random.default_rng(4).standard_normal((64, 64))
-    return HeightMap(heights, 10.0, periodic=True, basis="substitute")
+def periodic(heights):
+    return HeightMap(heights, 20.0, periodic=True, basis="substitute")
 
 
-def mean_force(one):
-    contact = Contact(radius=2000.0, window=640.0, count=2, **LOAD)
-    return mean_pull_off_of_pair(bodies(one, None, contact), [contact], RANGES)[
-        "pull_off_force"
-    ].values[0]
+def random_heights(rms):
+    return rms * np.random.default_rng(5).standard_normal((64, 64))
 
 
-def test_windows_of_a_flat_surface_have_its_force():
-    forces = window_forces(surface(0.0), WINDOWS)
-    assert len(forces) == 3  # of two sizes of windows and of the surface
-    np.testing.assert_allclose(forces, np.broadcast_to(forces[-1:], forces.shape))
+def test_touching_places_are_as_far_from_the_apex_as_their_density_says():
+    """They are as dense as exp(-t r²/2Rσ): their rms distance is the draw length."""
+    height, approach, radius, shape = 50.0, 150.0, 250e3, (1, 3, 2000)
+    squared = np.random.default_rng(1).exponential(2 * radius * height**2 / approach, shape)
+    of_contact = {
+        "crease_force": np.broadcast_to([[[0.1], [0.3], [0.8]]], shape),
+        "crease_contact": np.zeros(shape),
+        "contact_distance": squared**0.5,
+        "closest_approach": np.full(shape, approach),
+    }
+    of_scan = {"crease_area": 0.15, "rms_height": height}
+    axes = ("surface", "scan", "contact")
+    asperities = xr.Dataset(
+        {name: (axes, values) for name, values in of_contact.items()}
+        | {name: (axes[:2], [[value] * 3]) for name, value in of_scan.items()},
+        attrs={"sphere_radius": radius},
+    ).expand_dims(rho=[1.0, 5.6])
+    creases = crease_shares(asperities, 5.6, 0.95).squeeze("surface")
+    assert creases.crease_force == pytest.approx(0.4)
+    assert creases.crease_force_interval.values == pytest.approx([0, 1])  # of three scans
+    assert creases.contact_distance == pytest.approx(creases.draw_length.item(), rel=0.03)
 
 
-def test_windows_are_cut_along_the_diagonal_levelled_and_mirrored():
-    whole = surface(3.0)
-    windows = [
-        HeightMap(whole.heights[part, part], 10.0, periodic=False, basis="substitute")
-        for part in (slice(0, 32), slice(32, 64))
-    ]
-    expected = np.mean([mean_force(mirror_stitch(level(one))) for one in windows], axis=0)
-    forces = window_forces(whole, WINDOWS)
-    np.testing.assert_allclose(forces[0], expected)
-    np.testing.assert_allclose(forces[-1], mean_force(whole))
+def test_the_table_holds_what_its_rule_predicts():
+    table = dataset.read(TABLE)
+    rule = ScanSizeRule(table["strength"].item(), table["exponent"].values)
+    for surface in table["surface"].values:
+        row = table.sel(surface=surface)
+        lengths = (row[name].item() for name in ("rms_height", "roll_off", "radius"))
+        case = Case(row["scan_size"].values[:, None], *lengths, row["rho"].values)
+        np.testing.assert_allclose(row["predicted_excess"], rule.excess(case))
+        at_needed = case._replace(size=row["size_needed"].values)
+        np.testing.assert_allclose(rule.excess(at_needed), table.attrs["allowed_excess"])
+    for tested, name in (("surfaces", "excess"), ("random surfaces", "known_excess")):
+        left = np.log(table[name] / table[f"predicted_{name}"])
+        error = table["error"].sel(tested=tested, kind="corrected")
+        np.testing.assert_allclose(error, np.sqrt((left**2).mean()))
 
 
-TRUE = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
+def test_a_rule_is_found_again_and_corrects_surfaces_it_was_not_fitted_to():
+    true = ScanSizeRule(0.4, np.array([1.2, 0.5, 0.3]))
+    known, others = random_cases(1), random_cases(2)
+    rule = fitted_rule(known, true.excess(known))
+    np.testing.assert_allclose([rule.strength, *rule.exponents], [0.4, 1.2, 0.5, 0.3], atol=1e-3)
+    corrected, uncorrected = correction_errors(rule.excess(others), true.excess(others))
+    assert corrected < 1e-3 * uncorrected
 
 
-def cases(seed, count=40):
+def random_cases(seed, count=40):
     rng = np.random.default_rng(seed)
     return Case(
         rng.uniform(1000, 10e3, count),
@@ -59,31 +101,89 @@ def cases(seed, count=40):
     )
 
 
-def test_rule_is_found_again_and_corrects_surfaces_it_was_not_fitted_to():
-    known, others = cases(1), cases(2)
-    rule = fitted_rule(known, TRUE.excess(known))
-    assert rule.strength == pytest.approx(TRUE.strength, rel=1e-3)
-    np.testing.assert_allclose(rule.exponents, TRUE.exponents, atol=1e-3)
-    corrected, uncorrected = correction_errors(rule.excess(others), TRUE.excess(others))
-    assert corrected < 1e-3 * uncorrected
+def test_random_spectra_lie_within_their_bounds():
+    spectra = random_spectra(np.random.default_rng(1), 6)
+    heights = [all_scales_moments(spectrum)[0] for spectrum in spectra]
+    roll_offs = [roll_off(spectrum) for spectrum in spectra]
+    assert min(heights) > 1.99 and max(heights) < 121 and len(set(heights)) == 6
+    # The table of a spectrum has forty points a decade.
+    assert min(roll_offs) > 280 and max(roll_offs) < 4300
 
 
-def test_rule_of_noise_does_not_correct():
-    rng = np.random.default_rng(9)
-    known, others = cases(1), cases(2)
-    rule = fitted_rule(known, np.exp(0.3 * rng.standard_normal(40)))
-    noise = np.exp(0.3 * rng.standard_normal(40))
-    corrected, uncorrected = correction_errors(rule.excess(others), noise)
-    assert corrected > 0.9 * uncorrected
+def test_windows_of_a_flat_surface_have_its_force():
+    forces = window_forces(periodic(np.zeros((64, 64))), WINDOWS)
+    np.testing.assert_allclose(forces, np.broadcast_to(forces[-1:], (3, 2)))
 
 
-def test_size_for_an_excess_has_that_excess():
-    case = cases(3)
-    size = TRUE.size_for(case, 1.1)
-    np.testing.assert_allclose(TRUE.excess(case._replace(size=size)), 1.1)
+def test_windows_are_cut_along_the_diagonal_levelled_and_mirrored():
+    heights = random_heights(3.0)
+    scans = [
+        HeightMap(heights[part, part], 20.0, periodic=False, basis="substitute")
+        for part in (slice(0, 16), slice(32, 48))
+    ]
+    expected = [mean_forces(mirror_stitch(level(scan)), WINDOWS) for scan in scans]
+    forces = window_forces(periodic(heights), WINDOWS)
+    np.testing.assert_allclose(forces[0], np.mean(expected, axis=0))
 
 
-def test_rule_needs_four_scans():
-    few = Case([1e3, 2e3], 10.0, 900.0, 250e3, 5.6)
-    with pytest.raises(ValueError, match="four scans or more"):
-        fitted_rule(few, [2.0, 1.5])
+def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface():
+    """A surface made of mirror images of one window has no wave that this window lacks."""
+    heights = np.random.default_rng(2).normal(0, 4, (16, 16))
+    scan = HeightMap(heights, 20.0, periodic=False, basis="substitute")
+    whole = periodic(np.tile(mirror_stitch(level(scan)).heights, (2, 2)))
+    (window,) = mirrored_windows(whole, 320.0, 1)
+    on_window = filtered_forces(window, CUTOFFS, WINDOWS)
+    on_whole = filtered_forces(whole, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, count=4)))
+    np.testing.assert_allclose(on_window[:-1], on_whole[:-1], rtol=1e-5)
+    assert np.isnan(on_window[-1]) and on_whole[-1] == pytest.approx(1, abs=1e-6)
+
+
+def test_cutoffs_above_a_single_wave_keep_the_force_and_those_below_that_of_a_flat_surface():
+    wave = 4 * np.cos(2 * np.pi * np.arange(64) / 16)  # of 320 nm
+    surface, flat = periodic(wave[:, None] + wave), periodic(np.zeros((64, 64)))
+    forces = filtered_forces(surface, CUTOFFS, WINDOWS)
+    without = mean_forces(flat, WINDOWS)[0] / mean_forces(surface, WINDOWS)[0]
+    assert abs(np.log(without)) > 0.3
+    np.testing.assert_allclose(forces[1:], [without, without, 1, 1], rtol=1e-5)
+
+
+def test_the_ratio_is_that_of_a_surface_less_its_long_waves():
+    heights = random_heights(3.0)
+    order = np.fft.fftfreq(64, 1 / 64)
+    transform = np.fft.fft2(heights)
+    transform[np.hypot(order[:, None], order) <= 1280 / 400] = 0
+    short_waves = periodic(np.fft.ifft2(transform).real)
+    force, ratio = filtered_forces(periodic(heights), [400.0], WINDOWS)
+    assert ratio * force == pytest.approx(mean_forces(short_waves, WINDOWS)[0], rel=1e-5)
+
+
+def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
+    ratios = [[1.5, 1.0, np.nan], [1.5, 1.2, np.nan], [2.0, 1.21, 1.0]]
+    forces = xr.Dataset(
+        {
+            "ratio": (("realization", "edge_size", "cutoff_wavelength"), [ratios, ratios]),
+            "pull_off_force": (("realization", "edge_size"), [[2.0, 3.0, 1.0]] * 2),
+            "period": ("edge_size", [1000.0, 1000.0, 8000.0]),
+            "mirrored": ("edge_size", [1, 1, 0]),
+        },
+        {"edge_size": [500.0, 501.0, 8000.0], "cutoff_wavelength": [250.0, 1000.0, 4000.0]},
+    )
+    edges = window_edges({"one": forces}).isel(surface=0)
+    # Linear in ln(ratio) over ln(wavelength): of four, four octaves away, and half of two.
+    share = np.log(1.1) / np.log(1.5)
+    assert edges["long_edge"].values[0] == pytest.approx(1000 * 0.25**share)
+    assert edges["long_edge"].values[2] == pytest.approx(2000, rel=1e-3)
+    assert np.isnan(edges["long_edge"][1]) and edges["long_edge_bound"][1] == 1000
+    assert edges["long_edge_status"][1] == "beyond the cell" and edges["long_edge_at_least"][1]
+    assert edges["force_over_largest"].values.tolist() == [2.0, 3.0, 1.0]
+
+
+def test_the_ratio_of_means_has_the_interval_of_single_ratios():
+    forces = xr.DataArray([[2.0, 3.0], [8.0, 3.0]], dims=("realization", "edge_size"))
+    reference = xr.DataArray([1.0, 1.0], dims="realization")
+    ratio, interval = ratio_of_means(forces, reference)
+    assert ratio.values.tolist() == [5.0, 3.0]
+    # The logarithms of 2 and 8 have a standard error of ln 2: 12.7 of them on either side.
+    about = np.array([-1, 1]) * 12.706 * np.log(2)
+    assert np.log(interval[0] / 5).values == pytest.approx(about, rel=1e-4)
+    assert interval[1].values == pytest.approx([3.0, 3.0])

@@ -224,8 +224,7 @@ def overlay(key, value):
     ("key", "value", "concerned"),
     [
         ("scales.tolerance", 0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
-                                   "compare_closed_form", "compare_laws", "scale_edges",
-                                   "try_scan_sizes"}),
+                                   "compare_closed_form", "compare_laws", "scale_edges"}),
         ("inference.force_floor", "20 nN", {"infer", "judge_sets"}),
         ("insight.mean_error", 0.1, {"compare_statistics"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),

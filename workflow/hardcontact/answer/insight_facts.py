@@ -188,6 +188,7 @@ def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:
         "size": number_of(on_scans(scan_size), "edge_size", "nm"),
         "whole": number_of(scan_size.isel(edge_size=-1), "edge_size", "nm"),
         "range": Number("range", scan_size.attrs["rho"], "nm"),
+        "sphere": Number("sphere", scan_size.attrs["sphere_radius"], "nm"),
         "smaller": number_of(scan_size.isel(edge_size=-2), "edge_size", "nm"),
         "allowed": percent(Number("allowed", allowed)),
         "needed": span("needed", at_range["size_needed"].values, "nm"),

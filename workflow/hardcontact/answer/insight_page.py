@@ -45,8 +45,11 @@ def insight_page(
     are as from `published.constants`, the scans have `pixels` along an edge.
     """
     of_surfaces = [one for one in (band, *datasets.values()) if "surface" in one.dims]
-    rows = (row for one in of_surfaces for row, _ in surfaces(one))
-    bases = {row["surface"]: row["basis"] for row in rows}
+    bases: dict[Any, Any] = {}
+    for dataset in of_surfaces:
+        for row, _ in surfaces(dataset):
+            # The first is the band, which knows the study's own scans; a validation table does not.
+            bases.setdefault(row["surface"], row["basis"])
     return rendered(
         "insight.html",
         coarse=pixels < constants["value"]["scan_pixels"],

@@ -12,7 +12,7 @@ import pandas as pd
 
 from hardcontact.config.configuration import at
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
-from hardcontact.config.grids import MAP_PIXELS, PIXEL_SIZES, Grid, alike
+from hardcontact.config.grids import PIXEL_SIZES, Grid, alike
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, PAPER, SMOOTH
 from hardcontact.config.patterns import PUBLISHED
@@ -44,7 +44,6 @@ ASCENDING = {
         ),
         "insight.sizes",
         *(f"insight.scaling.{name}" for name in ("radii", "ranges")),
-        *(f"insight.scan_sizes.{name}" for name in ("radii", "ranges", "sizes", "edges.cutoffs")),
         "robustness.tip.radii",
     ),
     "N": ("insight.scaling.preloads", "indent.preloads", "robustness.preloads"),
@@ -67,7 +66,6 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
     limits = chain(
         _of_sphere(config, contacts),
         _ascending(config),
-        _of_scan_sizes(config),
         _of_effort_and_names(config),
     )
     checks: list[Callable[[], object]] = [partial(refuse_lines, unmet(limits))]
@@ -110,24 +108,6 @@ def _ascending(config: dict[str, Any]) -> Iterator[Limit]:
                     found = f"{larger:.12g} {unit} after {smaller:.12g} {unit}"
                     yield Limit(False, key, "ascending values", found)
                     break
-
-
-def _of_scan_sizes(config: dict[str, Any]) -> Iterator[Limit]:
-    """Give the limits of windows, smaller than their surfaces, and of larger whole surfaces."""
-    given = config["insight"]["scan_sizes"]
-    size, whole, window = given["size"], given["edges"]["size"], max(given["sizes"])
-    pixel_size = size / given["pixels"]
-    largest, key = MAP_PIXELS * pixel_size, "insight.scan_sizes"
-    of_size = f"{key}.size ({size:.6g} nm)"
-    yield Limit(window < size, f"{key}.sizes", f"less than {of_size}", f"{window:.6g} nm")
-    more = f"more than {of_size} and at most {MAP_PIXELS} of its pixels ({largest:.6g} nm)"
-    fits = size < whole <= largest
-    yield Limit(fits, f"{key}.edges.size", more, f"{whole:.6g} nm")
-    for cutoff in given["edges"]["cutoffs"]:
-        if fits and not 2 * pixel_size * (1 + 1e-9) < cutoff <= size:
-            within = f"more than two pixels ({2 * pixel_size:.4g} nm) and at most {of_size}"
-            yield Limit(False, f"{key}.edges.cutoffs", within, f"{cutoff:.6g} nm")
-            break
 
 
 def _of_effort_and_names(config: dict[str, Any]) -> Iterator[Limit]:

@@ -598,48 +598,6 @@ class ScalingKeys(Keys):
     large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
 
 
-class ScanSizeEdgeKeys(Keys):
-    """The long edge of the band from windows."""
-
-    size: Length = key("40 um", "filtered windows, and `scan_size.nc`")
-    """Edge of the larger whole surfaces, which windows of filtered roughness are cut out of."""
-    realizations: Realizations = key(7, "filtered windows, and `scan_size.nc`")
-    """Such surfaces of each substrate."""
-    windows: Annotated[int, Field(ge=1, le=100)] = key(3, "filtered windows, and `scan_size.nc`")
-    """Windows of every size on each of them."""
-    cutoffs: Lengths = key(
-        nm(300, 450, 650, 850, 1000, 1200, 1400, 1700, 2000, 2500, 3500, 5000, 10000),
-        "filtered windows, and `scan_size.nc`",
-    )
-    """Long-wavelength cutoffs, ascending."""
-
-
-class ScanSizeKeys(Keys):
-    """Windows that are cut out of random surfaces."""
-
-    size: Length = key("20 um", "`scan_size.nc`")
-    """Edge of the random surfaces that windows are cut out of."""
-    pixels: Pixels = key(1024, "`scan_size.nc`")
-    """Pixels along an edge of these surfaces."""
-    realizations: Realizations = key(3, "`scan_size.nc`")
-    """Surfaces of each spectrum."""
-    spectra: Annotated[int, Field(ge=6, le=1000)] = key(24, "`scan_size.nc`")
-    """Random spectra that the rule for the size of scans is fitted to."""
-    radii: Radii = key(["20 um", "62.5 um", "250 um"], "`scan_size.nc`")
-    """Radii of the spheres on these, in turn, ascending."""
-    sizes: Lengths = key(["1250 nm", "2500 nm", "5000 nm", "10000 nm"], "`scan_size.nc`")
-    """Edges of the windows, ascending, below the edge of the surfaces."""
-    windows: Annotated[int, Field(ge=1, le=100)] = key(2, "`scan_size.nc`")
-    """Windows of every size on a surface."""
-    ranges: Ranges = key(["1.4 nm", "2.8 nm", "5.6 nm", "11.2 nm"], "`scan_size.nc`")
-    """Ranges of adhesion, ascending."""
-    count: Count = key(10, "`scan_size.nc`")
-    """Contacts along an edge of the array."""
-    excess: Annotated[float, Field(ge=1.001, le=10)] = key(1.1, "`scan_size.nc`")
-    """Factor of the force that a scan may add, for the size that is needed."""
-    edges: ScanSizeEdgeKeys = ScanSizeEdgeKeys()
-
-
 class InsightKeys(Keys):
     """Insight.
 
@@ -673,7 +631,6 @@ class InsightKeys(Keys):
     small: LawSmallScaleKeys = LawSmallScaleKeys()
     large: LawLargeScaleKeys = LawLargeScaleKeys()
     scaling: ScalingKeys = ScalingKeys()
-    scan_sizes: ScanSizeKeys = ScanSizeKeys()
 
 
 class Study(Keys):

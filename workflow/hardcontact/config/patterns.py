@@ -50,7 +50,6 @@ class Patterns:
         self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
         at_range = of_surface.replace("{surface}", "{range}/{surface}")
         self.pull_off = f"{store}/pull_off/{at_range}/scan-{{scan}}.nc"
-        self.filtered_windows = f"{store}/filtered_windows/{at_range}/forces.nc"
         self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
         of_scan = f"{store}/laws/{of_surface}/scan-{{scan}}"
         self.law_scan, self.law_small, self.law_large = (

@@ -1,0 +1,348 @@
+"""How large a scan must be for its force and its long edge of the band: scan_size.nc.
+
+    nice python tests/benchmarks/validate_scan_sizes.py [--table FILE] [--processes 2]
+
+A contact finds its peaks within some 2 sqrt(2 R sigma) of each other. A smaller scan, mirrored, has
+fewer peaks, so that the sphere misses the highest of them. How much that counts may depend on this
+draw size and on the roll-off, both over the size of the scan, and on the heights over the range of
+adhesion. The rule is a power law of these three ratios. It is fitted to random self-affine
+surfaces, which differ in rms height, roll-off, Hurst exponent and sphere, and tested on the
+substitutes of the paper's surfaces, which it was not fitted to.
+
+Mirrored windows also have a long edge of the band, beside that of whole random surfaces. A window
+has no waves longer than its period. Where a window's force changes as soon as its longest waves go,
+the edge is open, and at least so long.
+
+All settings are those of the paper's study. resources/validation/README.md describes the table.
+"""
+
+import argparse
+from collections.abc import Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, replace
+from itertools import cycle, islice, repeat
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from numpy.typing import ArrayLike
+from scan_windows import WindowFilters, Windows, filtered_window_forces, window_forces
+
+from hardcontact.contact.contact import Contact
+from hardcontact.numbers.random import generator
+from hardcontact.numbers.statistics import student_log_interval
+from hardcontact.own_surfaces.open_edges import edges_of_curves
+from hardcontact.records import dataset, published
+from hardcontact.records.dataset import stack
+from hardcontact.scales.critical_band import logarithmic_limits
+from hardcontact.surfaces.calibration import rows_of_surface
+from hardcontact.surfaces.spectral_models import self_affine
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Floats,
+    Spectrum,
+    all_scales_moments,
+    roll_off,
+    spectrum_from,
+)
+from hardcontact.surfaces.substitute_spectra import substitute_spectrum
+from hardcontact.surfaces.synthesis import random_surface
+
+RESOURCES = Path(__file__).parents[2] / "resources"
+TABLE = RESOURCES / "validation/scan_size.nc"
+#: Substitutes that the rule is tested on.
+SURFACES = {"polished_uncd": "polished UNCD", "uncd": "UNCD", "ncd": "NCD", "mcd": "MCD"}
+SEED, CONFIDENCE, TOLERANCE = 2021, 0.95, 0.1
+#: Factor of the force that a scan may add, for the size that is needed.
+ALLOWED_EXCESS = 1.1
+#: Range of adhesion (nm) of the long edges.
+RANGE = 5.6
+#: Rms heights and roll-offs (nm) and Hurst exponents between which random spectra are drawn.
+RMS_HEIGHTS, ROLL_OFFS, HURST = (2.0, 120.0), (300.0, 4000.0), (0.5, 1.2)
+#: The ratios that the rule is a power law of.
+RATIOS = ["draw size / scan size", "roll-off / scan size", "rms height / range"]
+
+
+@dataclass(frozen=True)
+class Trials:
+    """Surfaces that the rule is fitted to and tested on; lengths in nm."""
+
+    size: float = 20e3  #: Edge of a surface.
+    pixels: int = 1024  #: Along an edge of a surface.
+    realizations: int = 3  #: Surfaces of each spectrum.
+    spectra: int = 24  #: Random spectra that the rule is fitted to.
+    radii: tuple[float, ...] = (20e3, 62.5e3, 250e3)  #: Of the spheres on these, in turn.
+    #: Windows and contacts; the radius is that on the tested surfaces.
+    windows: Windows = Windows(
+        sizes=[1250.0, 2500.0, 5000.0, 10e3],
+        per_size=2,
+        ranges=[1.4, 2.8, 5.6, 11.2],
+        contact=Contact(radius=250e3, preload=10e-6, hardness=25e9, window=12.5e3, count=10),
+    )
+
+
+TRIALS = Trials()
+#: Surfaces and windows for the long edges, with the pixels and window sizes of the trials.
+FILTERS = WindowFilters(
+    sizes=[20e3, 40e3],
+    pixel_size=TRIALS.size / TRIALS.pixels,
+    realizations=7,
+    cutoffs=[300.0, 450.0, 650.0, 850.0, 1000.0, 1200.0, 1400.0, 1700.0, 2000.0, 2500.0, 3500.0,
+             5000.0, 10e3],
+    seed=SEED,
+    windows=replace(TRIALS.windows, per_size=3, ranges=[RANGE]),
+)  # fmt: skip
+
+
+class Case(NamedTuple):
+    """Scans of surfaces under a sphere; all lengths in nm, of shapes that broadcast."""
+
+    size: ArrayLike  #: Side of the scan.
+    rms_height: ArrayLike  #: Of the surface.
+    roll_off: ArrayLike  #: Of the surface.
+    radius: ArrayLike  #: Of the sphere.
+    rho: ArrayLike  #: Range of adhesion.
+
+    def ratios(self) -> Floats:
+        """Return the logarithms (3, n) of the RATIOS."""
+        size, height, roll_off, radius, rho = (np.asarray(length) for length in self)
+        draw_size = 2 * np.sqrt(2 * radius * height)
+        ratios = np.broadcast_arrays(draw_size / size, roll_off / size, height / rho)
+        return np.asarray(np.log(np.stack(ratios)))
+
+
+class ScanSizeRule(NamedTuple):
+    """A power law: ln(force on the scan / on a large one) = strength * prod(ratios**exponents)."""
+
+    strength: float  #: Where all ratios are 1.
+    exponents: Floats  #: (3,) of the RATIOS.
+
+    def excess(self, case: Case) -> Floats:
+        """Return the factor by which the force on a scan is too large."""
+        logarithm = self.strength * np.exp(np.tensordot(self.exponents, case.ratios(), 1))
+        return np.asarray(np.exp(logarithm))
+
+    def size_for(self, case: Case, excess: float) -> Floats:
+        """Return the side (nm) of a scan whose force is too large by a given factor.
+
+        The size of the case does not matter.
+        """
+        unit_size = case._replace(size=1.0)
+        logarithm = np.log(self.strength) + np.tensordot(self.exponents, unit_size.ratios(), 1)
+        steepness = self.exponents[0] + self.exponents[1]
+        return np.asarray(np.exp((logarithm - np.log(np.log(excess))) / steepness))
+
+
+def fitted_rule(case: Case, excess: ArrayLike) -> ScanSizeRule:
+    """Return the rule that fits measured factors (n,) best, by least squares of their logarithms.
+
+    Logarithms of factors that scatter about one may be negative; they are fitted as they are.
+    """
+    from scipy.optimize import least_squares
+
+    ratios, measured = case.ratios(), np.log(np.asarray(excess, float))
+
+    def misfit(parameters: Floats) -> Floats:
+        return np.asarray(np.exp(parameters[0] + parameters[1:] @ ratios) - measured)
+
+    parameters = least_squares(misfit, np.array([np.log(0.3), 1.0, 0.0, 0.0])).x
+    return ScanSizeRule(float(np.exp(parameters[0])), parameters[1:])
+
+
+def correction_errors(predicted: ArrayLike, excess: ArrayLike) -> list[float]:
+    """Return the root mean squares of ln(force) that are left with and without a correction.
+
+    The correction divides measured factors (n,) by predicted ones.
+    """
+    uncorrected = np.log(np.asarray(excess, float))
+    corrected = uncorrected - np.log(predicted)
+    return [float(np.sqrt((errors**2).mean())) for errors in (corrected, uncorrected)]
+
+
+def random_spectra(rng: np.random.Generator, count: int) -> list[Spectrum]:
+    """Return self-affine spectra: rms height and roll-off log-uniform, Hurst exponent uniform."""
+    spectra = []
+    for _ in range(count):
+        height = np.exp(rng.uniform(*np.log(RMS_HEIGHTS)))
+        wavelength = np.exp(rng.uniform(*np.log(ROLL_OFFS)))
+        shape = self_affine(WAVEVECTORS, 1.0, wavelength, rng.uniform(*HURST))
+        shape_height = all_scales_moments(Spectrum(WAVEVECTORS, shape))[0]
+        spectra.append(Spectrum(WAVEVECTORS, shape * (height / shape_height) ** 2))
+    return spectra
+
+
+def random_trials() -> tuple[list[str], list[Spectrum], list[float]]:
+    """Return names, spectra and radii of the spheres (nm) of the random surfaces."""
+    spectra = random_spectra(generator(SEED, "scan size spectra"), TRIALS.spectra)
+    names = [f"random {trial}" for trial in range(TRIALS.spectra)]
+    return names, spectra, list(islice(cycle(TRIALS.radii), TRIALS.spectra))
+
+
+def ratio_of_means(
+    forces: xr.DataArray, reference: xr.DataArray
+) -> tuple[xr.DataArray, xr.DataArray]:
+    """Return the mean force over realizations relative to that of a reference, and its interval.
+
+    The interval is that of the ratios of single realizations by Student's t of their logarithms,
+    about the ratio of the means.
+    """
+    ratio = forces.mean("realization") / reference.mean("realization")
+    single = forces / reference
+    interval = student_log_interval(single, CONFIDENCE, "realization")
+    return ratio.assign_attrs(units="1"), ratio * interval / single.mean("realization")
+
+
+def window_excess(name: str, spectrum: Spectrum, radius: float, trials: Trials) -> xr.Dataset:
+    """Return how much larger the force is on windows than on surfaces of a spectrum.
+
+    ``excess`` (scan_size, rho), with its interval, is a `ratio_of_means`; ``rms_height``,
+    ``roll_off`` and ``radius`` of the sphere are in nm. The name of the spectrum is for its random
+    numbers.
+    """
+    windows = replace(trials.windows, contact=replace(trials.windows.contact, radius=radius))
+    forces = []
+    for realization in range(trials.realizations):
+        rng = generator(SEED, name, realization, "scan size")
+        surface = random_surface(rng, trials.pixels, trials.size / trials.pixels, spectrum)
+        forces.append(window_forces(surface, windows))
+    force = xr.DataArray(
+        forces,
+        {"scan_size": [*windows.sizes, trials.size], "rho": windows.ranges},
+        ["realization", "scan_size", "rho"],
+    )
+    on_windows, on_whole = force.isel(scan_size=slice(-1)), force.isel(scan_size=-1, drop=True)
+    excess, interval = ratio_of_means(on_windows, on_whole)
+    nm = {"units": "nm"}
+    return xr.Dataset(
+        {
+            "excess": excess,
+            "excess_interval": interval.assign_attrs(units="1"),
+            "rms_height": ((), all_scales_moments(spectrum)[0], nm),
+            "roll_off": ((), roll_off(spectrum), nm),
+            "radius": ((), radius, nm),
+        }
+    )
+
+
+def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
+    """Return the rule, the excess of the force that it predicts, and its error.
+
+    Parameters
+    ----------
+    tested : `window_excess` over (surface, scan_size, rho)
+    known : `window_excess` of random surfaces over (trial, scan_size, rho), to fit the rule to
+
+    Returns
+    -------
+    The tested excess with ``predicted_excess``, over the same dimensions; ``known_excess`` and
+    ``predicted_known_excess`` over those of the known, each predicted by a rule that was fitted
+    without its spectrum; ``strength`` and ``exponent`` (ratio) of the rule; ``error`` (tested,
+    kind) of `correction_errors`; ``size_needed`` (surface, rho) in nm for ALLOWED_EXCESS.
+    """
+    random_cases, known_excess = _cases(known)
+    surface_cases, tested_excess = _cases(tested)
+    rule = fitted_rule(random_cases, known_excess)
+    left_out = []
+    for trial in range(known.sizes["trial"]):
+        rule_of_others = fitted_rule(*_cases(known.drop_isel(trial=trial)))
+        left_out.append(rule_of_others.excess(_cases(known.isel(trial=[trial]))[0]))
+    predicted_known = np.concatenate(left_out)
+    predicted = rule.excess(surface_cases)
+    errors = [
+        correction_errors(predicted_known, known_excess),
+        correction_errors(predicted, tested_excess),
+    ]
+    needed = rule.size_for(_cases(tested.isel(scan_size=[0]))[0], ALLOWED_EXCESS)
+    axes, unitless = ("surface", "scan_size", "rho"), {"units": "1"}
+    surfaces, sizes, ranges = (tested.sizes[name] for name in axes)
+    by_trial = predicted_known.reshape(-1, sizes, ranges)
+    return tested.assign(
+        predicted_excess=(axes, predicted.reshape(surfaces, sizes, ranges), unitless),
+        known_excess=known["excess"],
+        predicted_known_excess=(("trial", *axes[1:]), by_trial, unitless),
+        strength=((), rule.strength, unitless),
+        exponent=("ratio", rule.exponents, unitless),
+        error=(("tested", "kind"), errors, unitless),
+        size_needed=(("surface", "rho"), needed.reshape(surfaces, ranges), {"units": "nm"}),
+    ).assign_coords(
+        ratio=RATIOS, tested=["random surfaces", "surfaces"], kind=["corrected", "uncorrected"]
+    )
+
+
+def _cases(excess: xr.Dataset) -> tuple[Case, Floats]:
+    """Return the scans of a dataset of `window_excess` and their factors: both flat."""
+    factors = excess["excess"]
+    names = ("scan_size", "rms_height", "roll_off", "radius", "rho")
+    lengths = (excess[name].broadcast_like(factors).transpose(*factors.dims) for name in names)
+    return Case(*(length.values.ravel() for length in lengths)), factors.values.ravel()
+
+
+def window_edges(forces: Mapping[str, xr.Dataset]) -> xr.Dataset:
+    """Return the long edges of the band from windows and whole surfaces, and the forces on them.
+
+    The forces are of `filtered_window_forces`, by surface. With intervals: ``long_ratio`` (surface,
+    edge_size, cutoff_wavelength), the mean over realizations of the force without longer waves
+    relative to that with all, and ``force_over_largest`` (surface, edge_size), the force relative
+    to that on the larger whole surface. What `described_edge` says of each edge size has names that
+    begin with ``long_``. ``period`` and ``mirrored`` are those of the forces.
+    """
+    windows = next(iter(forces.values()))[["period", "mirrored"]]
+    stacked = stack({(name,): forces_on_one for name, forces_on_one in forces.items()}, ["surface"])
+    ratio = stacked["ratio"].mean("realization", keep_attrs=True)
+    interval = student_log_interval(stacked["ratio"], CONFIDENCE, "realization")
+    force = stacked["pull_off_force"]
+    over_largest, over_interval = ratio_of_means(force, force.isel(edge_size=-1, drop=True))
+    cells = windows["period"].broadcast_like(over_largest).transpose(*over_largest.dims)
+    curves = xr.Dataset(
+        {"logarithm": np.log(ratio), "logarithm_interval": np.log(interval), "cell": cells}
+    ).assign_coords(side="large")
+    edges = edges_of_curves(curves, "logarithm", logarithmic_limits(TOLERANCE))
+    of_largest = {"units": "1", "long_name": "force over that on the larger whole surface"}
+    return windows.assign({f"long_{name}": edge for name, edge in edges.items()}).assign(
+        long_ratio=ratio,
+        long_ratio_interval=interval.assign_attrs(units="1"),
+        force_over_largest=over_largest.assign_attrs(of_largest),
+        force_over_largest_interval=over_interval.assign_attrs(of_largest, confidence=CONFIDENCE),
+    )
+
+
+def study_spectrum(surface: str) -> Spectrum:
+    """Return the spectrum of the substitute for a surface, as the paper's study calibrates it."""
+    table1 = published.table1(RESOURCES / "paper/table1.csv")
+    rows = rows_of_surface(table1, surface, slope="gradient", curvature="half_laplacian")
+    constants = published.constants(RESOURCES / "paper/parameters.csv")
+    stored = substitute_spectrum(RESOURCES / f"spectra/{surface}.csv", rows, constants)
+    return spectrum_from(stored)
+
+
+def main() -> None:
+    """Compute the table from nothing."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--table", type=Path, default=TABLE)
+    parser.add_argument("--processes", type=int, default=2)
+    arguments = parser.parse_args()
+    spectra = {surface: study_spectrum(surface) for surface in SURFACES}
+    with ProcessPoolExecutor(arguments.processes) as pool:
+        edges = pool.map(filtered_window_forces, SURFACES, spectra.values(), repeat(FILTERS))
+        known = pool.map(window_excess, *random_trials(), repeat(TRIALS))
+        radii = [TRIALS.windows.contact.radius] * len(SURFACES)
+        tested = pool.map(window_excess, SURFACES, spectra.values(), radii, repeat(TRIALS))
+        forces = dict(zip(SURFACES, edges, strict=True))
+        surfaces = xr.concat(tested, pd.Index(list(SURFACES), name="surface"))
+        table = with_rule(surfaces, xr.concat(known, "trial")).merge(window_edges(forces))
+    table = table.assign(
+        label=("surface", list(SURFACES.values())),
+        basis=("surface", ["substitute"] * len(SURFACES)),
+    ).assign_attrs(
+        title="forces and long edges on mirrored windows of random surfaces, and the rule fitted",
+        history="computed by tests/benchmarks/validate_scan_sizes.py",
+        sphere_radius=TRIALS.windows.contact.radius, surface_size=TRIALS.size, rho=RANGE,
+        tolerance=TOLERANCE, allowed_excess=ALLOWED_EXCESS, confidence=CONFIDENCE,
+    )  # fmt: skip
+    dataset.write(table, arguments.table)
+
+
+if __name__ == "__main__":
+    main()
