@@ -174,6 +174,13 @@ def make_indent(surface="ncd"):
     return xr.Dataset(data, {"preload": preloads}, {"surface": surface, "confidence": CONFIDENCE})
 
 
+def make_elastic_limit(surfaces=SUBSTRATES):
+    """Return pressures of all waves above the hardness, those of long waves below."""
+    dims, wavelengths = ("surface", "shortest_wavelength"), [0.1, 1e6]
+    data = {"slope_index": (dims, [[2.0, 0.0]] * len(surfaces))}
+    return xr.Dataset(data, {"surface": surfaces, "shortest_wavelength": wavelengths})
+
+
 def make_repeated_contact(surface="ncd"):
     """Return indents of which as good as none overlap."""
     data = {"indented_area_ratio": 0.999, "indented_area_ratio_interval": ("bound", [0.99, 1.01])}
@@ -244,6 +251,7 @@ def make_datasets(basis="substitute", surfaces=SUBSTRATES):
         "repeated_contact": make_repeated_contact("ncd" if "ncd" in surfaces else surfaces[0]),
         "asperities": make_asperities(surfaces),
         "classical": make_classical(surfaces),
+        "elastic_limit": make_elastic_limit(surfaces),
         "laws": make_laws(surfaces),
         "scaling": make_scaling(surfaces),
     }

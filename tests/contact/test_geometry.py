@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from periodic_maps import RADIUS, height_map, over
+from periodic_maps import RADIUS, height_map, over, periodic_noise
 
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
@@ -97,3 +97,10 @@ def test_the_rough_sphere_is_the_gap_to_a_flat(centre):
     rows, columns = (slice(60 + index - 10, 60 + index + 11) for index in centre)
     cap = geometry.sphere_height(pair, centre, 10)
     np.testing.assert_allclose(cap, gap_map(pair, (1, 2))[rows, columns], atol=1e-12)
+
+
+def test_gaps_at_offsets_are_those_of_the_whole_window():
+    pair = over(periodic_noise(96, 5.0, 1), periodic_noise(70, 0.5, 2), 20.0, 200, 3)
+    y, x = np.indices((200, 200)) - 100
+    gaps = geometry.gaps_at(pair, pair.geometry.positions[[2, 1]], np.stack([y, x], -1))
+    np.testing.assert_allclose(gaps, gap_map(pair, (2, 1)), atol=1e-12)

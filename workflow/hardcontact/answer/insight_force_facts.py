@@ -155,51 +155,15 @@ def _law_error(cases: xr.Dataset) -> Cells:
 
 
 def elastic_limit_facts(limit: xr.Dataset) -> dict[str, Any]:
-    """Return for which contacts the bearing area holds, and by how much forces are wrong."""
+    """Return whether all surfaces have slopes at which contacts yield, and from which waves on."""
     rows = []
-    for row, one in surfaces(limit):
-        area = one["solved_area"].max().item() / limit.attrs["bearing_area"]
+    for row, surface in surfaces(limit):
+        index = surface["slope_index"]
+        below = float(index["shortest_wavelength"].where(index >= 1).max())
         row |= {
-            "yields": percent(number_of(one, "plastic_share")),
-            "solved": percent(number_of(one, "solved_plastic_share", missing="not_solved")),
-            "says": _yielding(one),
-            "area": number("area", area, "1", "not_solved"),
-        }
-        for variant in ("recovered", "larger_area", "rigid"):
-            row[variant] = number_of(one.sel(variant=variant), "force_ratio")
-        index = one["slope_index"]
-        wavelength, two_pixels = index["shortest_wavelength"], 2 * limit.attrs["pixel_size"]
-        row |= {
-            "at_pixels": number(
-                "at_pixels", index.interp(shortest_wavelength=two_pixels).item(), "1", ""
-            ),
             "all_scales": number("all_scales", index.values[0], "1", ""),
-            "below": number(
-                "below", float(wavelength.where(index >= 1).max()), "nm", "not_reached"
-            ),
+            "below": number("below", below, "nm", "not_reached"),
         }
         rows.append(row)
-    answer = "open" if count(rows, "says", "disputed") else "yes"
-    factors = limit["estimated_area"].values / limit["solved_area"].values
-    solved = factors[np.isfinite(factors)]
-    low, middle, high = np.quantile(solved if solved.size else [np.nan], [0.05, 0.5, 0.95])
-    return {
-        "rows": rows,
-        "verdict": "no" if count(rows, "says", "none", "some") else answer,
-        "counts": {
-            "all": count(rows, "says", "all"),
-            "fewer": count(rows, "says", "some", "none"),
-            "disputed": count(rows, "says", "disputed"),
-        },
-        "estimated": Number("estimated", middle, low=low, high=high),
-        "pixel_size": Number("pixel_size", limit.attrs["pixel_size"], "nm"),
-        "cases": solved.size,
-    }
-
-
-def _yielding(one: xr.Dataset) -> str:
-    """Return how many contacts of a surface yield: "none", "some", "all", or "disputed"."""
-    by_index, solved = (one[name].item() for name in ("plastic_share", "solved_plastic_share"))
-    amounts = {0.0: "none", 1.0: "all"}
-    yields = amounts.get(by_index, "some")
-    return yields if np.isnan(solved) or amounts.get(solved, "some") == yields else "disputed"
+    all_yield = all(row["all_scales"].value >= 1 for row in rows)
+    return {"rows": rows, "verdict": "yes" if all_yield else "no"}

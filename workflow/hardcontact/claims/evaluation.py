@@ -69,7 +69,7 @@ DATASETS = (
     "repeated_contact", "asperities", "classical",
 )  # fmt: skip
 #: Datasets that the claims of the chapter on what decides the band are about.
-INSIGHT_DATASETS = ("topography", "laws", "scaling")
+INSIGHT_DATASETS = ("topography", "elastic_limit", "laws", "scaling")
 COLUMNS = (
     "id", "section", "statement", "published", "computed", "low", "high", "unit", "rule",
     "frequency", "verdict", "stability", "follows_from", "basis", "note",

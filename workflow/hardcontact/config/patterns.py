@@ -44,7 +44,6 @@ class Patterns:
 
         self.elastic = f"{store}/elastic/{_PAIR}"
         self.asperities = f"{store}/asperities/{_PAIR}"
-        self.elastic_limit = f"{store}/elastic_limit/{_PAIR}"
 
         of_surface = "{radius}/{load}/{surface}/{variant}"
         self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"

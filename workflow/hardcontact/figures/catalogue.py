@@ -131,8 +131,8 @@ OF_INSIGHT = {
     ),
     "fig_elastic_limit": Figure(
         INSIGHT,
-        "limit of the bearing area",
-        "contacts that do not yield, and their force",
+        "limit of elastic contact",
+        "elastic pressure over the hardness by shortest wavelength",
         ("elastic_limit",),
     ),
 }

@@ -1,0 +1,18 @@
+"""Mean pressure of elastic contact over the hardness, by the shortest wavelength of a surface."""
+
+from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.contact.smooth_sphere import effective_modulus
+from hardcontact.insight.elastic_limit import slope_index
+from hardcontact.records.job import job
+from hardcontact.surfaces.spectrum import read_spectrum
+
+with job(snakemake) as this:
+    params, hardness = this.parameters, this.parameters["hardness"]
+    modulus = effective_modulus(params["elastic"]["sphere"], params["elastic"]["substrate"])
+    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+    spectra = {surface: read_spectrum(path) for surface, path in paths}
+    index = slope_index(spectra, modulus, hardness).to_dataset(name="slope_index")
+    this.write(
+        with_names(index, params).assign_attrs(effective_modulus=modulus, hardness=hardness),
+        title="mean pressure of elastic contact over the hardness, by shortest wavelength",
+    )
