@@ -65,7 +65,7 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
         save_svg(figure, paths["svg"], title)
 
 
-def save_svg(figure: Figure, path: Path, title: str) -> None:
+def save_svg(figure: Figure, path: str | Path, title: str) -> None:
     """Write a figure as SVG for pages; curves and symbols of many points become an image in it."""
     for artist in figure.findobj(_has_many_points):
         artist.set_rasterized(True)
@@ -78,8 +78,9 @@ def _has_many_points(artist: Artist) -> bool:
     if isinstance(artist, Line2D):
         return bool(np.size(artist.get_xdata()) > MAX_VECTOR_POINTS)
     if isinstance(artist, Collection):
-        points = sum(len(path.vertices) for path in artist.get_paths())
-        return max(points, len(artist.get_offsets())) > MAX_VECTOR_POINTS
+        points = sum(np.size(path.vertices) // 2 for path in artist.get_paths())
+        marks = np.size(artist.get_offsets()) // 2
+        return bool(max(points, marks) > MAX_VECTOR_POINTS)
     return False
 
 
