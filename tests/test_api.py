@@ -178,14 +178,11 @@ def test_the_force_on_a_plane_is_that_of_derjaguin():
 
 
 def test_scripts_give_the_same_numbers(script):
-    how = {
-        "undefined_pixels": "refuse",
-        "unit": "none",
-        "levelling": "plane",
-        "sphere_radius": None,
-    }
+    reading = {"dataset": "", "undefined_pixels": "refuse", "unit": "none"}
+    script("read_scan", reading, {"scan": "scan.nc"}, made="measurement.nc")
+    levelling = {"levelling": "plane", "sphere_radius": None}
     outputs = {"scan": "levelled.nc", "stitched": "stitched.nc"}
-    script("prepare_scan", how | {"dataset": ""}, {"scan": "scan.nc"}, **outputs)
+    script("prepare_scan", levelling, {"measurement": "measurement.nc"}, **outputs)
     scan, levelled = hc.read_scan("scan.nc"), read_height_map("levelled.nc")
     np.testing.assert_array_equal(scan.heights, levelled.heights)
     assert scan.pixel_size == levelled.pixel_size
@@ -200,8 +197,8 @@ def test_scripts_give_the_same_numbers(script):
     np.testing.assert_allclose(found.pull_off_force, 0.05 * of_script, rtol=1e-12)
     assert found.window_change.item() == pytest.approx(expected.window_change.item(), rel=1e-9)
 
-    given = how | {"datasets": [""], "tip_radii": [None]}
-    script("measure_spectrum", given, {"scans": ["scan.nc"]}, made="spectrum.nc")
+    given = levelling | {"tip_radii": [None]}
+    script("measure_spectrum", given, {"measurements": ["measurement.nc"]}, made="spectrum.nc")
     whole = hc.read_spectrum("scan.nc", continued=True)
     np.testing.assert_array_equal(whole.density, read_spectrum("spectrum.nc").density)
 

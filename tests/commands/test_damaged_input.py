@@ -8,7 +8,7 @@ from copy import deepcopy
 import numpy as np
 import pytest
 import yaml
-from repository import PAPER
+from repository import PAPER, ROOT
 from scan_files import MAPS, nanoscope
 from snakemake.utils import update_config
 from SurfaceTopography import Topography
@@ -57,13 +57,14 @@ def mutated(content, rng):
 
 
 def scans(folder):
-    """Small scans in several formats, by file name."""
+    """Small scans in several formats, and real ones that are there, by file name."""
     heights = np.random.default_rng(1).standard_normal((20, 20))
     topography = Topography(heights, (200.0, 200.0), unit="nm")
     for kind, write in MAPS.items():
         write(topography, folder / f"a.{kind}")
     nanoscope(folder / "a.di", (10 * heights).astype(int), (200, 200))
-    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+    paths = [*folder.iterdir(), *(ROOT / "../shared/scans").glob("*.[dz]i*")]
+    return {path.name: path.read_bytes() for path in sorted(paths)}
 
 
 def read_scans(path):

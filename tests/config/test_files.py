@@ -8,7 +8,7 @@ import scan_files
 from paper_numbers import SUBSTRATES, SURFACES
 from small_study import PATTERNS, files, selection
 
-from hardcontact.surfaces.scans import flat_measurements
+from hardcontact.surfaces.scans import flattened, read_measurement
 
 pytestmark = pytest.mark.usefixtures("at_root")
 
@@ -51,8 +51,12 @@ def test_topography_is_of_all_scans_and_forces_are_of_those_of_substrates():
     assert study.first_sphere == stitched[0]
 
 
-def test_measured_scans_are_read_where_they_lie():
+def test_measured_scans_are_read_once():
     study = files(measured=["mcd"])
+    assert study.measurements("mcd") == [
+        f"results/store/measurements/mcd/scan-{number}.nc" for number in (1, 2)
+    ]
+    assert study.measurements("uncd") == []
     assert study.spectrum("mcd") == "results/store/spectra/mcd/study/measured-flat.nc"
     assert study.spectrum("uncd") == "results/store/spectra/uncd/study/calibrated.nc"
 
@@ -62,11 +66,11 @@ def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
     ball = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
     rough = np.random.default_rng(1).standard_normal((64, 64))
     path = scan_files.scan(tmp_path / "ball.nc", ball + rough, (640.0, 640.0))
-    measuring = files(scans=[1], measured=["ruby"]).measuring("ruby")
-    (measured,) = flat_measurements([path], measuring)
-    assert measuring["sphere_radius"] == 250e3
+    levelling = files(scans=[1], measured=["ruby"]).levelling("ruby")
+    measured = flattened(read_measurement(path), **levelling)
+    assert levelling["sphere_radius"] == 250e3
     assert measured.heights.std() == pytest.approx(rough.std(), rel=0.01)
-    assert files(measured=["uncd"]).measuring("uncd")["sphere_radius"] is None
+    assert files(measured=["uncd"]).levelling("uncd")["sphere_radius"] is None
 
 
 def test_realizations_begin_again_when_the_scans_are_used_up():

@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 from refusals import assert_says, refusal
 from scan_files import container, cut, heights, scan
-from SurfaceTopography import UniformLineScan
 
 from hardcontact.surfaces import scans
 
@@ -16,22 +15,6 @@ def test_a_good_scan_is_read_in_nm_with_rows_along_y(tmp_path):
     assert (height_map.periodic, height_map.basis) == (False, "measured")
     np.testing.assert_allclose(height_map.heights, 1000 * values.T, rtol=1e-6)
     assert scans.read_scan(tmp_path / "a.nc", basis="substitute").basis == "substitute"
-
-
-def test_missing_scan(tmp_path):
-    message = refusal(scans.read_scan, tmp_path / "none.nc")
-    assert_says(message, "none.nc", "expected a scan", "found no such file")
-
-
-@pytest.mark.parametrize("name", ["a.nc", "a.di", "a.txt", "a.zip", "a.sur"])
-@pytest.mark.parametrize(
-    "content", [b"hello\nno scan\n", b"", bytes(range(256)) * 8, b"CDF\x02", b"PK\x03\x04abc"]
-)
-def test_unreadable_scan(tmp_path, name, content):
-    (tmp_path / name).write_bytes(content)
-    message = refusal(scans.read_scan, tmp_path / name)
-    assert_says(message, name, "expected", "found")
-    assert "None" not in message
 
 
 @pytest.mark.parametrize("share", [0.01, 0.3, 0.7, 0.999])
@@ -60,20 +43,6 @@ def test_scan_in_a_unit_that_is_no_length(tmp_path):
     assert_says(refusal(scans.read_scan, path, "a"), "a.zip", "unit", "V")
 
 
-def test_undefined_pixels_are_counted_and_filled_on_demand(tmp_path):
-    values = np.ma.masked_array(heights(), False)
-    values[3, 4:9] = np.ma.masked
-    path = scan(tmp_path / "a.nc", values)
-    message = refusal(scans.read_scan, path)
-    assert_says(message, "a.nc", "found 5", "scan.undefined_pixels: harmonic")
-    filled = scans.read_scan(path, "", "harmonic").heights
-    assert np.isfinite(filled).all()
-    defined = ~values.mask.T
-    np.testing.assert_array_equal(filled[defined], values.data.T[defined])
-    around = values.data[2:5, 3:10]
-    assert around.min() <= filled.T[3, 4:9].min() <= filled.T[3, 4:9].max() <= around.max()
-
-
 @pytest.mark.parametrize(("lines", "undefined"), [(32, 1024), (17, 544)])
 def test_scans_that_are_more_filled_than_measured_are_refused(tmp_path, lines, undefined):
     values = np.ma.masked_array(np.random.default_rng(0).random((32, 32)), False)
@@ -81,12 +50,6 @@ def test_scans_that_are_more_filled_than_measured_are_refused(tmp_path, lines, u
     path = scan(tmp_path / "a.nc", values)
     said = refusal(scans.read_scan, path, "", "harmonic")
     assert_says(said, "a.nc", "at most 50%", f"{undefined} of 1024")
-
-
-def test_line_scan(tmp_path):
-    UniformLineScan(heights(32), 320.0, unit="nm").to_netcdf(str(tmp_path / "a.nc"))
-    message = refusal(scans.read_scan, tmp_path / "a.nc")
-    assert_says(message, "a.nc", "expected a height map", "found a line scan")
 
 
 def test_dataset_of_a_single_file(tmp_path):

@@ -46,7 +46,7 @@ KEYS = {
     "adhesion.work": ("60 mJ/m2", {"predict_force", "fit_forces"}),
     "forces": ("none", set()),
     "scan.levelling": ("lines", SCANS | SPECTRA | FORCES | MASTERS),
-    "scan.undefined_pixels": ("harmonic", SCANS | SPECTRA | FORCES | MASTERS),
+    "scan.undefined_pixels": ("harmonic", {"read_scan"} | SCANS | SPECTRA | FORCES | MASTERS),
     "contact.preload": ("20 uN", FORCES | {"compute_filtered_pull_off", "aggregate_scales",
                                            "find_band_edges"}),
 }  # fmt: skip

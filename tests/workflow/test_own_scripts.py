@@ -88,10 +88,9 @@ def force(run):
     contact = {"preload": 1e-5, "hardness": 25e9, "window": 12_500.0, "count": 4}
     parameters = {
         "work": 0.05, "rho": 2.0, "radius": 5e3, "contact": contact, "confidence": 0.95,
-        "scans": {"a": 1, "b": 1}, "tiles": 2, "tolerance": 0.1, "seed": 1, "pair_is_known": True,
-        "measuring": {"a": {"datasets": []}, "b": {"datasets": []}},
+        "scans": {"a": 1, "b": 1}, "tiles": 2, "tolerance": 0.1,
     }  # fmt: skip
-    return run("predict_force", parameters, **{name: f"{name}.nc" for name in files}, scans=[])
+    return run("predict_force", parameters, **{name: f"{name}.nc" for name in files})
 
 
 def test_forces_are_predicted(force):

@@ -30,7 +30,7 @@ from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.scans import flat_measurement, height_map
+from hardcontact.surfaces.scans import flattened, height_map, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
@@ -71,14 +71,8 @@ def read_scan(
     >>> scan = hc.read_scan("scan.nc")
     >>> size = scan.size  # nm
     """
-    measurement = flat_measurement(
-        path,
-        dataset,
-        undefined_pixels=undefined_pixels,
-        levelling=levelling,
-        sphere_radius=sphere_radius,
-    )
-    scan = height_map(measurement, "measured")
+    measurement = read_measurement(path, dataset, undefined_pixels)
+    scan = height_map(flattened(measurement, sphere_radius, levelling))
     return replace(scan, heights=scan.heights.astype(np.float32))  # as prepared scans are stored
 
 

@@ -36,7 +36,7 @@ rule aggregate_spectra:
 rule draw_spectra:
     """Draw a spectrum for each realization, within what the measurements of a surface leave open."""
     input:
-        scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
+        measurements=lambda w: FILES.measurements(w.surface),
         code=code_inputs("draw_spectra.py"),
     output:
         expand(
@@ -54,7 +54,7 @@ rule draw_spectra:
                 "surface": w.surface,
                 "seed": STUDY["seed"],
                 "contact_places": SELECTION.contact_places(w.surface),
-                "measuring": FILES.measuring(w.surface),
+                **FILES.measuring(w.surface),
             }
         ),
     script:

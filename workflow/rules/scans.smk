@@ -31,10 +31,33 @@ rule calibrate_spectrum:
         "../scripts/calibrate_spectrum.py"
 
 
+rule read_scan:
+    """Read the file of a measured scan; no other rule does."""
+    input:
+        scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
+        code=code_inputs("read_scan.py"),
+    output:
+        PATTERNS.measurement,
+    log:
+        PATTERNS.log("read_scan", PATTERNS.measurement),
+    benchmark:
+        PATTERNS.benchmark("read_scan", PATTERNS.measurement)
+    params:
+        canonical=lambda w: canonical(
+            {
+                "dataset": SELECTION.dataset(w.surface, int(w.scan)),
+                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
+                "unit": STUDY["scan"]["unit"],
+            }
+        ),
+    script:
+        "../scripts/read_scan.py"
+
+
 rule measure_spectrum:
     """Join the spectra of all scans of a measured surface, each within its reliable band."""
     input:
-        scans=lambda w: [one.path for one in SELECTION.measured(w.surface)],
+        measurements=lambda w: FILES.measurements(w.surface),
         code=code_inputs("measure_spectrum.py"),
     output:
         PATTERNS.measured_spectrum,
@@ -117,7 +140,7 @@ for scans, surfaces in FILES.scan_groups.items():
 rule prepare_scan:
     """Level a measured scan, subtract the sphere if it shows one, and stitch its mirror images."""
     input:
-        scan=lambda w: SELECTION.path(w.surface, int(w.scan)),
+        measurement=PATTERNS.measurement,
         code=code_inputs("prepare_scan.py"),
     output:
         scan=PATTERNS.levelled,
@@ -129,14 +152,6 @@ rule prepare_scan:
     wildcard_constraints:
         surface=any_of(name for name, basis in SELECTION.basis.items() if basis == "measured"),
     params:
-        canonical=lambda w: canonical(
-            {
-                "dataset": SELECTION.dataset(w.surface, int(w.scan)),
-                "undefined_pixels": STUDY["scan"]["undefined_pixels"],
-                "unit": STUDY["scan"]["unit"],
-                "levelling": STUDY["scan"]["levelling"],
-                "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
-            }
-        ),
+        canonical=lambda w: canonical(FILES.levelling(w.surface)),
     script:
         "../scripts/prepare_scan.py"

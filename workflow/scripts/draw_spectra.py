@@ -7,15 +7,15 @@ from hardcontact.surfaces.scans import flat_measurements
 from hardcontact.surfaces.spectrum import spectrum_dataset
 
 with job(snakemake) as this:
-    given = this.parameters
-    surface, measuring, places = given["surface"], given["measuring"], given["contact_places"]
+    params = this.parameters
+    surface, places = params["surface"], params["contact_places"]
     drawn = drawn_spectra(
         (
-            generator(given["seed"], surface, realization, "drawn spectrum")
+            generator(params["seed"], surface, realization, "drawn spectrum")
             for realization in range(1, len(this.output) + 1)
         ),
-        flat_measurements(this.input.scans, measuring),
-        measuring["tip_radii"],
+        flat_measurements(this.input.measurements, params["sphere_radius"], params["levelling"]),
+        params["tip_radii"],
     )
     for output, (spectrum, factors) in enumerate(drawn):
         # Realizations build on the scans in turn, as do the masters that theirs are set beside.

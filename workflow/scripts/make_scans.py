@@ -4,7 +4,7 @@ from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 from hardcontact.surfaces.conditioning import amplified
-from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared_file
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_measurement
 from hardcontact.surfaces.spectrum import read_spectrum
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
 
@@ -27,8 +27,8 @@ with job(snakemake) as this:
             output=substitute,
             file_format="NETCDF3_64BIT",
         )
-        flat, periodic = prepared_file(
-            this.output[substitute], basis="substitute", sphere_radius=given["sphere_radius"]
+        flat, periodic = prepared(
+            read_measurement(this.output[substitute]), "substitute", given["sphere_radius"]
         )
         this.write(flat, LEVELLED, levelled)
         this.write(periodic, STITCHED, stitched)

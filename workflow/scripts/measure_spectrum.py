@@ -5,8 +5,11 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.scans import flat_measurements
 
 with job(snakemake) as this:
-    measuring = this.parameters
+    params = this.parameters
+    measurements = flat_measurements(
+        this.input.measurements, params["sphere_radius"], params["levelling"]
+    )
     this.write(
-        joined_spectrum(flat_measurements(this.input.scans, measuring), measuring["tip_radii"]),
+        joined_spectrum(measurements, params["tip_radii"]),
         title="power spectral density of a measured surface, joined of its measurements",
     )

@@ -1,9 +1,12 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
 from hardcontact.records.job import job
-from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared_file
+from hardcontact.surfaces.measurement import read_stored
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared
 
 with job(snakemake) as this:
-    levelled, stitched = prepared_file(this.input.scan, basis="measured", **this.parameters)
+    levelled, stitched = prepared(
+        read_stored(this.input.measurement), "measured", **this.parameters
+    )
     this.write(levelled, LEVELLED, "scan")
     this.write(stitched, STITCHED, "stitched")

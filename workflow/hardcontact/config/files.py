@@ -10,7 +10,6 @@ from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
 from hardcontact.numbers.units import token
-from hardcontact.surfaces.scans import Measuring
 from hardcontact.surfaces.synthesis import SIDES
 
 Key = TypeVar("Key")
@@ -79,18 +78,27 @@ class Files:
         pattern = patterns.measured_spectrum if measured else patterns.calibrated_spectrum
         return self.path(pattern, surface, variant=made)
 
-    def measuring(self, surface: str) -> Measuring:
-        """Return how the measurements of a surface are read."""
-        scan, measured = self._configuration["scan"], self._selection.measured(surface)
+    def measurements(self, surface: str) -> list[str]:
+        """Return every scan of a measured surface as its file was read; none of a substitute."""
+        if self._selection.basis[surface] != "measured":
+            return []
+        return [
+            self.path(self._patterns.measurement, surface, scan=measured.scan)
+            for measured in self._selection.measured(surface)
+        ]
+
+    def levelling(self, surface: str) -> dict[str, Any]:
+        """Return how the scans of a surface are levelled, with the radius (nm) of a sphere."""
         radius = self._configuration["sphere"]["radius"]
         return {
-            "datasets": [one.dataset for one in measured],
-            "tip_radii": [one.tip_radius for one in measured],
-            "undefined_pixels": scan["undefined_pixels"],
-            "unit": scan["unit"],
-            "levelling": scan["levelling"],
+            "levelling": self._configuration["scan"]["levelling"],
             "sphere_radius": radius if surface == self._selection.sphere else None,
         }
+
+    def measuring(self, surface: str) -> dict[str, Any]:
+        """Return how the measurements of a surface become its spectrum, with the tips (nm)."""
+        radii = [measured.tip_radius for measured in self._selection.measured(surface)]
+        return {"tip_radii": radii, **self.levelling(surface)}
 
     def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return what a substitute scan shares with the others of its group."""

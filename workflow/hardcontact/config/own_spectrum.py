@@ -8,7 +8,7 @@ import math
 import re
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -20,7 +20,7 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
 from hardcontact.surfaces.measurement import LENGTHS
 from hardcontact.surfaces.reliable_band import ReliableBand
-from hardcontact.surfaces.scans import flat_measurement, list_measurements
+from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum
 
 #: Columns of which a table has one of each pair, each with a column of its unit.
@@ -58,16 +58,18 @@ def own_spectrum(
     *,
     dataset: str = "",
     tip_radius: float | None = None,
-    **reading: Any,
+    undefined_pixels: str = "harmonic",
+    unit: str = "none",
+    levelling: str = "plane",
+    sphere_radius: float | None = None,
 ) -> OwnSpectrum:
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
 
     The files are one table, as `table_spectrum` reads it, or height maps, line scans and
     containers, joined as `joined_spectrum` does; of these the dataset is the only member of a
     container that counts, or empty. The radius of the tip, in nm, is of files that state none; they
-    are read as `flat_measurement` is told, with undefined pixels filled if it is told nothing. The
-    spectrum of scans ends where they are reliable. Faults are a
-    ValueError, a line each.
+    are read as by `read_measurement` and levelled as by `flattened`. The spectrum of scans ends
+    where they are reliable. Faults are a ValueError, a line each.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -79,9 +81,8 @@ def own_spectrum(
         zeros = np.count_nonzero(spectrum.density == 0)
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else (), None)
-    reading.setdefault("undefined_pixels", "harmonic")
     measurements = [
-        flat_measurement(path, member, **reading)
+        flattened(read_measurement(path, member, undefined_pixels, unit), sphere_radius, levelling)
         for path in files
         for member in ([dataset] if dataset else list_measurements(path))
     ]

@@ -35,6 +35,7 @@ class Patterns:
         self.measured_spectrum = f"{store}/spectra/{{surface}}/{{variant}}/measured-{{shape}}.nc"
         self.conditioning = f"{store}/conditioning/{{surface}}/{{variant}}/group-{{group}}.nc"
         self.substitute = f"{store}/substitutes/{_SCAN}"
+        self.measurement = f"{store}/measurements/{{surface}}/scan-{{scan}}.nc"
         self.levelled = f"{store}/scans/{_SCAN}"
         self.stitched = f"{store}/stitched/{_SCAN}"
         self.stitched_substrate = self.stitched.replace("{shape}", "flat")

@@ -86,11 +86,12 @@ class SurfaceRow(Keys):
 
 
 class Measured(NamedTuple):
-    """One scan of a measured surface: its file, its dataset in a container, the tip radius.
+    """One scan of a measured surface: its number, its file, its dataset there, the tip radius.
 
     The radius is in nm, None where the table of surfaces does not state it.
     """
 
+    scan: int
     path: str
     dataset: str
     tip_radius: float | None
@@ -107,7 +108,7 @@ class Selection:
     def __init__(self, rows: pd.DataFrame, sphere: str) -> None:
         self._all_rows = rows
         self._rows = rows[rows.use == CONTACT]
-        self._cells = self._rows.set_index(["surface", "scan"])
+        self._cells = rows.set_index(["surface", "scan"])
         self.sphere = sphere
         self.surfaces: list[str] = list(rows.surface.unique())
         self.substrates = [surface for surface in self.surfaces if surface != sphere]
@@ -128,7 +129,12 @@ class Selection:
         """Return every scan of a measured surface, also those that only enter its spectrum."""
         rows = self._all_rows[self._all_rows.surface == surface]
         radii = [magnitude(text, "nm") if text else None for text in rows.tip_radius]
-        return [Measured(*names) for names in zip(rows.path, rows.dataset, radii, strict=True)]
+        return [
+            Measured(int(scan), path, dataset, radius)
+            for scan, path, dataset, radius in zip(
+                rows.scan, rows.path, rows.dataset, radii, strict=True
+            )
+        ]
 
     def contact_places(self, surface: str) -> list[int]:
         """Return which of the measured scans of a surface contacts are made on, from 0."""

@@ -6,14 +6,17 @@ is used.
 """
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import partial
 from typing import Any
 
 import numpy as np
+import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.numbers.printing import print_length
+from hardcontact.records import dataset as labelled
+from hardcontact.surfaces.limited_process import RefusedFile
 
 Floats = NDArray[np.float64]
 
@@ -33,16 +36,39 @@ class Measurement:
     notes: tuple[str, ...]  #: What was changed or chosen in reading, in words for the user.
     undefined: int  #: Undefined pixels among those kept, before they were filled.
 
+    def stored(self) -> xr.Dataset:
+        """Return the dataset that `read_stored` reads: heights in float64, else attributes."""
+        dimensions = ("y", "x") if self.kind == "map" else ("x",)
+        attributes = {field.name: getattr(self, field.name) for field in fields(self)}
+        del attributes["heights"]
+        attributes["tip_radius"] = np.nan if self.tip_radius is None else self.tip_radius
+        attributes["notes"] = "; ".join(self.notes)
+        heights = (dimensions, self.heights, {"units": "nm", "long_name": "height as read"})
+        return xr.Dataset({"heights": heights}, attrs=attributes)
+
+
+def read_stored(path: str) -> Measurement:
+    """Read a netCDF file of `Measurement.stored`; one that cannot be read is a ValueError."""
+    stored = labelled.read(path)
+    tip_radius, notes = float(stored.attrs["tip_radius"]), stored.attrs["notes"]
+    return Measurement(
+        path=stored.attrs["path"],
+        dataset=stored.attrs["dataset"],
+        channel=stored.attrs["channel"],
+        file_unit=stored.attrs["file_unit"],
+        kind=stored.attrs["kind"],
+        heights=stored["heights"].values,
+        pixel_size=float(stored.attrs["pixel_size"]),
+        tip_radius=None if np.isnan(tip_radius) else tip_radius,
+        notes=tuple(notes.split("; ")) if notes else (),
+        undefined=int(stored.attrs["undefined"]),
+    )
+
 
 #: Pixels along an edge of a map: substitutes have no fewer, and masters at least twice as many.
 PIXELS = (16, 8192)
 #: Points of a line scan, as read and as resampled.
 POINTS = (16, 2**20)
-#: The largest file, or archive once unpacked, in bytes.
-FILE_LIMIT = 2**30
-#: How many times its own size a file may unpack to, and take of memory when it is read: heights
-#: have noise, and do not shrink to a hundredth.
-INFLATION = 200
 #: Pixels and heights of a scan in nm, 1 pm to 1 cm: the range of all microscopes, and squares of
 #: these keep their digits. A damaged header may state any number.
 LENGTHS = (1e-3, 1e7)
@@ -59,17 +85,13 @@ ROUNDING = 0.05
 IN_WORDS = re.compile(r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*(nm|µm|μm|um)\b", re.I)
 
 
-class RefusedScan(Exception):
-    """A scan that cannot be used; the text says what was expected and what was found."""
-
-
 def check_points(counts: tuple[int, ...]) -> None:
     """Refuse a map (x, y) or a line scan (n,) of too few or too many points."""
     least, most = PIXELS if len(counts) == 2 else POINTS
     if not least <= min(counts) <= max(counts) <= most:
         found = " x ".join(map(str, counts))
         where = "pixels along an edge" if len(counts) == 2 else "points along a line scan"
-        raise RefusedScan(f"expected {least} to {most} {where}, found {found}")
+        raise RefusedFile(f"expected {least} to {most} {where}, found {found}")
 
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
@@ -89,13 +111,13 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int
         or not max(-low, high) <= most  # also true of what is no number
         or 0 < high - low < least
     ):
-        raise RefusedScan(
+        raise RefusedFile(
             f"expected pixels and differences of height from {least:g} to {most:g} nm, "
             f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
         )
     slope = np.abs(np.diff(heights)).mean() / pixel_size
     if slope > SLOPE_LIMIT:
-        raise RefusedScan(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
+        raise RefusedFile(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
     return {"heights": heights, "pixel_size": pixel_size, "notes": notes, "undefined": undefined}
 
 
@@ -106,14 +128,14 @@ def unit_in_nm(unit: str) -> float:
     try:
         return float(get_unit_conversion_factor(unit, "nm"))
     except ValueError:
-        raise RefusedScan(f"expected a unit of length, found {unit!r}") from None
+        raise RefusedFile(f"expected a unit of length, found {unit!r}") from None
 
 
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
     """Return fields of the `Measurement` of a map with physical sizes, whose unit is `factor` nm.
 
     It is the central square, on square pixels; what is undefined beside it does not count. Pixels
-    that are undefined and may not be filled, and heights of no scan are a RefusedScan.
+    that are undefined and may not be filled, and heights of no scan are a RefusedFile.
     """
     from SurfaceTopography import Topography
 
@@ -146,7 +168,7 @@ def _square_pixels(
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
         found = " nm x ".join(f"{edge:.6g}" for edge in edges)
-        raise RefusedScan(f"expected pixels of positive edges, found {found} nm")
+        raise RefusedFile(f"expected pixels of positive edges, found {found} nm")
     if longer <= (1 + OBLONG) * edges.min():
         return heights, float(edges.mean()), []
     values = heights.filled(np.nan)
@@ -172,12 +194,12 @@ def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, 
     """
     count = int(heights.mask.sum())
     if count > MOST_UNDEFINED * heights.size:
-        raise RefusedScan(
+        raise RefusedFile(
             f"expected at most {MOST_UNDEFINED:.0%} of the pixels undefined, "
             f"found {count} of {heights.size}"
         )
     if count and undefined_pixels == "refuse":
-        raise RefusedScan(
+        raise RefusedFile(
             f"expected no undefined pixels, found {count}; "
             "the key scan.undefined_pixels: harmonic fills them"
         )
@@ -191,7 +213,7 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
     from each point to the next, and increase in what is returned. Between points heights are
     interpolated linearly. So are gaps: on a line, that is the harmonic function through their ends.
     A line scan that is reentrant, has undefined points that may not be filled or too many on the
-    median spacing, and heights of no scan are a RefusedScan.
+    median spacing, and heights of no scan are a RefusedFile.
     """
     heights = _masked(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
@@ -210,7 +232,7 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
     spacings = np.diff(positions)
     if not (spacings > 0).all():
         point = int(np.argmin(spacings > 0)) + 1
-        raise RefusedScan(
+        raise RefusedFile(
             "expected positions that increase along a line scan, found a reentrant one: "
             f"point {point + 1} is at {positions[point]:.6g} nm, "
             f"that before it at {positions[point - 1]:.6g} nm"
@@ -257,7 +279,7 @@ def _in_numbers(metadata: dict[str, Any]) -> float | None:
     try:
         stated = metadata["instrument"]["parameters"]["tip_radius"]
         radius = float(stated["value"]) * unit_in_nm(stated["unit"])
-    except (LookupError, TypeError, ValueError, RefusedScan):
+    except (LookupError, TypeError, ValueError, RefusedFile):
         return None
     least, most = LENGTHS
     return radius if least <= radius <= most else None

@@ -1,0 +1,308 @@
+"""Hostile files: one line for the user; nothing is executed or written, no other file is read."""
+
+import io
+import json
+import multiprocessing
+import os
+import pickle
+import signal
+import struct
+import time
+import zipfile
+
+import h5py
+import numpy as np
+import pytest
+import yaml
+from refusals import assert_says, refusal
+from scan_files import heights, scan
+
+from hardcontact.surfaces import limited_process, scans
+
+
+class Payload:
+    """Something whose unpickling makes a folder."""
+
+    def __init__(self, folder):
+        self.folder = folder
+
+    def __reduce__(self):
+        return os.mkdir, (str(self.folder),)
+
+
+def archive(path, files):
+    """Write a zip archive: name -> content."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as target:
+        for name, content in files.items():
+            target.writestr(name, content)
+
+
+def text(values):
+    lines = io.StringIO()
+    np.savetxt(lines, values)
+    return lines.getvalue()
+
+
+def listed(member="a.txt", **other):
+    """A container's meta.yml with one scan, called one."""
+    entry = {"name": "one", "datafile": {"original": member}, "size": [320, 320], "unit": "nm"}
+    return yaml.safe_dump({"surfaces": [{"topographies": [entry | other]}]})
+
+
+def container(path, content, member="a.txt"):
+    archive(path, {"meta.yml": listed(member), member: content})
+
+
+def listing(content):
+    """Write a container of one good text with this list of scans."""
+    return lambda path: archive(path, {"meta.yml": content, "a.txt": text(heights(32, 32))})
+
+
+def hdf5(write, inside):
+    """Write an HDF5 file, alone or in a container."""
+
+    def written(path):
+        file = path.with_suffix(".h5") if inside else path
+        with h5py.File(file, "w") as target:
+            write(target, path.parent / "outside.h5")
+        if inside:
+            container(path, file.read_bytes(), "a.h5")
+
+    return written
+
+
+def external_storage(file, outside):
+    file.create_dataset("h", (32, 32), "f8", external=[(str(outside), 0, h5py.h5f.UNLIMITED)])
+
+
+def external_link(file, outside):
+    file["e"] = h5py.ExternalLink(outside, "/")
+    file["h"] = h5py.SoftLink("/e/h")
+
+
+def virtual(file, outside):
+    layout = h5py.VirtualLayout((32, 32), "f8")
+    layout[:] = h5py.VirtualSource(outside, "h", (32, 32))
+    file.create_virtual_dataset("h", layout)
+
+
+def groups(file, _):
+    for number in range(1001):
+        file.create_group(str(number))
+
+
+def too_many_pixels(file, _):
+    file.create_dataset("h", (10**6, 10**6), "f8", chunks=(8, 8))
+
+
+def pickled(path):
+    path.write_bytes(pickle.dumps(Payload(path.parent / "made")))
+
+
+def pickled_array(path):
+    with open(path, "wb") as file:
+        values = np.array([[Payload(path.parent / "made")] * 32] * 32, object)
+        np.save(file, values, allow_pickle=True)
+
+
+def pickled_in_container(path):
+    pickled_array(path)
+    container(path, path.read_bytes(), "a.npy")
+
+
+def altered(offset, form, value):
+    """Write a container whose last file is declared with another value at an offset."""
+
+    def written(path):
+        container(path, bytes(2**20))
+        content = bytearray(path.read_bytes())
+        struct.pack_into(form, content, content.rindex(b"PK\1\2") + offset, value)
+        path.write_bytes(content)
+
+    return written
+
+
+def huge(path):
+    with open(path, "wb") as file:
+        file.truncate(2**30 + 1)
+
+
+ALIASES = "a0: &a0 [x]\n" + "".join(
+    f"a{k}: &a{k} [{', '.join([f'*a{k - 1}'] * 9)}]\n" for k in range(1, 12)
+)
+
+
+def aliased(key):
+    """A meta.yml with one scan, of which this key is a list of 9^11 letters."""
+    entry = f"{{name: one, datafile: {{original: a.txt}}, size: [320, 320], {key}: *a11}}"
+    return ALIASES + f"surfaces: [{{topographies: [{entry}]}}]\n"
+
+
+MANY = [{"datafile": {"original": f"{number}.txt"}} for number in range(3000)]
+#: What is written to a file, and a part of what its refusal says.
+HOSTILE = {
+    "missing": (lambda path: None, "found no such file"),
+    "empty": (lambda path: path.write_bytes(b""), "found an empty file"),
+    "folder": (os.mkdir, "found a folder"),
+    "pipe": (os.mkfifo, "no regular file"),
+    "huge": (huge, "at most 1073741824 bytes"),
+    "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
+    "picture": (lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4096), ""),
+    "zip head": (lambda path: path.write_bytes(b"PK\x03\x04" + bytes(range(256)) * 4096), ""),
+    "pickle": (pickled, "none of its readers takes"),
+    "pickled array": (pickled_array, "found"),
+    "pickled array in a container": (pickled_in_container, "found"),
+    "zip bomb": (lambda path: container(path, bytes(2**27)), "MemoryError"),
+    "lying zip": (altered(24, "<I", 1000), "Bad CRC-32"),
+    "encrypted zip": (altered(8, "<H", 1), "encrypted"),
+    "container in a container": (
+        lambda path: container(path, listed().encode(), "inner.zip"), "none of its readers takes",
+    ),
+    "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels along an edge"),
+    "groups": (hdf5(groups, False), "found"),
+    **{
+        f"{write.__name__} {'in a container' * inside}": (hdf5(write, inside), "found")
+        for write in (external_storage, external_link, virtual)
+        for inside in (False, True)
+    },
+    "many scans": (
+        listing(json.dumps({"surfaces": [{"topographies": MANY}]})), "at most 1000 scans",
+    ),
+    "call in a list": (
+        listing("surfaces: [{topographies: [!!python/object/apply:os.mkdir [made]]}]"),
+        "lists surfaces",
+    ),
+    "long list": (listing(" ".join(map(str, range(2**18)))), "lists surfaces"),
+    "aliases": (listing(ALIASES + "surfaces: *a11\n"), "lists surfaces"),
+    "alias of itself": (listing("surfaces: &a\n- topographies: *a\n"), "lists surfaces"),
+    "deep list": (listing("[" * 1200), "lists surfaces"),
+    "no list": (listing(b"\xff\xfe\x00"), "lists surfaces"),
+    "aliased unit": (listing(aliased("unit")), "found"),
+    "aliased description": (listing(aliased("description")), "found"),
+    "aliased name": (listing(aliased("name")), "found"),
+    "no text": (listing(listed(["a.txt"])), "lists surfaces"),
+    "letters": (listing(listed("b\n\033[31m.txt")), "found"),
+    "other file": (listing(listed("b.txt")), "the data file b.txt"),
+    "size in words": (listing(listed(size="large")), "found"),
+    "unit of another kind": (listing(listed(unit={"nm": 1})), "found"),
+    **{
+        f"size {size}": (listing(listed(size=size)), "2 positive numbers")
+        for size in ([float("inf")] * 2, [320.0], [-1, -1])
+    },
+    "large size": (listing(listed(size=[1e30] * 2)), "pixels and differences of height"),
+    **{
+        f"height scale {scale}": (listing(listed(height_scale=scale)), part)
+        for scale, part in (
+            (-1, "a positive height scale"), (float("nan"), "a positive height scale"),
+            (1e30, "pixels and differences of height"), (1e6, "a mean slope of at most 10"),
+        )
+    },
+    "channel": (listing(listed(data_source=99)), "a data_source from 0 to 0"),
+}  # fmt: skip
+
+
+def read_all(path):
+    for dataset in scans.list_measurements(path):
+        scans.read_measurement(path, dataset)
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """An own folder, with a file that no scan may read and none for temporary files but it."""
+    with h5py.File(tmp_path / "outside.h5", "w") as file:
+        file["h"] = heights(32, 32)
+    monkeypatch.setenv("TMPDIR", str(tmp_path))
+    monkeypatch.setattr("tempfile.tempdir", None)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
+    monkeypatch.setattr(limited_process, "SMALL_FILE_MEMORY", 2**26)
+    monkeypatch.setattr(limited_process, "SMALL_FILE_SECONDS", 1)
+    write, part = HOSTILE[name]
+    path = folder / "a.zip"
+    write(path)
+    before = sorted(folder.rglob("*"))
+    start = time.monotonic()
+    message = refusal(read_all, path)
+    assert time.monotonic() - start < 60  # a few seconds of computing, on a busy machine
+    assert message.isprintable() and len(message) < 2500
+    assert_says(message, f"{path}: expected", "found", part)
+    assert sorted(folder.rglob("*")) == before  # nothing unpacked, executed or left behind
+
+
+@pytest.mark.parametrize("name", ["../outside.txt", "/tmp/outside.txt", "a/../../outside.txt"])
+def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder, name):
+    container(folder / "a.zip", text(heights(32, 32)), name)
+    before = sorted(folder.rglob("*"))
+    np.testing.assert_allclose(scans.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
+    assert sorted(folder.rglob("*")) == before and not os.path.exists("/tmp/outside.txt")
+
+
+def crash(_):
+    os.kill(os.getpid(), signal.SIGSYS)
+
+
+def loop(_):
+    while True:
+        pass
+
+
+def hoard(_):
+    return {"heights": np.ones(2**28)}
+
+
+def write_a_file(_):
+    with open(limited_process.__file__, "a"):
+        return {}
+
+
+def read_a_file(_):
+    with open("/etc/hostname") as file:
+        return {"text": file.read()}
+
+
+def chatter(_):
+    os.write(1, b"reader was here")
+    os.write(2, b"reader was here")
+    raise RuntimeError("two\nlines \033[31m")
+
+
+@pytest.mark.parametrize(
+    ("reader", "part"),
+    [
+        (crash, "whose reader crashes"),
+        (loop, "takes more than 1 s"),
+        (hoard, "MemoryError"),
+        (write_a_file, "Too many open files"),
+        (read_a_file, "Too many open files"),
+        (chatter, "(RuntimeError: two lines [31m)"),
+    ],
+)
+def test_whatever_a_reader_does(folder, monkeypatch, capfd, reader, part):
+    monkeypatch.setattr(limited_process, "MAX_SECONDS", 1)
+    path = scan(folder / "a.nc")
+    message = refusal(limited_process.read_in_child, reader, path)
+    assert_says(message, "a.nc: expected a readable", "found", part)
+    assert capfd.readouterr() == ("", "")
+    assert multiprocessing.active_children() == []
+
+
+def test_a_child_cannot_write_to_a_file_that_is_open(folder):
+    with open(folder / "open.txt", "wb", buffering=0) as file:
+
+        def write(_):
+            file.write(b"reader was here")
+            return {}
+
+        assert_says(refusal(limited_process.read_in_child, write, scan(folder / "a.nc")), "OSError")
+    assert (folder / "open.txt").read_bytes() == b""
+
+
+def test_what_a_terminal_would_obey_is_no_name_of_a_channel(folder):
+    hdf5(lambda file, _: file.create_dataset("\033[31mh", data=heights(32, 32)), True)(
+        folder / "a.zip"
+    )
+    assert scans.read_measurement(folder / "a.zip", "one").channel == " [31mh"

@@ -1,0 +1,179 @@
+"""Reading a file of the user in a child process: its bytes may be damaged or hostile.
+
+A reader, or a C library below it, may crash, hang, fill the memory or follow a link to another
+file. The child gets the bytes of its one file. It can open no file, write none, and use only so
+much memory and time. Whatever goes wrong there is a ValueError of one line.
+"""
+
+import faulthandler
+import io
+import json
+import logging
+import multiprocessing
+import os
+import resource
+import sys
+import tempfile
+import warnings
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+#: The largest file in bytes.
+MAX_FILE = 2**30
+#: Bytes of memory of the child, and how many of them a small file gets and each byte more.
+MAX_MEMORY, SMALL_FILE_MEMORY, MEMORY_PER_BYTE = 4 * 2**30, 2**29, 200
+#: Seconds of computing of the child, and how many a small file gets and each 2**20 bytes more.
+MAX_SECONDS, SMALL_FILE_SECONDS, SECONDS_PER_MEGABYTE = 120, 2, 10
+#: Seconds on the clock, with waits for a processor.
+MAX_WAIT = 600
+#: The longest message in characters.
+MAX_MESSAGE = 2000
+
+
+class RefusedFile(Exception):
+    """A file that cannot be used; the text says what was expected and what was found."""
+
+
+def read_in_child(
+    read: Callable[..., dict[str, Any]], path: Path, *arguments: str
+) -> dict[str, Any]:
+    """Return what a function finds in the bytes of a file, in a child process.
+
+    Parameters
+    ----------
+    read : callable
+        Called with the bytes of the file and the arguments. It returns a dictionary of what JSON
+        holds; `heights` may be an array. What it needs is imported already.
+    path : Path
+        The file of the user.
+    *arguments : str
+        Further arguments of `read`.
+
+    Returns
+    -------
+    dict
+        As `read` returns it. In texts a blank replaces what a terminal would obey.
+
+    Raises
+    ------
+    ValueError
+        If the file is missing, empty, too large or refused, or if its reader crashes or passes a
+        limit: one line with the path, what was expected and what was found.
+    """
+    size = _checked_size(path)
+    seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
+    memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
+    context = multiprocessing.get_context("fork")
+    receiver, sender = context.Pipe(duplex=False)
+    with tempfile.TemporaryDirectory() as folder:
+        child = context.Process(
+            target=_run_child,
+            args=(sender, folder, seconds, memory, read, path.absolute(), *arguments),
+            daemon=True,
+        )
+        child.start()
+        sender.close()
+        try:
+            if not receiver.poll(MAX_WAIT):
+                raise EOFError
+            answer: dict[str, Any] = json.loads(receiver.recv_bytes())
+            if "refused" not in answer:
+                answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
+        except EOFError:
+            answer = {
+                "refused": "expected a readable file, found one whose reader crashes or takes more "
+                f"than {seconds} s or {memory >> 20} MB, which a file of this size may take"
+            }
+        finally:
+            child.kill()
+            child.join()
+            receiver.close()
+    if "refused" in answer:
+        raise ValueError(f"{path}: {answer['refused']}")
+    return answer
+
+
+def _checked_size(path: Path) -> int:
+    """Return the size of a file in bytes; refuse what is no file, empty or too large."""
+    if path.is_dir():
+        raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
+    if not path.is_file():
+        found = "no regular file" if path.exists() else "no such file"
+        raise ValueError(f"{path}: expected a scan, found {found}")
+    size = path.stat().st_size
+    if size == 0:
+        raise ValueError(f"{path}: expected a scan, found an empty file")
+    if size > MAX_FILE:
+        raise ValueError(f"{path}: expected a file of at most {MAX_FILE} bytes, found {size}")
+    return size
+
+
+def _run_child(
+    sender: Connection,
+    folder: str,
+    seconds: int,
+    memory: int,
+    read: Callable[..., dict[str, Any]],
+    path: Path,
+    *arguments: str,
+) -> None:
+    """Send what is read of a file, or why it is refused; silently, for readers log and print."""
+    _silence()
+    try:
+        content = path.read_bytes()
+        os.chdir(folder)
+        _limit(seconds, memory)
+        answer = read(content, *arguments)
+    except RefusedFile as error:
+        answer = {"refused": str(error)}
+    except Exception as error:  # damaged bytes may raise anything in a reader
+        text = f"{type(error).__name__}: {str(error)[:200]}"
+        reason = f"expected a readable scan, found one damaged or of an unknown kind ({text})"
+        answer = {"refused": reason}
+    if "refused" in answer:
+        line = " ".join(_printable(answer["refused"][:MAX_MESSAGE]).split())
+        sender.send_bytes(json.dumps({"refused": line}).encode())
+        return
+    array = io.BytesIO()
+    np.save(array, answer.pop("heights", np.empty(0)))
+    printable = {key: _printable(value) for key, value in answer.items()}
+    sender.send_bytes(json.dumps(printable).encode())
+    sender.send_bytes(array.getbuffer())
+
+
+def _printable(value: Any) -> Any:
+    """Return a text, or a list of them, with blanks for what a terminal would obey; else as is."""
+    if isinstance(value, list):
+        return [_printable(part) for part in value]
+    if not isinstance(value, str):
+        return value
+    return "".join(letter if letter.isprintable() else " " for letter in value)
+
+
+def _silence() -> None:
+    faulthandler.disable()
+    logging.disable()
+    warnings.simplefilter("ignore")
+    for stream in (1, 2):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
+
+
+def _limit(seconds: int, memory: int) -> None:
+    """Limit this process: its computing time, memory beyond what it has, and files to none."""
+    limits = {
+        resource.RLIMIT_CORE: 0,
+        resource.RLIMIT_FSIZE: 0,  # writes nothing
+        resource.RLIMIT_NOFILE: 0,  # opens nothing; what is open stays open
+        resource.RLIMIT_CPU: seconds,
+    }
+    if sys.platform == "linux":  # elsewhere the memory is not limited
+        pages = int(Path("/proc/self/statm").read_text().split()[0])
+        limits[resource.RLIMIT_AS] = pages * resource.getpagesize() + memory
+    for kind, most in limits.items():
+        _, hard = resource.getrlimit(kind)
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(kind, (most, hard))
