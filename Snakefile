@@ -51,7 +51,7 @@ include: "workflow/rules/provenance.smk"
 
 
 onstart:
-    start.hold_folders(PATTERNS.results, PATTERNS.store)
+    start.check_folders(PATTERNS.results, PATTERNS.store)
 
 
 onsuccess:

@@ -33,7 +33,7 @@ DRAWN = [target for target in made(STUDY) if target in ("figures", "pages", "ans
 
 
 onstart:
-    start.hold_folders(PATTERNS.results)
+    start.check_folders(PATTERNS.results)
 
 
 onsuccess:

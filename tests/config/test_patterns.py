@@ -109,7 +109,6 @@ def test_log_and_benchmark_have_the_wildcards_of_the_output(name):
 def test_final_files_lie_in_the_folder_of_the_study():
     assert PATTERNS.dataset("band") == "results/a/band.nc"
     assert PATTERNS.result("claims.csv") == "results/a/claims.csv"
-    assert PATTERNS.record("fig1") == "results/a/provenance/fig1.json"
     assert PATTERNS.figure("fig1", "pdf") == "results/a/figures/fig1.pdf"
     assert PATTERNS.page("claims") == "results/a/report/claims.html"
     assert PATTERNS.log("infer") == "results/a/logs/infer.log"

@@ -40,7 +40,7 @@ def library(tmp_path, monkeypatch):
 def traced(*modules):
     """Return what a script uses, without the folder that all lies in, itself and the pins."""
     *files, direct, transitive = code.code_inputs("script.py", *modules)
-    assert (direct, transitive) == ("environment.txt", "workflow/constraints.txt")
+    assert (direct, transitive) == ("results/environment.txt", "results/constraints.txt")
     assert files == sorted(files)
     files.remove("workflow/scripts/script.py")
     return [file.removeprefix("workflow/hardcontact/").removesuffix(".py") for file in files]
@@ -105,6 +105,22 @@ def test_modules_imported_by_a_name_are_given(library):
     assert traced("hardcontact.surfaces.scans") == [
         "__init__", "contact/__init__", "contact/hertz", "surfaces/__init__", "surfaces/scans",
     ]  # fmt: skip
+
+
+def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "workflow").mkdir()
+    constraints = tmp_path / "workflow/constraints.txt"
+    constraints.write_text("attrs==25.1\n")
+    for text in ("numpy==2.0\n", "# arrays (BSD)\n\nnumpy==2.0  # and more\n"):
+        (tmp_path / "environment.txt").write_text(text)
+        code.write_pins()
+        assert [Path(path).read_text() for path in code.PINS] == ["numpy==2.0\n", "attrs==25.1\n"]
+    written = [Path(path).stat().st_mtime_ns for path in code.PINS]
+    constraints.write_text("attrs==25.2\n")
+    code.write_pins()
+    assert Path(code.PINS[1]).read_text() == "attrs==25.2\n"
+    assert Path(code.PINS[0]).stat().st_mtime_ns == written[0]
 
 
 def test_the_library_is_the_one_that_is_imported():

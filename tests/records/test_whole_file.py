@@ -1,14 +1,13 @@
 """Files are whole or not there."""
 
 import os
-import stat
 import time
 from pathlib import Path
 
 import pytest
 from refusals import assert_says, refusal
 
-from hardcontact.records.whole_file import refuse_future, whole_file
+from hardcontact.records.whole_file import PART, refuse_future, whole_file
 
 
 def test_a_file_appears_when_the_block_has_ended(tmp_path):
@@ -20,20 +19,19 @@ def test_a_file_appears_when_the_block_has_ended(tmp_path):
     assert [entry.name for entry in path.parent.iterdir()] == ["a.txt"]
 
 
-def test_permissions_are_those_of_any_new_file(tmp_path):
-    with whole_file(tmp_path / "a") as temporary:
-        Path(temporary).write_text("")
-    (tmp_path / "b").touch()
-    modes = {stat.S_IMODE(os.stat(tmp_path / name).st_mode) for name in "ab"}
-    assert len(modes) == 1
-
-
 def test_a_failing_write_leaves_what_was_there(tmp_path):
     (tmp_path / "old.nc").write_text("whole")
     for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
         with pytest.raises(RuntimeError), whole_file(target) as temporary:
             Path(temporary).write_text("half")
             raise RuntimeError
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
+
+
+def test_what_a_killed_process_left_is_written_over(tmp_path):
+    (tmp_path / f"{PART}a.nc").write_text("half of an earlier file")
+    with whole_file(tmp_path / "a.nc") as temporary:
+        Path(temporary).write_text("whole")
     assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
 
 

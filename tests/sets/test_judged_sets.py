@@ -30,7 +30,8 @@ SETTINGS = SetSettings(
     confidence=CONFIDENCE,
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
-PAPER = Paper(STATEMENTS, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3)))
+REPLICATED = STATEMENTS[STATEMENTS["replicated"] == "yes"]
+PAPER = Paper(REPLICATED, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3)))
 
 
 @pytest.fixture(scope="module")
@@ -39,7 +40,7 @@ def sets():
 
 
 def test_every_replicated_claim_has_a_number_of_every_set(sets):
-    replicated = STATEMENTS["id"][STATEMENTS["replicated"] == "yes"]
+    replicated = REPLICATED["id"]
     assert sets["value"].dims == ("set", "claim")
     assert sets["claim"].values.tolist() == replicated.tolist()
     missing = sets["claim"].values[np.isnan(sets["value"]).any("set")]

@@ -3,13 +3,13 @@
 import xarray as xr
 
 #: Folders of files that belong to one run and not to its results.
-OF_THE_RUN = {"logs", "benchmarks", ".sha256"}
+OF_THE_RUN = {"logs", "benchmarks", ".origin"}
 
 
 def paths(results):
     """Return the paths in `results` of all files but those that belong to one run."""
     files = (path.relative_to(results) for path in results.rglob("*") if path.is_file())
-    return {path for path in files if not OF_THE_RUN & set(path.parts) and path.name != ".lock"}
+    return {path for path in files if not OF_THE_RUN & set(path.parts)}
 
 
 def same(one, other):

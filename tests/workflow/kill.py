@@ -93,6 +93,8 @@ class Round:
         if running:
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.wait()
+        if running:
+            run_snakemake(self.study, "--unlock")
         end = time.time() + END
         while others := processes(self.study):
             assert time.time() < end, f"outlived the kill: {others}"

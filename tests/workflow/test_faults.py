@@ -37,7 +37,6 @@ def test_deleted_results_are_made_again(finished_copy):
     [
         ("store-quick/scans/uncd/study/scan-1-flat.nc", ["topography"]),
         ("store-quick/masters/uncd/study/realization-1/small.nc", ["scales"]),
-        ("quick/provenance/fig5.json", []),
         ("quick/claims.csv", []),
         ("quick/figures/fig5.csv", []),
         ("quick/answer.html", []),

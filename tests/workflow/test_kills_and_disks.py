@@ -90,7 +90,7 @@ def running(finished_copy, tmp_path):
         run.kill()
 
 
-def test_after_a_kill_nothing_is_to_be_unlocked(running, finished):
+def test_after_a_kill_the_study_goes_on(running, finished):
     assert running.kill()
     (running.study / "go").touch()
     run = run_snakemake(running.study)
@@ -106,16 +106,9 @@ def test_two_runs_at_once(running, finished):
     def second(*arguments, **overlay):
         return run_snakemake(running.study, *arguments, overlays=[overlay] if overlay else [])
 
-    for folder, overlay in {
-        "results/quick": {},
-        "results/store-quick": {"study": "second"},  # the store is written to as well
-    }.items():
-        refused = second(**overlay)
-        assert refused.returncode != 0
-        lines = errors(refused.stdout)
-        assert len(lines) == 1, refused.stdout
-        assert_says(lines[0], f"{folder}: expected no other run", "found one", "wait")
-        assert "\nlocalrule " not in refused.stdout
+    refused = second()
+    assert refused.returncode != 0 and "cannot be locked" in refused.stdout, refused.stdout
+    assert "\nlocalrule " not in refused.stdout
     patterns = Patterns("results/other", "store-other", "ruby")
     spectrum = patterns.calibrated_spectrum.format(surface="uncd", variant=STUDY_VARIANT)
     beside = second(f"results/{spectrum}", study="other", store="results/store-other")
@@ -167,7 +160,7 @@ def test_a_read_only_folder(finished_copy, name):
     assert "\nlocalrule " not in run.stdout
     after = state()
     changed = [path for path in before | after if before.get(path) != after.get(path)]
-    assert {path.name for path in changed} <= {".lock"}  # of the folder that was held first
+    assert changed == []
 
 
 # Full disks and one core

@@ -306,3 +306,17 @@ def test_a_file_makes_again_what_is_made_from_it(dry, graph, path):
     readers = graph.readers(path)
     assert readers
     assert rules_of(dry(change=with_line(path))) == graph.following(readers)
+
+
+@pytest.mark.parametrize("path", ["environment.txt", "workflow/constraints.txt"])
+def test_a_comment_in_the_requirements_makes_nothing_again(dry, path):
+    assert rules_of(dry(change=with_line(path))) == set()
+
+
+def test_words_about_a_statement_compute_no_sets(dry):
+    def change(folder):
+        path = folder / "resources/paper/claims.csv"
+        path.write_text(path.read_text().replace("The rms height of", "The rms roughness of"))
+
+    jobs = rules_of(dry(change=change))
+    assert "evaluate_claims" in jobs and "judge_sets" not in jobs

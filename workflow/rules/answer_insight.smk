@@ -32,7 +32,6 @@ rule answer_insight:
             category="8. What decides the band",
             labels={"page": "all parts"},
         ),
-        record=PATTERNS.record("insight"),
     log:
         PATTERNS.log("answer_insight"),
     benchmark:

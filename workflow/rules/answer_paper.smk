@@ -24,7 +24,6 @@ rule answer_paper:
             labels={"page": "the answer"},
         ),
         json=PATTERNS.result("answer.json"),
-        record=PATTERNS.record("answer"),
     log:
         PATTERNS.log("answer_paper"),
     benchmark:

@@ -21,7 +21,6 @@ rule answer_surfaces:
             labels={"page": "the answer"},
         ),
         json=PATTERNS.result("answer.json"),
-        record=PATTERNS.record("answer"),
     log:
         PATTERNS.log("answer_surfaces"),
     benchmark:

@@ -22,7 +22,6 @@ rule evaluate_claims:
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("claims.csv"),
-        record=PATTERNS.record("claims"),
     log:
         PATTERNS.log("evaluate_claims"),
     benchmark:
@@ -49,7 +48,6 @@ rule evaluate_insight_claims:
         code=code_inputs("evaluate_claims.py"),
     output:
         claims=PATTERNS.result("insight_claims.csv"),
-        record=PATTERNS.record("insight_claims"),
     log:
         PATTERNS.log("evaluate_insight_claims"),
     benchmark:

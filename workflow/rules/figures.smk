@@ -22,7 +22,6 @@ for name, figure in FIGURES.items():
             ),
             svg=PATTERNS.figure(name, "svg"),
             csv=PATTERNS.figure(name, "csv"),
-            record=PATTERNS.record(name),
         log:
             PATTERNS.log(f"draw_{name}"),
         benchmark:

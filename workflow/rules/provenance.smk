@@ -11,7 +11,6 @@ rule keep_configuration:
     output:
         configuration=PATTERNS.result("configuration.yaml"),
         surfaces=PATTERNS.result("surfaces.tsv"),
-        record=PATTERNS.record("configuration"),
     log:
         PATTERNS.log("keep_configuration"),
     benchmark:
@@ -28,7 +27,7 @@ rule describe_crate:
         [getattr(rules, target).input for target in made(STUDY)],
         rules.keep_configuration.output,
         citation="CITATION.cff",
-        environment="environment.txt",
+        environment=PINS[0],
         code=code_inputs("describe_crate.py"),
     output:
         PATTERNS.result("ro-crate-metadata.json"),

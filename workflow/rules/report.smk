@@ -10,7 +10,7 @@ rule describe_study:
         claims=PATTERNS.result("claims.csv"),
         band=PATTERNS.dataset("band"),
         sets=PATTERNS.dataset("sets"),
-        environment="environment.txt",
+        environment=PINS[0],
         templates=template_inputs("claims.html", "chapter.html", "parameters.html", "verdicts.html"),
         code=code_inputs("describe_study.py"),
     output:
@@ -23,7 +23,6 @@ rule describe_study:
             )
             for page, (category, title) in PAGES.items()
         },
-        record=PATTERNS.record("pages"),
     log:
         PATTERNS.log("describe_study"),
     benchmark:

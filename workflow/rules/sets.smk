@@ -1,5 +1,7 @@
 # Sets: many equally good sets of substitute scans, drawn from pools, and the numbers of each.
 
+from hardcontact.claims.evaluation import replicated_statements
+
 
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
@@ -73,7 +75,6 @@ rule judge_sets:
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
         smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
         masters=FILES.paths(PATTERNS.varied_scales, FILES.set_masters),
-        statements="resources/paper/claims.csv",
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("judge_sets.py"),
@@ -92,6 +93,7 @@ rule judge_sets:
                 "pooled": SELECTION.pooled,
                 "masters": [[one.surface, one.realization, one.side] for one in FILES.set_masters],
                 "load": FILES.contact.load,
+                "statements": replicated_statements("resources/paper/claims.csv"),
                 "settings": {
                     "seed": STUDY["seed"],
                     "replicates": STUDY["sets"]["replicates"],

@@ -20,4 +20,3 @@ with job(snakemake) as this:
     band, pixels = read(this.input.band), this.parameters["scan"]["pixels"]
     page = insight_page(datasets, band, figures, constants, pixels)
     this.write_text(page, "page")
-    this.record("page")

@@ -30,4 +30,3 @@ with job(snakemake) as this:
     this.write_text(paper_page(answer, figures, captions, departures, citation), "page")
     numbers = json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1)
     this.write_text(numbers + "\n", "json")
-    this.record("page", "json")

@@ -18,4 +18,3 @@ with job(snakemake) as this:
     numbers = json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1)
     this.write_text(own_page(answer), "page")
     this.write_text(numbers + "\n", "json")
-    this.record("page", "json")

@@ -2,12 +2,11 @@
 
 from pathlib import Path
 
-from hardcontact.records import crate, provenance
+from hardcontact.records import crate
 from hardcontact.records.job import job
 from hardcontact.records.origin import pinned_versions
 
 with job(snakemake) as this:
-    provenance.require(this.input)
     this.write_text(
         crate.describe(
             Path(this.output[0]).parent,

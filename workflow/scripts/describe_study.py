@@ -19,4 +19,3 @@ with job(snakemake) as this:
     )
     for name, page in made.items():
         this.write_text(page, name)
-    this.record(*made)

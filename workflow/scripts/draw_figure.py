@@ -5,4 +5,3 @@ from hardcontact.records.job import job
 
 with job(snakemake) as this:
     draw_figure(this.parameters["figure"], this.input, this.output)
-    this.record("pdf", "png", "svg", "csv")

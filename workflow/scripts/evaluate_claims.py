@@ -16,4 +16,3 @@ with job(snakemake) as this:
         params["seed"],
     )
     this.write_text(evaluated.to_csv(index=False, float_format="%.6g"), "claims")
-    this.record("claims")

@@ -1,7 +1,8 @@
 """The numbers of many equally good sets of substitute scans, all sets in one dataset."""
 
+import pandas as pd
+
 from hardcontact.adhesion.all_surfaces import at_load, stacked_forces
-from hardcontact.claims.evaluation import read_statements
 from hardcontact.inference.inference import Pair, Published
 from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
@@ -20,7 +21,7 @@ with job(snakemake) as this:
         stacked_forces({key: at_load(one, given["load"]) for key, one in masters.items()}),
     )
     paper = Paper(
-        read_statements(this.input.statements),
+        pd.DataFrame(given["statements"]),
         constants,
         Published(published.pull_off(this.input.published_pull_off), pair),
     )

@@ -7,4 +7,3 @@ from hardcontact.records.job import job
 with job(snakemake) as this:
     this.write_text(yaml.safe_dump(this.parameters, allow_unicode=True), "configuration")
     this.copy(this.input.surfaces, "surfaces")
-    this.record("configuration", "surfaces")

@@ -88,6 +88,14 @@ def read_statements(path: str | Path) -> pd.DataFrame:
     return table.assign(**{name: pd.to_numeric(table[name]) for name in NUMBERS})
 
 
+def replicated_statements(path: str | Path) -> list[dict[str, str]]:
+    """Return what sets need of the statements that they replicate, without words for readers."""
+    table = read_statements(path)
+    replicated = table[table["replicated"] == "yes"]
+    columns = ["id", "dataset", "quantity", "select", "rule"]
+    return [dict(zip(columns, row, strict=True)) for row in replicated[columns].values.tolist()]
+
+
 def values(
     statements: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
 ) -> pd.Series:

@@ -83,10 +83,6 @@ class Patterns:
         """Return the path of another final file, named with its suffix."""
         return f"{self.results}/{file}"
 
-    def record(self, name: str) -> str:
-        """Return the path of the provenance record of files that have no attributes."""
-        return f"{self.results}/provenance/{name}.json"
-
     def figure(self, name: str, kind: str) -> str:
         """Return the path of a figure, by its kind: pdf, png, svg or csv."""
         return f"{self.results}/figures/{name}.{kind}"

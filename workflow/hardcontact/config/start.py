@@ -1,4 +1,4 @@
-"""What a run does before its first job: refuse in one line what cannot go well, lock its folders.
+"""What a run does before its first job: refuse in one line what cannot go well.
 
 The only place that knows the inside of Snakemake.
 """
@@ -6,12 +6,13 @@ The only place that knows the inside of Snakemake.
 import logging
 import os
 import sys
+import tempfile
 import threading
 from collections.abc import Mapping
 from copy import deepcopy
 from functools import partial
 from pathlib import Path
-from typing import Any, NoReturn, TextIO
+from typing import Any, NoReturn
 
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
@@ -23,9 +24,9 @@ from hardcontact.config.model import configuration as numbers_of
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.selection import Selection, selected_scans, surface_table
 from hardcontact.records import published
-from hardcontact.records.code import LIBRARY
+from hardcontact.records.code import LIBRARY, write_pins
 from hardcontact.records.origin import digests, refuse_changed
-from hardcontact.records.whole_file import hold, refuse_future
+from hardcontact.records.whole_file import refuse_future
 
 #: The folder of the repository that the imported library belongs to.
 ROOT = LIBRARY.parents[1]
@@ -34,8 +35,6 @@ logger = logging.getLogger("snakemake.logging.study")
 #: Size in bytes up to which a job keeps freed memory for its next array. Returning it to the system
 #: costs some jobs a fifth of their time.
 REUSED_MEMORY = 256 * 1024**2
-#: The locks of this run, open until it ends.
-_LOCKS: list[TextIO] = []
 
 
 def _refuse(message: object) -> NoReturn:
@@ -56,6 +55,10 @@ def prepare(workflow: Any) -> None:
         Path(".snakemake").mkdir(exist_ok=True)  # Snakemake's own attempt ends in a traceback.
     except OSError as error:
         _refuse(f".snakemake: expected a folder to write to, found: {error.strerror}")
+    try:
+        write_pins()
+    except ValueError as error:
+        _refuse(error)
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -160,10 +163,16 @@ def _stop_looking() -> None:
             thread.cancel()
 
 
-def hold_folders(*folders: str) -> None:
-    """Keep other runs out of folders until this one ends, or refuse them."""
+def check_folders(*folders: str) -> None:
+    """Refuse folders that cannot be written to, and those that have files of the future."""
+    for folder in folders:
+        try:
+            Path(folder).mkdir(parents=True, exist_ok=True)
+            with tempfile.TemporaryFile(dir=folder):
+                pass
+        except OSError as error:
+            _refuse(f"{folder}: expected a folder to write to, found: {error.strerror}")
     try:
-        _LOCKS.extend(hold(folder) for folder in folders)
         refuse_all(partial(refuse_future, folder) for folder in folders)
     except ValueError as error:
         _refuse(error)

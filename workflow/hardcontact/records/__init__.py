@@ -1,1 +1,1 @@
-"""What is kept of every file: whole-file writing, provenance, logs, locks, code that made it."""
+"""What is kept of every file: whole-file writing, provenance, logs, code that made it."""

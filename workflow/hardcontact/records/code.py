@@ -7,12 +7,15 @@ from functools import cache
 from pathlib import Path
 
 import hardcontact
+from hardcontact.records.whole_file import whole_file
 
 #: The folder of the library that is imported, and that of the scripts beside it.
 LIBRARY = Path(str(hardcontact.__file__)).resolve().parent
 SCRIPTS = LIBRARY.parent / "scripts"
 #: The versions of the packages that the library is used with.
-PINS = ("environment.txt", "workflow/constraints.txt")
+REQUIREMENTS = ("environment.txt", "workflow/constraints.txt")
+#: The same without comments, on which jobs depend: so that a comment makes no file stale.
+PINS = tuple(f"results/{Path(path).name}" for path in REQUIREMENTS)
 
 #: The templates of pages, and what every page holds: layout, macros, style and scripts.
 TEMPLATES = LIBRARY.parent / "report/templates"
@@ -25,6 +28,16 @@ OF_EVERY_PAGE = (
 def template_inputs(*names: str) -> list[str]:
     """Return the files of the templates of a page, relative to the working directory."""
     return [os.path.relpath(TEMPLATES / name) for name in (*names, *OF_EVERY_PAGE)]
+
+
+def write_pins() -> None:
+    """Write the requirements without comments, unless they are there already."""
+    for source, path in zip(REQUIREMENTS, PINS, strict=True):
+        lines = (line.partition("#")[0].strip() for line in Path(source).read_text().splitlines())
+        text = "".join(f"{line}\n" for line in lines if line)
+        if not Path(path).is_file() or Path(path).read_text() != text:
+            with whole_file(path) as temporary:
+                Path(temporary).write_text(text)
 
 
 @cache

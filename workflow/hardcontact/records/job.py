@@ -17,9 +17,8 @@ from hardcontact.records import dataset as labelled
 from hardcontact.records.dataset import FileFormat
 from hardcontact.records.origin import (
     Origin,
-    canonical,
     digests,
-    keep_digests,
+    keep_records,
     refuse_changed,
 )
 from hardcontact.records.whole_file import whole_file
@@ -67,11 +66,6 @@ class Job(NamedTuple):
         with whole_file(self._path(output)) as path:
             shutil.copyfile(source, path)
 
-    def record(self, *outputs: int | str) -> None:
-        """Write to the output `record` what determined outputs that have no attributes."""
-        made = {"output_digests": canonical(digests(self._path(output) for output in outputs))}
-        self.write_text(canonical(self.origin.attributes() | made), "record")
-
     def _path(self, output: int | str) -> str:
         return str(self.output[output])
 
@@ -87,14 +81,10 @@ def job(snakemake: Any) -> Iterator[Job]:
         found = digests(inputs)
         refuse_changed(found)
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
-        yield Job(
-            inputs,
-            snakemake.output,
-            json.loads(canonical_parameters),
-            snakemake.threads,
-            Origin(canonical_parameters, found, list(code)),
-        )
-        keep_digests(path for path in snakemake.output if Path(path).is_file())
+        origin = Origin(canonical_parameters, found, list(code))
+        parameters = json.loads(canonical_parameters)
+        yield Job(inputs, snakemake.output, parameters, snakemake.threads, origin)
+        keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
     # Only in the process of a script that Snakemake started, which ends with its job.
     if getattr(sys.modules["__main__"], "snakemake", None) is snakemake:
         _leave_at_once()

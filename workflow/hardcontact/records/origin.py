@@ -1,4 +1,8 @@
-"""What determined a file: parameters, inputs, code and the versions of packages."""
+"""What determined a file: parameters, inputs, code and the versions of packages.
+
+Datasets say it in their attributes. Of every file that a job makes, a record of it and the file's
+own SHA-256 stand beside the file, in a hidden folder.
+"""
 
 import hashlib
 import json
@@ -6,15 +10,18 @@ import re
 from collections.abc import Iterable, Mapping
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from hardcontact.records.whole_file import whole_file
 
 #: Packages whose versions every file names.
 PACKAGES = ("numpy", "scipy", "xarray", "netCDF4", "SurfaceTopography", "snakemake")
 
-#: The folder of the digests of files, beside them.
-KEPT = ".sha256"
+#: The folder of the records of files, beside them.
+RECORDS = ".origin"
+
+#: `Origin.attributes`, the digests of inputs decoded, and the `sha256` of the file.
+Record = dict[str, Any]
 
 
 def canonical(parameters: object) -> str:
@@ -31,34 +38,6 @@ def digest(path: str | Path) -> str:
 def digests(paths: Iterable[str | Path]) -> dict[str, str]:
     """Return the SHA-256 of each of the files, by path."""
     return {Path(path).as_posix(): digest(path) for path in set(paths)}
-
-
-def keep_digests(paths: Iterable[str | Path]) -> None:
-    """Keep the SHA-256 of files that a job has made in KEPT beside them, as `sha256sum` does."""
-    for path, value in digests(paths).items():
-        with whole_file(_kept(path)) as temporary:
-            Path(temporary).write_text(f"{value}  {Path(path).name}\n", "utf-8")
-
-
-def kept_digest(path: str | Path) -> str | None:
-    """Return the SHA-256 that a file had when it was made, None of one that no job made."""
-    kept = _kept(path)
-    return kept.read_text("utf-8", "replace").partition(" ")[0] if kept.is_file() else None
-
-
-def refuse_changed(found: Mapping[str, str]) -> None:
-    """Refuse files, given with their SHA-256, that are not as a job made them, in one line."""
-    changed = [path for path in sorted(found) if kept_digest(path) not in (None, found[path])]
-    if changed:
-        said = (
-            f"{path}: expected the file that the study wrote, found another" for path in changed
-        )
-        raise ValueError("; ".join(said) + "; delete it and run again")
-
-
-def _kept(path: str | Path) -> Path:
-    # A search for *.nc finds datasets alone.
-    return Path(path).parent / KEPT / f"{Path(path).name}.sha256"
 
 
 class Origin(NamedTuple):
@@ -82,10 +61,61 @@ class Origin(NamedTuple):
         }
 
 
+def record_path(path: str | Path) -> Path:
+    """Return the path of the record of a file."""
+    # A search for *.nc finds datasets alone.
+    return Path(path).parent / RECORDS / f"{Path(path).name}.json"
+
+
+def keep_records(paths: Iterable[str | Path], origin: Origin) -> None:
+    """Keep the origin and the SHA-256 of files that a job has made."""
+    for path, value in digests(paths).items():
+        record = origin.attributes() | {"input_digests": origin.inputs, "sha256": value}
+        with whole_file(record_path(path)) as temporary:
+            Path(temporary).write_text(canonical(record), "utf-8")
+
+
+def read_record(path: str | Path) -> Record | None:
+    """Return the record of a file, None if no job made the file.
+
+    Raises ValueError, with one line, if the record is damaged.
+    """
+    place = record_path(path)
+    if not place.is_file():
+        return None
+    try:
+        record: Record = json.loads(place.read_text("utf-8"))
+        inputs = {"input_digests": dict(record["input_digests"])}
+        return record | inputs | {"sha256": str(record["sha256"])}
+    except (ValueError, TypeError, KeyError) as error:
+        raise ValueError(
+            f"{path}: expected a whole record of its origin in {place}, found: "
+            f"{' '.join(str(error).split())}; delete {path} and run again"
+        ) from None
+
+
+def refuse_changed(found: Mapping[str, str]) -> None:
+    """Raise ValueError, in one line, if files are not as a job made them.
+
+    Files are given with their SHA-256; those that no job made are taken as they are.
+    """
+    changed = []
+    for path in sorted(found):
+        record = read_record(path)
+        if record and record["sha256"] != found[path]:
+            changed.append(path)
+    if changed:
+        lines = (
+            f"{path}: expected the file that the study wrote, found another" for path in changed
+        )
+        raise ValueError("; ".join(lines) + "; delete it and run again")
+
+
 def pinned_versions(environment: str | Path) -> dict[str, str]:
     """Return the installed versions of the packages that requirements of pip pin, in their order.
 
-    Only lines ``package==version`` count; a ValueError of one line names one that is not installed.
+    Only lines ``package==version`` count. Raises ValueError, with one line, if one of them is not
+    installed.
     """
     names = re.findall(r"^([\w.-]+)(?:\[[^]]*\])?==", Path(environment).read_text("utf-8"), re.M)
     try:

@@ -1,130 +1,84 @@
-"""The origins of a study's files: read back, followed to their sources, checked."""
+"""The origins of a study's files: followed to their sources, compared with what is at hand."""
 
-import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
-from typing import Any
 
-import netCDF4
-
-from hardcontact.records.origin import digest, kept_digest
-
-#: The texts of `Origin.attributes`; of files without attributes also `output_digests`, a dict.
-Record = dict[str, Any]
-
-#: The folder of the records of files that have no attributes, below the results of a study.
-FOLDER = "provenance"
-
-
-def _attributes(path: str | Path) -> Record | None:
-    """Return the attributes of a netCDF file that a study wrote; None of any other file."""
-    try:
-        with netCDF4.Dataset(path) as file:
-            attributes: Record = dict(file.__dict__)
-    except OSError:
-        return None
-    return attributes if "input_digests" in attributes else None
-
-
-def _record(path: str | Path) -> Record:
-    """Read the record of files that have no attributes."""
-    try:
-        record: Record = json.loads(Path(path).read_text("utf-8"))
-        outputs = dict(json.loads(record["output_digests"]))
-        json.loads(record["input_digests"])
-        return record | {"output_digests": outputs}
-    except (OSError, ValueError, TypeError, KeyError) as error:
-        reason = " ".join(str(error).split())
-        raise ValueError(
-            f"{path}: expected a whole record, found: {reason}; delete it and run again"
-        ) from None
-
-
-def require(paths: Iterable[str | Path]) -> None:
-    """Refuse files that are not those that the study wrote.
-
-    Paths in the folder FOLDER are records; the files that they name are compared. A ValueError of
-    one line names the first file that is another or none, or a damaged record.
-    """
-    for path in paths:
-        outputs = _record(path)["output_digests"] if Path(path).parent.name == FOLDER else {}
-        for name, expected in outputs.items():
-            if not Path(name).is_file() or digest(name) != expected:
-                raise ValueError(
-                    f"{name}: expected the file that the study wrote, found another or none; "
-                    "delete it and run again"
-                )
-
-
-def folder_records(folder: str | Path) -> dict[str, Record]:
-    """Return the records of the files in ``results/<study>`` by path.
-
-    They are in the attributes of a file or in the folder FOLDER; a damaged one is a ValueError.
-    """
-    datasets = {path.as_posix(): _attributes(path) for path in sorted(Path(folder).glob("*.nc"))}
-    result = {path: record for path, record in datasets.items() if record is not None}
-    for path in sorted(Path(folder, FOLDER).glob("*.json")):
-        record = _record(path)
-        result |= dict.fromkeys(record["output_digests"], record)
-    return result
+from hardcontact.records.origin import RECORDS, Record, digest, read_record
 
 
 def traced_records(folder: str | Path) -> dict[str, Record]:
-    """Return `folder_records` and those of all intermediate files at hand that led to them."""
-    result = folder_records(folder)
-    pending = list(result)
+    """Return the records, by path, of the files in ``results/<study>`` and all that led to them.
+
+    Raises ValueError, with one line, if a record is damaged.
+    """
+    records: dict[str, Record] = {}
+    pending = [
+        (path.parents[1] / path.stem).as_posix()
+        for path in sorted(Path(folder).rglob(f"{RECORDS}/*.json"))
+    ]
+    seen = set(pending)
     while pending:
-        for path in json.loads(result[pending.pop()]["input_digests"]):
-            if not path.endswith(".nc") or path in result:
-                continue
-            if (record := _attributes(path)) is not None:
-                result[path] = record
-                pending.append(path)
-    return result
+        path = pending.pop()
+        record = read_record(path)
+        if record is not None:
+            records[path] = record
+            new = record["input_digests"].keys() - seen
+            seen |= new
+            pending.extend(new)
+    return records
 
 
 def sources(records: Mapping[str, Record]) -> dict[str, str]:
     """Return path and SHA-256, sorted, of what is an input in `traced_records` but no output."""
     inputs: dict[str, str] = {}
     for record in records.values():
-        inputs |= json.loads(record["input_digests"])
+        inputs |= record["input_digests"]
     return {path: inputs[path] for path in sorted(inputs.keys() - records.keys())}
 
 
 def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], str]:
-    """Compare every file that led to ``results/<study>`` with the record of what it was made from.
+    """Compare every file that led to ``results/<study>`` with what it was when it was made.
 
-    `described` has the SHA-256 of the folder's files in its RO-Crate, by path. Returned are the
-    faults, one line a file that is missing or another than what is recorded, and a line of counts.
-    A ValueError of one line says that there is nothing to compare, or that a record is damaged.
+    Parameters
+    ----------
+    folder
+        The results of a study.
+    described
+        SHA-256, by path, of what the RO-Crate describes: files and what they were made from. It
+        counts for files without a record, as in an archive.
+
+    Returns
+    -------
+    faults, counts
+        One line for each file that is missing or does not match; one line of counts.
+
+    Raises
+    ------
+    ValueError
+        If there is nothing to compare or a record is damaged, with one line.
     """
-    known = traced_records(folder)
-    if not known and not described:
+    records = traced_records(folder)
+    if not records and not described:
         raise ValueError(f"{folder}: expected files of a study, found none")
-    written = dict(described)
-    for path, record in known.items():
-        if "output_digests" in record:
-            written.setdefault(path, record["output_digests"][path])
-    # A damaged file may have no attributes that tell what it was made from.
-    beside = (file.as_posix() for file in Path(folder).rglob("*") if file.is_file())
-    when_made = {path: kept_digest(path) for path in {*known, *beside}}
-    written |= {path: value for path, value in when_made.items() if value is not None}
-    now = cache(digest)
+    current = cache(digest)
     faults, absent = list[str](), set[str]()
-    for path, record in sorted(known.items()):
-        digests = json.loads(record["input_digests"])
-        missing = {name for name in digests if not Path(name).is_file()}
-        changed = [name for name in sorted(digests.keys() - missing) if now(name) != digests[name]]
+    for path, record in sorted(records.items()):
+        inputs = record["input_digests"]
+        missing = {name for name in inputs if not Path(name).is_file()}
+        present = sorted(inputs.keys() - missing)
+        changed = [name for name in present if current(name) != inputs[name]]
         absent |= missing
-        if changed:
+        if changed and Path(path).is_file():
             faults.append(f"{path}: does not match its input {', '.join(changed)}")
+    written = dict(described) | {path: record["sha256"] for path, record in records.items()}
     for path, expected in sorted(written.items()):
         if not Path(path).is_file():
-            faults.append(f"{path}: expected a file of the study, found none")
-        elif now(path) != expected:
+            if Path(path).is_relative_to(folder):
+                faults.append(f"{path}: expected a file of the study, found none")
+        elif current(path) != expected:
             faults.append(f"{path}: is not the file that the study wrote")
     return faults, (
-        f"{folder}: {len(known.keys() | written.keys())} files checked, {len(faults)} faults, "
+        f"{folder}: {len(written)} files checked, {len(faults)} faults, "
         f"{len(absent)} inputs not at hand"
     )

@@ -83,7 +83,7 @@ class SetSettings(NamedTuple):
 class Paper(NamedTuple):
     """What sets are compared with."""
 
-    #: Of `evaluation.read_statements`; those that are replicated are judged.
+    #: Those of `evaluation.replicated_statements`, as a table.
     statements: pd.DataFrame
     constants: pd.DataFrame  #: Of `published.constants`.
     published: Published  #: Measured forces, and the pair of the paper.
@@ -281,8 +281,7 @@ def _judged_set(sources: Sources, paper: Paper, settings: SetSettings, draw: Dra
         ),
         "band": band.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
     }
-    replicated = paper.statements[paper.statements["replicated"] == "yes"]
-    value = values(replicated, datasets, paper.constants)
+    value = values(paper.statements, datasets, paper.constants)
     substrates = adhesion["surface"].values
     topography = datasets["topography"].sel(surface=substrates).assign_coords(surface=substrates)
     facts: dict[str, Any] = {}
