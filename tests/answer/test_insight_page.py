@@ -12,6 +12,7 @@ from paper_study import png
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.insight_page import PARTS, insight_page
 from hardcontact.figures.catalogue import OF_INSIGHT
+from hardcontact.insight.prediction import VALIDATION, validated_errors
 
 HOSTILE = 'a < b & "c" <script>alert(1)</script>'
 
@@ -24,7 +25,8 @@ def made_page(text="Said.", labels=None, basis="substitute"):
         if labels:
             one["label"] = one["label"].copy(data=np.array([*labels]))
     figures = {name: (png((90, 90, 90)), Caption("", text, text)) for name in PARTS}
-    return insight_page(datasets, datasets.pop("band"), figures, published_constants(), 128)
+    errors = validated_errors(VALIDATION)
+    return insight_page(datasets, datasets.pop("band"), figures, published_constants(), 128, errors)
 
 
 @pytest.fixture(scope="module")

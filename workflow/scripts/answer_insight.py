@@ -4,6 +4,7 @@ from pathlib import Path
 
 from hardcontact.answer.captions import caption, web_png
 from hardcontact.answer.insight_page import insight_page
+from hardcontact.insight.prediction import validated_errors
 from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
@@ -18,5 +19,6 @@ with job(snakemake) as this:
         datasets[name] = read(dataset)
     constants = published.constants(this.input.published_constants)
     band, pixels = read(this.input.band), this.parameters["scan"]["pixels"]
-    page = insight_page(datasets, band, figures, constants, pixels)
+    errors = validated_errors(this.input.validation)
+    page = insight_page(datasets, band, figures, constants, pixels, errors)
     this.write_text(page, "page")

@@ -36,7 +36,6 @@ from hardcontact.insight.edge_scaling import (
     RANGE,
     UNDECIDED,
 )
-from hardcontact.insight.prediction import validated_errors
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
 from hardcontact.numbers.statistics import bounds
@@ -266,10 +265,6 @@ def closed_form_facts(closed_form: xr.Dataset, band: xr.Dataset) -> dict[str, An
         "size": number_of(largest, "map_size", "nm"),
         "first_term": span("first_term", largest["first_term_force"] / largest["computed_force"]),
         "range": Number("range", rho, "nm"),
-        "validated": [
-            {"quantity": name, "regime": regime, "error": error, "surfaces": Number("n", count)}
-            for (name, regime), (error, count) in validated_errors().items()
-        ],
     }
 
 

@@ -37,12 +37,14 @@ def insight_page(
     figures: Mapping[str, tuple[bytes, Caption]],
     constants: pd.DataFrame,
     pixels: int,
+    errors: Mapping[tuple[str, str], tuple[Number, int]],
 ) -> str:
     """Return the page, HTML.
 
     Datasets, and figures as PNG with their captions, are by the figures of the parts, in the order
     of the page. The band is as from `critical_band.critical_band`, with labels and bases; constants
-    are as from `published.constants`, the scans have `pixels` along an edge.
+    are as from `published.constants`, the scans have `pixels` along an edge, and the errors of the
+    closed form are as from `prediction.validated_errors`.
     """
     of_surfaces = [one for one in (band, *datasets.values()) if "surface" in one.dims]
     bases: dict[Any, Any] = {}
@@ -57,6 +59,10 @@ def insight_page(
         figures=figures,
         catalogue=OF_INSIGHT,
         band=facts.band_facts(band, constants),
+        validated=[
+            {"quantity": name, "regime": regime, "error": error, "surfaces": Number("n", count)}
+            for (name, regime), (error, count) in errors.items()
+        ],
         substitutes=[label for label, basis in bases.items() if basis == "substitute"],
         confidence=percent(Number("confidence", band.attrs["confidence"])),
     )

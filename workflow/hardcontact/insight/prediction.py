@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterator, Mapping
 from functools import cache
 from itertools import product
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -61,12 +62,12 @@ HARD, SOFT = "hard", "soft"
 
 
 @cache
-def validation() -> pd.DataFrame:
-    """Return the surfaces of the table that were held back, with ``<name>_error`` of VALIDATED.
+def validation(path: str | Path = VALIDATION) -> pd.DataFrame:
+    """Return the surfaces of the table that were held out, with ``<name>_error`` of VALIDATED.
 
     An error is computed over predicted, NaN where an edge is open or none is predicted.
     """
-    table = pd.read_csv(VALIDATION)
+    table = pd.read_csv(path)
     held_back = table[table["held_back"] == 1].copy()
     for name in VALIDATED:
         error = held_back[name] / held_back[f"predicted_{name}"]
@@ -76,13 +77,14 @@ def validation() -> pd.DataFrame:
     return held_back
 
 
-def validated_errors() -> dict[tuple[str, str], tuple[Number, int]]:
+def validated_errors(path: str | Path) -> dict[tuple[str, str], tuple[Number, int]]:
     """Return computed over predicted, by name of VALIDATED and regime, and on how many surfaces.
 
-    The number is the median, its interval holds nine tenths.
+    The path is that of the table as in VALIDATION. The number is the median, its interval holds
+    nine tenths.
     """
     found = {}
-    for name, (regime, table) in product(VALIDATED, validation().groupby("regime")):
+    for name, (regime, table) in product(VALIDATED, validation(path).groupby("regime")):
         errors = table[f"{name}_error"].dropna()
         low, median, high = errors.quantile([0.05, 0.5, 0.95])
         found[name, str(regime)] = Number(name, median, "1", low, high), len(errors)
