@@ -1,13 +1,16 @@
 """What a run shows in the terminal: stages, and only what is to be read."""
 
 import logging
+import time
 from types import SimpleNamespace
+from unittest.mock import MagicMock
 
 import pytest
 from snakemake.logging import DefaultFormatter
 from snakemake_interface_logger_plugins.common import LogEvent
 
 from snakemake_logger_plugin_stages import STUDY, LogHandler
+from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
 JOBS = ["level_scan", "level_scan", "stitch"]
 
@@ -22,7 +25,10 @@ def shown(capsys, records, **settings):
         vars(record).update(said)
         handler.emit(record)
     handler.close()
-    return capsys.readouterr().err.splitlines()
+    lines = capsys.readouterr().err.splitlines()
+    if not any(settings.values()):
+        assert lines.pop(0) == "Planning the run ..."
+    return lines
 
 
 def info(message, event=None, **said):
@@ -40,11 +46,49 @@ def run(finished):
 
 @pytest.mark.parametrize("ended", range(4))
 def test_a_stage_has_a_line_once_all_of_its_jobs_are_done(capsys, ended):
-    lines = shown(capsys, run(ended))
+    plan, *lines = shown(capsys, run(ended))
+    assert plan.startswith("3 jobs, about ")
     done = [name for name, last in (("level scan", 2), ("stitch", 3)) if last <= ended]
-    assert [line[:32].strip() for line in lines] == done
+    assert [line[:40].strip() for line in lines] == done
     if ended == 3:
-        assert "3 of 3" in lines[-1]
+        assert "3 of 3" in lines[-1] and "about 0:00:00 left" in lines[-1]
+
+
+def test_time_left_counts_what_jobs_cost(capsys, monkeypatch):
+    monkeypatch.setattr(
+        "snakemake_logger_plugin_stages.read_stages",
+        lambda: {"level_scan": Stage(1, "flat scans"), "stitch": Stage(8, "periodic scans")},
+    )
+    monkeypatch.setattr("snakemake_logger_plugin_stages.threading.Thread", MagicMock())
+    clock = SimpleNamespace(monotonic=lambda: 10.0)
+    monkeypatch.setattr("snakemake_logger_plugin_stages.time", clock)
+
+    def twenty_seconds():
+        *records, last = run(2)
+        yield from records
+        clock.monotonic = lambda: 30.0
+        yield last
+
+    line = shown(capsys, twenty_seconds())[-1]
+    assert line.startswith("flat scans")
+    assert "2 of 3 jobs done, about 0:01:20 left" in line  # 2 of 10 took 20 s
+
+
+def test_silence_is_broken(capsys, monkeypatch):
+    monkeypatch.setattr("snakemake_logger_plugin_stages.SILENCE", 0)
+
+    def slow():
+        yield from run(1)
+        time.sleep(1.5)
+
+    assert "1 of 3 jobs done, about" in shown(capsys, slow())[-1]
+
+
+def test_stages_of_the_study_are_named():
+    stages = read_stages()
+    assert stage_of("compute_filtered_pull_off", stages).name == "filtered masters"
+    assert stage_of("make_scans_1_2", stages).name == "scans 1 2"
+    assert stage_of("unheard_of", stages).name == "unheard of"
 
 
 def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
@@ -54,14 +98,15 @@ def test_a_job_that_fails_has_one_line_that_names_its_log(capsys):
         (logging.ERROR, "snakemake.logging", "Error", failed),
         (logging.ERROR, "snakemake.logging", "Command ['python'] died", again),
     ]
-    (line,) = shown(capsys, [*run(0), *errors])
+    _, line = shown(capsys, [*run(0), *errors])
     assert "stitch" in line and "logs/stitch.log" in line
 
 
 def test_the_message_of_a_rule_is_shown(capsys):
     plan = info("long list", LogEvent.RUN_INFO, stats={"claims": 1, "total": 1})
     said = {"jobid": 0, "rule_name": "claims", "rule_msg": "claims is left out"}
-    assert shown(capsys, [plan, info("", LogEvent.JOB_INFO, **said)]) == ["claims is left out"]
+    lines = shown(capsys, [plan, info("", LogEvent.JOB_INFO, **said)])
+    assert lines[-1] == "claims is left out"
 
 
 def test_what_the_study_says_and_warnings_are_shown(capsys):

@@ -4,7 +4,10 @@ A plugin that Snakemake finds by the name of this package. A stage is all jobs o
 runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log` has of every run.
 """
 
+import os
 import sys
+import threading
+import time
 from datetime import timedelta
 from functools import partial
 from itertools import takewhile
@@ -18,14 +21,17 @@ from rich.progress import (
     Task,
     TextColumn,
     TimeElapsedColumn,
-    TimeRemainingColumn,
 )
 from snakemake.common import NOTHING_TO_BE_DONE_MSG
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
+from snakemake_logger_plugin_stages.costs import read_stages, stage_of
+
 #: The logger of what a study itself says.
 STUDY = "snakemake.logging.study"
+#: Seconds after which a line says how far the run is, if nothing else did.
+SILENCE = 30
 #: Exceptions that tell once more of a job that has failed.
 OF_JOBS = ("CalledProcessError", "RuleException")
 #: Options whose words on the command line are configuration files.
@@ -53,15 +59,18 @@ class LogHandler(LogHandlerBase):
             BarColumn(),
             MofNCompleteColumn(),
             TimeElapsedColumn(),
-            TimeRemainingColumn(),
-            TextColumn("left"),
             console=self._console,
             transient=True,
-            speed_estimate_period=3600,
             disable=not self._console.is_terminal,
         )
         self._tasks: dict[str, Task] = {}
         self._rules: dict[int, str] = {}
+        self._cost: dict[str, float] = {}  # of a job, relative to the others
+        self._spent = self._begin = 0.0
+        self._ended = threading.Event()
+        self._last_line = time.monotonic()
+        if not self._own_log:
+            self._say("Planning the run ...")
 
     def emit(self, record: LogRecord) -> None:
         """Show what begins, what ends, and what is to be read."""
@@ -92,16 +101,41 @@ class LogHandler(LogHandlerBase):
             self._say(self.format(record))
 
     def _say(self, text: str) -> None:
+        self._last_line = time.monotonic()
         self._console.print(text, markup=False, soft_wrap=True)
 
     def _plan(self, jobs: dict[str, int]) -> None:
         """Show how many jobs there will be: by rule, and in total."""
+        stages = read_stages()
         for rule, count in jobs.items():
-            name = rule.replace("_", " ")
-            task = self._progress.add_task(name, total=count, start=False, visible=False)
+            stage = stage_of(rule, stages)
+            task = self._progress.add_task(stage.name, total=count, start=False, visible=False)
             self._tasks[rule] = self._progress.tasks[task]
+            self._cost[rule] = 0 if rule == "total" else stage.seconds
+        self._begin = time.monotonic()
+        minutes = self._whole_cost() / (os.cpu_count() or 1) / 60
+        self._say(f"{jobs['total']} jobs, about {minutes:.0f} minutes on grids of a quick study")
         self._show("total")
         self._progress.start()
+        threading.Thread(target=self._break_silence, daemon=True).start()
+
+    def _whole_cost(self) -> float:
+        return sum(cost * (self._tasks[rule].total or 0) for rule, cost in self._cost.items())
+
+    def _position(self) -> str:
+        """Return how many jobs have ended and how long the others take, by what they cost."""
+        total, elapsed = self._tasks["total"], time.monotonic() - self._begin
+        done = f"{total.completed:.0f} of {total.total:.0f} jobs done"
+        if not self._spent:
+            return done
+        left = elapsed * (self._whole_cost() / self._spent - 1)
+        return f"{done}, about {timedelta(seconds=round(max(left, 0)))} left"
+
+    def _break_silence(self) -> None:
+        """Say how far the run is, where nothing else did for a while."""
+        while not self._ended.wait(1):
+            if time.monotonic() - self._last_line > SILENCE:
+                self._say(self._position())
 
     def _show(self, rule: str) -> None:
         task = self._tasks[rule]
@@ -119,19 +153,17 @@ class LogHandler(LogHandlerBase):
         stage, total = self._tasks[rule], self._tasks["total"]
         for task in (stage, total):
             self._progress.advance(task.id)
+        self._spent += self._cost[rule]
         if stage.finished:
             self._progress.update(stage.id, visible=False)
-            took, left = (
-                timedelta(seconds=round(seconds or 0))
-                for seconds in (stage.finished_time, total.time_remaining)
-            )
+            took = timedelta(seconds=round(stage.finished_time or 0))
             self._say(
-                f"{stage.description:32}{stage.total:4.0f} jobs {took}, "
-                f"{total.completed:.0f} of {total.total:.0f} in all, about {left} left"
+                f"{stage.description:40}{stage.total:4.0f} jobs in {took}, {self._position()}"
             )
 
     def close(self) -> None:
         """Take the bars away."""
+        self._ended.set()
         self._progress.stop()
         super().close()
 
