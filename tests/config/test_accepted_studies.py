@@ -13,6 +13,7 @@ from repository import PAPER, merged
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
+from hardcontact.config.grids import realization_pixels
 from hardcontact.config.model import configuration
 from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
@@ -59,7 +60,6 @@ def tiny(draw):
         "scan": {
             "pixels": pixels,
             "size": f"{pixels * pixel:.9g} nm",
-            "realization_pixels": pick(pixels, pixels + 1, 2 * pixels),
         },
         "sphere": {"radius": f"{max(pixels * pixel, pick(10, 1e4, 2.5e5, 1e9)):.9g} nm"},
         "contact": {
@@ -70,7 +70,6 @@ def tiny(draw):
         },
         "adhesion": {
             "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
-            "traced_contact": {"contact": [0, count - 1]},
         },
         "scales": {
             "range": pick("0.1 nm", "1 nm", "5.6 nm", "5.6 nm", "1 um"),
@@ -87,11 +86,10 @@ def tiny(draw):
                 "cutoffs": cutoffs["large"],
             },
         },
-        "elastic": {"contacts": 1, "window": f"{16 * pixel:.9g} nm"},
+        "elastic": {"contacts": 1},
         "indent": {"preloads": [f"{4 * contact_pixels * hardness * pixel**2:.6g} nN"]},
         "asperities": {
             "contacts": 1,
-            "share": pick(0.001, 0.5, 0.999),
             "ranges": ["0.1 nm", "9 nm"],
         },
         "sets": {
@@ -101,13 +99,14 @@ def tiny(draw):
         },
         "insight": {
             **of_insight,
+            "count": pick(1, 3),
             "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
             "scaling": {
-                **of_insight,
+                "small": {"cutoffs": cutoffs["small"]},
+                "large": of_insight["large"],
                 "radii": [f"{pick(10, 1e3, 2.5e5):.9g} nm", "1 m"],
                 "ranges": [pick("0.1 nm", "1 nm", "1.4 nm"), pick("5 nm", "1 um")],
                 "preloads": [load, f"{pick(2, 8) * contact_pixels * hardness * pixel**2:.6g} nN"],
-                "count": pick(1, 3),
             },
         },
         "robustness": {"preloads": [], "hardnesses": [f"{pick(0.7, 2) * hardness} GPa"]},
@@ -138,7 +137,7 @@ def stitched_scan(config, rng, density, radius=None):
     """Make a substitute scan as masters and contacts use it."""
     scan = config["scan"]
     pixel_size = scan["size"] / scan["pixels"]
-    surface = synthesis.random_surface(rng, scan["realization_pixels"], pixel_size, density)
+    surface = synthesis.random_surface(rng, realization_pixels(scan["pixels"]), pixel_size, density)
     made = substitute_scan(surface, scan["pixels"])
     if radius is None:
         return mirror_stitch(level(made))
@@ -163,8 +162,9 @@ def check_pair(config, rng, substrate, sphere):
             assert 0 < indents(lowest, pixel_size).depth < np.inf
     carried = config["asperities"]
     places = sampled_contacts(rng, contact.count, carried["contacts"])
-    carriers = asperities_of_pair(pair, contact, places, carried["share"], carried["ranges"])
-    assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
+    for share in (0.001, 0.5, 0.999):
+        carriers = asperities_of_pair(pair, contact, places, share, carried["ranges"])
+        assert all(np.isfinite(values).all() for values in carriers.data_vars.values())
 
 
 def check_masters(config, rng, stitched, sphere, section, side):
@@ -188,10 +188,10 @@ def check_masters(config, rng, stitched, sphere, section, side):
 def check_scaled(config, rng, stitched, side):
     """Compute forces of one master at all radii, ranges and loads of the scaling of edges."""
     scaling, contact = config["insight"]["scaling"], config["contact"]
-    wanted = config["scales"][side] | scaling[side]
+    wanted = config["scales"][side] | config["insight"][side] | scaling[side]
     master = synthesized_master(side, rng, stitched, wanted, ROUGH)
     contacts = [
-        Contact(radius=1.0, **contact | {"count": scaling["count"], "preload": preload})
+        Contact(radius=1.0, **contact | {"count": config["insight"]["count"], "preload": preload})
         for preload in scaling["preloads"]
     ]
     filters = Filters(side, wanted["pixels"], wanted["cutoffs"])

@@ -95,16 +95,17 @@ ACCEPTED = {
     "store": "results/store-tiny",
     "surfaces": "tiny.tsv",
     "scans": "all",
-    "scan": {"pixels": 21, "size": "210 nm", "realization_pixels": 43},
+    "scan": {"pixels": 21, "size": "210 nm"},
     "contact": {"count": 1, "window": "420 nm", "preload": "1 uN"},
-    "adhesion": {"ranges": ["0.5 nm", "1 um"], "traced_contact": {"scan": 7, "contact": [0, 0]}},
+    "adhesion": {"ranges": ["0.5 nm", "1 um"]},
     "scales": {
         "realizations": 1,
         "sphere_roughness": True,
         "small": {"pixels": 66, "transition": "20.001 nm", "cutoffs": ["20.001 nm"]},
         "large": {"pixels": 198, "tiles": 3, "transition": "1980 nm", "cutoffs": ["1980 nm"]},
     },
-    "elastic": {"contacts": 1, "window": "160 nm"},
+    "reference_surface": "uncd",
+    "elastic": {"contacts": 1},
     "indent": {"surface": "uncd", "preloads": ["1 mN"]},
     "asperities": {"contacts": 1},
     "sets": {
@@ -116,7 +117,7 @@ ACCEPTED = {
         "small": {"pixels": 66, "cutoffs": ["20.001 nm"]},
         "large": {"pixels": 198, "tiles": 3, "cutoffs": ["1980 nm"]},
         "scaling": {
-            "small": {"pixels": 66, "cutoffs": ["20.001 nm"]},
+            "small": {"cutoffs": ["20.001 nm"]},
             "large": {"pixels": 198, "tiles": 3, "cutoffs": ["1980 nm"]},
         },
     },
@@ -124,7 +125,7 @@ ACCEPTED = {
         "preloads": [],
         "hardnesses": [],
         "heights": {"surface": "uncd", "skewness": []},
-        "tip": {"surface": "uncd", "radii": []},
+        "tip_radii": [],
     },
 }
 

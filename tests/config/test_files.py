@@ -129,7 +129,7 @@ def test_indents_are_made_on_one_surface():
 def test_robustness_asks_for_each_variant_of_a_surface_once():
     study = files(
         robustness__heights={"surface": "mcd", "skewness": [-0.5]},
-        robustness__tip={"surface": "uncd", "radii": ["17 nm"]},
+        robustness__tip_radii=["17 nm"],
         robustness__realizations=3,
     )
     made = list(product(SUBSTRATES, ["study"])) + list(product(SUBSTRATES, ["laplacian"]))
@@ -195,8 +195,8 @@ def test_sets_and_robustness_share_their_masters():
 
 
 def test_realizations_of_insight_are_the_first_scans_of_each_substrate():
-    study = files([1, 2, 4], insight__realizations=2, insight__scaling__realizations=1)
+    study = files([1, 2, 4], insight__realizations=2)
     assert study.realized_scans == list(product(SUBSTRATES, [1, 2]))
     assert len(set(study.paths(PATTERNS.law_scan, study.realized_scans))) == 2 * len(SUBSTRATES)
-    assert study.scaled_masters == list(product(SUBSTRATES, [1], ["small", "large"]))
+    assert study.scaled_masters == list(product(SUBSTRATES, [1, 2], ["small", "large"]))
     assert study.repeated_pairs == [(1, 1), (2, 2)]

@@ -79,8 +79,7 @@ def test_the_other_curvature_and_the_other_sphere_follow_from_the_study():
 
 
 def test_what_a_variant_of_a_surface_is_made_with():
-    tip = {"surface": "uncd", "radii": ["0.017 um"]}
-    made = surface_variants(configuration(robustness__tip=tip))
+    made = surface_variants(configuration(robustness__tip_radii=["0.017 um"]))
     definitions = {"slope": "gradient", "curvature": "half_laplacian"}
     assert list(made)[:3] == ["study", "laplacian", "skewness-1"]
     assert made["study"].table1(definitions) == definitions

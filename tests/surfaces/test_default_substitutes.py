@@ -8,6 +8,7 @@ import pytest
 from paper_numbers import SUBSTRATES, SURFACES
 from repository import PAPER, ROOT
 
+from hardcontact.config.grids import realization_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.records import published
 from hardcontact.surfaces.calibration import rows_of_surface, transfer_weights
@@ -84,7 +85,7 @@ def test_spectra_meet_every_row_of_table_1_but_the_height_over_all_scales(surfac
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_the_five_scans_of_a_coating_keep_table_1(surface):
     scan = PAPER["scan"]
-    grid = ScanGrid(scan["pixels"], 2500.0, scan["realization_pixels"])
+    grid = ScanGrid(scan["pixels"], 2500.0, realization_pixels(scan["pixels"]))
     _, found = scans(surface, range(1, 6), grid)
     table1 = rows(surface)
     assert found.rms_height.std(ddof=1) == pytest.approx(

@@ -77,9 +77,9 @@ OWN = {
     "insight": {
         "small": {"pixels": 1024},
         "large": {"pixels": 2048},
-        "scaling": {"small": {"pixels": 1024}, "large": {"pixels": 2048}},
+        "scaling": {"large": {"pixels": 2048}},
     },
-    "robustness": {"heights": {"surface": "mcd"}, "tip": {"surface": "mcd"}},
+    "robustness": {"heights": {"surface": "mcd"}},
     "indent": {"surface": "uncd"},
 }
 

@@ -225,10 +225,7 @@ def overlay(key, value):
     [
         ("scales.tolerance", 0.2, {"find_critical_band", "aggregate_robustness", "judge_sets",
                                    "compare_closed_form", "compare_laws", "scale_edges"}),
-        ("inference.force_floor", "20 nN", {"infer", "judge_sets"}),
-        ("insight.mean_error", 0.1, {"compare_statistics"}),
         ("elastic.contacts", 2, {"solve_elastic_contact"}),
-        ("asperities.share", 0.8, {"find_asperities"}),
         ("sets.pool", 12, {"compute_pool", "judge_sets"}),
         ("insight.reach", "18 um", {"compute_law_forces"}),
         ("scales.small.transition", "90 nm", {

@@ -69,10 +69,7 @@ rule compare_statistics:
                 "radius": STUDY["sphere"]["radius"],
                 "ranges": INSIGHT_RANGES,
                 "rho": STUDY["scales"]["range"],
-                "settings": {
-                    "tolerance": INSIGHT["mean_error"],
-                    "confidence": STUDY["inference"]["confidence"],
-                },
+                "confidence": STUDY["inference"]["confidence"],
             }
         ),
     script:

@@ -65,7 +65,6 @@ rule compare_laws:
                 "sphere_radius": STUDY["sphere"]["radius"],
                 "area": STUDY["contact"]["preload"] / STUDY["contact"]["hardness"] * 1e18,
                 "reference_surface": STUDY["reference_surface"],
-                "spacing": INSIGHT["spacing"],
                 "contacts": INSIGHT["count"] ** 2,
                 "tolerance": STUDY["scales"]["tolerance"],
                 "seed": STUDY["seed"],

@@ -101,10 +101,7 @@ rule aggregate_robustness:
     params:
         canonical=canonical(
             {
-                **{
-                    key: STUDY["inference"][key]
-                    for key in ("samples", "confidence", "error_threshold")
-                },
+                **STUDY["inference"],
                 "variants": [variant.parameters() for variant in FILES.variants],
                 "surfaces": FILES.varied_surfaces,
                 "masters": FILES.varied_masters,

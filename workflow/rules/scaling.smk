@@ -1,6 +1,10 @@
 # How the edges of the band scale with the sphere, the range of adhesion and the contact area.
 
 SCALING = INSIGHT["scaling"]
+SCALED_SIDES = {
+    "small": {"pixels": INSIGHT["small"]["pixels"], **SCALING["small"]},
+    "large": SCALING["large"],
+}
 
 
 rule compute_scaled_pull_off:
@@ -25,12 +29,12 @@ rule compute_scaled_pull_off:
                 "realization": int(w.scan),
                 "seed": STUDY["seed"],
                 "contact": {
-                    "count": SCALING["count"],
+                    "count": INSIGHT["count"],
                     **{key: STUDY["contact"][key] for key in ("window", "hardness")},
                 },
                 **{key: SCALING[key] for key in ("radii", "ranges", "preloads")},
                 "sides": {
-                    side: {"transition": STUDY["scales"][side]["transition"]} | SCALING[side]
+                    side: {"transition": STUDY["scales"][side]["transition"]} | SCALED_SIDES[side]
                     for side in SIDES
                 },
             }

@@ -1,7 +1,11 @@
 # Scans: substitutes where none was measured; all scans are then prepared in the same way.
 
+from hardcontact.config.grids import realization_pixels
 
-SCAN_GRID = {key: STUDY["scan"][key] for key in ("pixels", "size", "realization_pixels")}
+SCAN_GRID = {
+    **{key: STUDY["scan"][key] for key in ("pixels", "size")},
+    "realization_pixels": realization_pixels(STUDY["scan"]["pixels"]),
+}
 
 
 rule calibrate_spectrum:

@@ -100,10 +100,7 @@ rule judge_sets:
                     "realizations": STUDY["scales"]["realizations"],
                     "reference_surface": STUDY["reference_surface"],
                     "tolerance": STUDY["scales"]["tolerance"],
-                    **{
-                        key: STUDY["inference"][key]
-                        for key in ("error_threshold", "force_floor", "confidence")
-                    },
+                    "confidence": STUDY["inference"]["confidence"],
                 },
             }
         ),

@@ -1,6 +1,12 @@
 # One contact of the study, drawn in Fig. 4a.
 
-TRACED = STUDY["adhesion"]["traced_contact"]
+# The paper does not say which: it is in the middle of the first scans of the reference surface.
+TRACED = {
+    "surface": STUDY["reference_surface"],
+    "scan": SELECTION.scans(STUDY["reference_surface"])[0],
+    "sphere_scan": SELECTION.scans(SPHERE)[0],
+    "contact": [STUDY["contact"]["count"] // 2] * 2,
+}
 
 
 rule trace_contact:

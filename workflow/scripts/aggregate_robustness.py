@@ -17,7 +17,7 @@ with job(snakemake) as this:
         given["basis"],
         given["reference_surface"],
         given["probe"],
-        given["error_threshold"],
+        constants["error_threshold"],
         given["tolerance"],
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
         Sampling(

@@ -23,7 +23,7 @@ with job(snakemake) as this:
     choices = LawChoices(
         given["reference_surface"],
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
-        given["spacing"],
+        constants["equilibrium_spacing"],
         given["tolerance"],
         Sampling(given["seed"], given["samples"], given["confidence"]),
     )

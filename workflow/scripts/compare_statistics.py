@@ -4,7 +4,7 @@ import pandas as pd
 
 from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.insight.closed_form import Contact, contact_area
-from hardcontact.insight.force_scatter import force_scatter, with_comparison
+from hardcontact.insight.force_scatter import MEAN_ERROR, force_scatter, with_comparison
 from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
@@ -15,10 +15,11 @@ with job(snakemake) as this:
     work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
     spectra = dict(zip(given["surfaces"], map(read_spectrum, this.input.spectra), strict=True))
     contact = Contact(given["radius"], given["rho"], work, contact_area(**given["load"]))
+    settings = {"tolerance": MEAN_ERROR, "confidence": given["confidence"]}
     heights = published.table1(this.input.published_table1)
     heights = heights[heights["quantity"] == "afm_rms_height"].set_index("surface")
     deviations = (heights["uncertainty"] / heights["value"]).reindex(given["surfaces"]).fillna(0)
-    scatter = force_scatter(spectra, contact, given["ranges"], deviations, given["settings"])
+    scatter = force_scatter(spectra, contact, given["ranges"], deviations, settings)
     compared = with_comparison(
         scatter.assign(deviation=("surface", deviations, {"units": "1"})),
         read(this.input.inference),

@@ -1,6 +1,6 @@
 """Which asperities carry the force of some plastic contacts on one scan, by range of adhesion."""
 
-from hardcontact.contact.asperities import asperities_of_pair
+from hardcontact.contact.asperities import SHARE, asperities_of_pair
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 from hardcontact.numbers.random import generator
@@ -16,7 +16,7 @@ with job(snakemake) as this:
             read_bodies(this.input.substrate, this.input.sphere, contact),
             contact,
             sampled_contacts(rng, contact.count, settings["contacts"]),
-            settings["share"],
+            SHARE,
             settings["ranges"],
         ),
         title=f"asperities of scan {scan} of {surface}",

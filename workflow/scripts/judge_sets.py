@@ -12,6 +12,7 @@ from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, j
 with job(snakemake) as this:
     given = this.parameters
     constants = published.constants(this.input.published_constants)
+    limits = {name: constants.value[name] for name in ("error_threshold", "force_floor")}
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
     masters = read_all(given["masters"], this.input.masters)
     sources = gathered_sources(
@@ -26,7 +27,7 @@ with job(snakemake) as this:
         Published(published.pull_off(this.input.published_pull_off), pair),
     )
     this.write(
-        judge_sets(sources, paper, SetSettings(**given["settings"])).assign_attrs(
+        judge_sets(sources, paper, SetSettings(**given["settings"], **limits)).assign_attrs(
             confidence=given["settings"]["confidence"]
         ),
         title="numbers of many sets of substitute scans",

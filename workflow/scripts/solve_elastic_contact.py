@@ -1,7 +1,7 @@
 """Elastic contact of one pair of scans at some contacts: pressure at the preload, and pull-off."""
 
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.elastic import elastic_contacts_of_pair
+from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pair
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
 from hardcontact.contact.smooth_sphere import effective_modulus
 from hardcontact.numbers.random import generator
@@ -25,7 +25,7 @@ with job(snakemake) as this:
             contact,
             sampled_contacts(rng, contact.count, elastic["contacts"]),
             effective_modulus(elastic["sphere"], elastic["substrate"]),
-            elastic["window"],
+            PULL_OFF_WINDOW,
         ),
         title=f"elastic contacts of scan {scan} of {surface}",
     )

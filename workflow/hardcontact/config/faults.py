@@ -114,7 +114,8 @@ def _lines(model: type[BaseModel], error: ValidationError, where: str) -> list[s
         if fault["type"] in UNKNOWN_KEYS:
             unknown.setdefault(place[:-1], []).append(plain(place[-1]))
         elif not place and fault["type"] == "value_error":  # a rule across keys, with their names
-            return str(fault["ctx"]["error"]).splitlines()
+            lines = str(fault["ctx"]["error"]).splitlines()
+            return [where.removesuffix("config key ") + line for line in lines]
         else:
             faults.setdefault(_key(place), _sentence(fault))
     for place, names in unknown.items():

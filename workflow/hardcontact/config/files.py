@@ -228,9 +228,10 @@ class Files:
     @property
     def scaled_masters(self) -> list[ScaledMaster]:
         """Every master at several spheres, ranges and areas."""
-        count = self._configuration["insight"]["scaling"]["realizations"]
-        scans = self._first_scans(self._selection.substrates, count)
-        return [ScaledMaster(one.surface, one.scan, side) for one, side in product(scans, SIDES)]
+        return [
+            ScaledMaster(scan.surface, scan.scan, side)
+            for scan, side in product(self.realized_scans, SIDES)
+        ]
 
     @property
     def varied_surfaces(self) -> list[tuple[str, str]]:

@@ -10,6 +10,8 @@ from hardcontact.numbers.printing import print_length
 PIXEL_SIZES = (0.05, 1e4)
 #: Pixels along an edge of any map: arrays of more than 2 GiB have not been tried.
 MAP_PIXELS = 16384
+#: Edge of the periodic random surface that a substitute is cut out of, in edges of the substitute.
+REALIZATION_OVER_SCAN = 4
 #: Contact pixels of all contacts on a scan, with their images in the window: all are kept in memory
 #: at once, in some 24 bytes each.
 CONTACT_PIXELS = 2**26
@@ -36,6 +38,11 @@ class Grid(NamedTuple):
     pixel_size: float
     size: float
     relief: float
+
+
+def realization_pixels(pixels: int) -> int:
+    """Return the pixels along an edge of the random surface that a substitute is cut out of."""
+    return min(REALIZATION_OVER_SCAN * pixels, MAP_PIXELS)
 
 
 def alike(first: Grid, second: Grid) -> bool:

@@ -33,8 +33,6 @@ from hardcontact.surfaces.synthesis import SIDES
 
 #: Contact pixels of one indent, which are compared with each other.
 INDENT_PIXELS = 2**12
-#: Least pixels along an edge of the window of elastic contacts.
-ELASTIC_PIXELS = 16
 #: Upper bound on the mean pressure of an elastic contact over the effective modulus: peaks of the
 #: pressure are a hundred times higher, and the solver assumes small strains.
 PRESSURE_OVER_MODULUS = 0.01
@@ -51,11 +49,11 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
             "config key sphere.radius: expected at least the size of its scans "
             f"({grids[name].size:.6g} nm), found {radius:.6g} nm"
         )
-    on_scan, on_pair, sections = [limits_of_scan], [_of_pair], ["scales"]
+    on_pair, sections = [_of_pair], ["scales"]
     if config["published"] == PAPER:
-        on_scan, on_pair = [limits_of_scan, _of_elastic_scan], [_of_pair, _of_elastic_pair]
+        on_pair = [_of_pair, _of_elastic_pair]
         sections = ["scales", "sets", "insight", "insight.scaling"]
-    scopes = [table(config, *one) for one, table in product(grids.items(), on_scan)]
+    scopes = [limits_of_scan(config, surface, grid) for surface, grid in grids.items()]
     for surface, grid in grids.items():
         if surface != name:
             sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
@@ -105,14 +103,6 @@ def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator
         yield _of_range(config, key, rho, config["sphere"]["radius"], surface, grid)
 
 
-def _of_elastic_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
-    """Give the limit of the window of elastic contacts: enough pixels of a surface."""
-    window, least = config["elastic"]["window"], ELASTIC_PIXELS * grid.pixel_size
-    expected = f"at least {ELASTIC_PIXELS} pixels of {surface} ({least:.4g} nm)"
-    enough = int(window / grid.pixel_size) >= ELASTIC_PIXELS
-    yield Limit(enough, "elastic.window", expected, f"{window:.4g} nm")
-
-
 def _of_pair(config: dict[str, Any], surface: str, grid: Grid, sphere: Grid) -> Iterator[Limit]:
     """Give the limits of a scan of a substrate and one of the sphere, on common pixels."""
     edge, pixel_size = config["contact"]["window"], min(grid.pixel_size, sphere.pixel_size)
@@ -153,10 +143,12 @@ def _of_master(
     """Give the limits of the masters of one side in a section that are built on a surface."""
     settings = at(config, section)
     own = settings[side]
-    of_side = config["scales"][side] | own
+    chapter = config["insight"][side] if section == "insight.scaling" else {}
+    of_side = config["scales"][side] | chapter | own
     pixels, tiles = of_side["pixels"], of_side.get("tiles", 1)
     size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
-    key, master = f"{section}.{side}.pixels", grid._replace(size=size / 2)
+    key = f"{section if 'pixels' in own else 'insight'}.{side}.pixels"
+    master = grid._replace(size=size / 2)
     expected = f"at least the {needed} of {tiles} x {tiles} stitched scans of {surface}"
     yield Limit(pixels >= needed, key, expected, pixels)
     refuse_beyond_memory(key, pixels, machine_megabytes())
@@ -212,7 +204,7 @@ def _of_contact_pixels(
 
     Each pixel (edge in nm) has so many periodic images in the window.
     """
-    counted = "contact" if section == "scales" else section
+    counted = {"scales": "contact", "insight.scaling": "insight"}.get(section, section)
     count = at(config, counted)["count"]
     most, window = int(CONTACT_PIXELS / count**2 / images), config["contact"]["window"]
     why = (

@@ -6,22 +6,26 @@ config/README.md are made from this module: ``python -m hardcontact.config.key_t
 Bounds are generous: what lies beyond has no physical meaning here, or no computer holds it.
 """
 
+import os
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import chain, pairwise
+from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import (
+    AfterValidator,
     BaseModel,
     ConfigDict,
     Field,
     GetCoreSchemaHandler,
     WrapValidator,
+    model_validator,
 )
 from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.config.faults import shortened, validated
+from hardcontact.config.faults import Limit, refuse_lines, shortened, unmet, validated
 from hardcontact.numbers.units import magnitude
 
 #: Value of the key `published` in a study that is compared with the paper.
@@ -107,6 +111,13 @@ def _or_all(value: Any, validate: Callable[[Any], list[int]]) -> list[int] | str
     return validate(value)
 
 
+def _of_six_digits(number: float) -> float:
+    """Refuse a number that stands in names, of which two with more digits might be the same."""
+    if float(f"{number:g}") != number:
+        raise ValueError(f"expected at most six digits, found {number!r}")
+    return number
+
+
 ASCENDING, ONCE = WrapValidator(_ascending), WrapValidator(_once)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
@@ -142,12 +153,8 @@ Tiles = Annotated[int, Field(ge=1, le=256)]
 PoissonRatio = Annotated[float, Field(ge=0, le=0.5, allow_inf_nan=False)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
-ContactIndices = Annotated[
-    list[Annotated[int, Field(ge=0, le=199)]], Field(min_length=2, max_length=2)
-]
-Skewnesses = Annotated[
-    list[Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False)]], Field(max_length=20), ONCE
-]
+Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False), AfterValidator(_of_six_digits)]
+Skewnesses = Annotated[list[Skewness], Field(max_length=20), ONCE]
 
 SurfaceId = Annotated[
     str,
@@ -218,9 +225,6 @@ class ScanKeys(Keys):
     """Pixels along an edge of a substitute scan."""
     size: Length = key("2500 nm", "substitute scans, all forces", paper="Methods")
     """Edge of a substitute scan."""
-    realization_pixels: ScanPixels = key(2048, "substitute scans, all forces")
-    """Pixels along an edge of the periodic random surface that a substitute is cut out of; at least
-    `scan.pixels`."""
     undefined_pixels: Literal["refuse", "harmonic"] = key(
         "refuse", "measured scans, their spectra and their forces"
     )
@@ -267,19 +271,6 @@ class ContactKeys(Keys):
     """Contacts along an edge of the array, over one period of the stitched scan."""
 
 
-class TracedContactKeys(Keys):
-    """The contact drawn in Fig. 4a."""
-
-    surface: SurfaceId = key("uncd", "`contact.nc`", paper="Fig. 4a (surface not named)")
-    """Substrate of the contact drawn in Fig. 4a."""
-    scan: ScanNumber = key(1, "`contact.nc`")
-    """Its scan."""
-    sphere_scan: ScanNumber = key(1, "`contact.nc`")
-    """Scan of the sphere."""
-    contact: ContactIndices = key([10, 10], "`contact.nc`")
-    """Its place in the array, `[y, x]`, from 0."""
-
-
 class AdhesionKeys(Keys):
     """Adhesion.
 
@@ -297,18 +288,11 @@ class AdhesionKeys(Keys):
     )
     """Ranges of adhesion ρ that forces are computed at, ascending; between them forces are
     interpolated."""
-    traced_contact: TracedContactKeys = TracedContactKeys()
 
 
 class InferenceKeys(Keys):
     """Inference."""
 
-    error_threshold: Fraction = key(
-        0.1, "`inference.nc`, `robustness.nc`", paper="Intrinsic Work of Adhesion"
-    )
-    """Mean relative error that bounds the region of Fig. 4d."""
-    force_floor: Force = key("30 nN", "`inference.nc`", paper="Methods")
-    """Forces below count as censored in the log-normal fit."""
     samples: Annotated[int, Field(ge=20, le=10000)] = key(
         1000, "`inference.nc`, `band.nc`, `robustness.nc`, `classical.nc`; of own surfaces `fit.nc`"
     )
@@ -419,9 +403,6 @@ class ElasticKeys(Keys):
     contacts: Contacts = key(2, "elastic contacts")
     """Contacts solved on each scan, drawn at random; at most `contact.count` squared, which solves
     all."""
-    window: Length = key("2500 nm", "elastic contacts")
-    """Edge of the square about the contact in which elastic and rigid pull-off are compared; at
-    least 16 pixels; one period of the stitched scan if that is less."""
 
 
 class IndentKeys(Keys):
@@ -440,8 +421,6 @@ class AsperitiesKeys(Keys):
 
     contacts: Contacts = key(16, "asperities")
     """Contacts examined on each scan, drawn at random; at most `contact.count` squared."""
-    share: Fraction = key(0.9, "asperities")
-    """Share of the force: patches are those of the fewest pixels that carry it."""
     ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"], "asperities")
     """Ranges of adhesion, ascending."""
 
@@ -501,15 +480,6 @@ class HeightsKeys(Keys):
     """Other skewness of its heights; one that it has already is not made again."""
 
 
-class TipKeys(Keys):
-    """Imaging by a tip."""
-
-    surface: SurfaceId = key("uncd", "the substitutes added and their forces")
-    """Substrate whose substitutes are imaged by a tip."""
-    radii: TipRadii = key(["10 nm", "17 nm", "26 nm"], "the substitutes added and their forces")
-    """Radii of the tip, ascending."""
-
-
 class RobustnessKeys(Keys):
     """Robustness.
 
@@ -529,7 +499,8 @@ class RobustnessKeys(Keys):
     hardnesses: Pressures = key(["16 GPa", "47 GPa"], "forces of robustness")
     """Other hardnesses, ascending."""
     heights: HeightsKeys = HeightsKeys()
-    tip: TipKeys = TipKeys()
+    tip_radii: TipRadii = key(["10 nm", "17 nm", "26 nm"], "the substitutes added and their forces")
+    """Radii of tips that image the substitutes of the reference surface, ascending."""
     realizations: Realizations = key(3, "the masters added")
     """Masters of each substrate and side, the first of those of `sets`."""
 
@@ -537,7 +508,7 @@ class RobustnessKeys(Keys):
 class LawSmallScaleKeys(Keys):
     """Small-scale masters for other laws."""
 
-    pixels: Pixels = key(2048, "forces of `laws.nc`")
+    pixels: Pixels = key(2048, "forces of `laws.nc` and `scaling.nc`")
     """Pixels along an edge of the small-scale masters."""
     cutoffs: Lengths = key(["25 nm", "43 nm", "75 nm", "200 nm"], "forces of `laws.nc`")
     """Short-wavelength cutoffs, ascending."""
@@ -557,8 +528,6 @@ class LawLargeScaleKeys(Keys):
 class ScalingSmallScaleKeys(Keys):
     """Small-scale masters whose edges are scaled."""
 
-    pixels: Pixels = key(2048, "forces of `scaling.nc`")
-    """Pixels along an edge of the small-scale masters."""
     cutoffs: Lengths = key(
         nm(10, 20, 30, 43, 62, 90, 150, 300),
         "forces of `scaling.nc`",
@@ -590,10 +559,6 @@ class ScalingKeys(Keys):
     preloads: SomeForces = key(["1.25 uN", "10 uN", "80 uN"], "forces of `scaling.nc`")
     """Preloads that edges are found for, ascending; over the hardness they are the contact
     areas."""
-    count: Count = key(8, "forces of `scaling.nc`")
-    """Contacts along an edge of the array."""
-    realizations: Realizations = key(3, "the forces of scans added, and `scaling.nc`")
-    """Scans of each substrate whose masters are scaled."""
     small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
     large: ScalingLargeScaleKeys = ScalingLargeScaleKeys()
 
@@ -610,22 +575,17 @@ class InsightKeys(Keys):
     )
     """Random surfaces of each size beside the closed form, scans with masters for other laws, of
     each substrate; surfaces in repeated contact."""
-    count: Count = key(8, "forces of `closed_form.nc` and `laws.nc`")
+    count: Count = key(8, "forces of `closed_form.nc`, `laws.nc` and `scaling.nc`")
     """Contacts along an edge of the array."""
     ranges: Ranges = key(
         nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20),
         "`closed_form.nc`, `statistics.nc`",
     )
     """Ranges of adhesion, ascending; `scales.range` is always one of them."""
-    mean_error: Fraction = key(0.05, "`statistics.nc`")
-    """Error of a mean force, for which contacts and scans are counted."""
     pixels: Pixels = key(1024, "`closed_form.nc`")
     """Pixels along an edge of the random surfaces beside the closed form."""
     sizes: Lengths = key(["5000 nm", "20000 nm"], "`closed_form.nc`, `repeated_contact.nc`")
     """Edges of these surfaces, ascending; repeated contact is on the largest."""
-    spacing: Range = key("0.3 nm", "`laws.nc`")
-    """Distance of the outermost atoms of bodies in contact, for laws of attraction other than the
-    exponential."""
     reach: Length = key("80 um", "forces of `laws.nc`")
     """Edge of the window within which these laws attract, at least `contact.window`."""
     small: LawSmallScaleKeys = LawSmallScaleKeys()
@@ -677,6 +637,39 @@ class Study(Keys):
     sets: SetsKeys = SetsKeys()
     robustness: RobustnessKeys = RobustnessKeys()
     insight: InsightKeys = InsightKeys()
+
+    @model_validator(mode="after")
+    def _check_rules_across_keys(self) -> "Study":
+        refuse_lines(unmet(chain(self._limits_of_names(), self._limits_of_published())))
+        return self
+
+    def _limits_of_names(self) -> Iterator[Limit]:
+        """Yield the limits of the effort and of the folders."""
+        quick = "quick (the quick study of the paper: --configfile config/quick.yaml)"
+        filled = self.effort != "quick" or bool(self.quick)
+        yield Limit(filled, "effort", "full where no keys stand under quick", quick)
+        folder = f"results/{self.study}"
+        results, store = Path(os.path.realpath(folder)), Path(os.path.realpath(self.store))
+        apart = not (results.is_relative_to(store) or store.is_relative_to(results))
+        yield Limit(apart, "store", f"a folder apart from {folder}", self.store)
+        inside = store.is_relative_to(os.getcwd()) and not store.is_relative_to(results.parent)
+        yield Limit(
+            not inside, "store", "a folder in results or outside of the project", self.store
+        )
+
+    def _limits_of_published(self) -> Iterator[Limit]:
+        """Yield the limits of a study that is compared with the paper, or of one that is not."""
+        if self.published == PAPER:
+            forces, contacts = self.forces, self.contact.count**2
+            yield Limit(forces == NONE, "forces", f"{NONE} with published: {PAPER}", forces)
+            expected = f"at most contact.count squared = {contacts}"
+            for name in ("elastic", "asperities"):
+                number = getattr(self, name).contacts
+                yield Limit(number <= contacts, f"{name}.contacts", expected, number)
+        elif self.sphere.surface == SMOOTH:
+            expected = f"false with sphere.surface: {SMOOTH}"
+            rough = self.scales.sphere_roughness
+            yield Limit(not rough, "scales.sphere_roughness", expected, "true")
 
 
 def section(name: str) -> type[Keys]:

@@ -123,7 +123,8 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
                 for path in workflow.configfiles
             )
         numbers = numbers_of(config)
-        numbers_of(with_effort(config | {"effort": "quick"}), "effort quick: ")
+        if numbers["quick"]:
+            numbers_of(with_effort(config | {"effort": "quick"}), "effort quick: ")
         return numbers
     except ValueError as error:
         _refuse(error)

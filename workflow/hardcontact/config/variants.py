@@ -90,7 +90,7 @@ def study_contact(configuration: Mapping[str, Any]) -> Contact:
 def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
     """Return the ways to make substitutes by their names, that of the study first."""
     curvature = OTHER_CURVATURE[configuration["topography"]["curvature"]]
-    heights, tip = (configuration["robustness"][key] for key in ("heights", "tip"))
+    heights, reference = configuration["robustness"]["heights"], configuration["reference_surface"]
     label = f"curvature of Table 1: {curvature.replace('_', ' ')}"
     made = [
         SurfaceVariant(STUDY_VARIANT, "as the study", "baseline"),
@@ -99,9 +99,9 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
     for value in heights["skewness"]:
         name, label = f"skewness{value:+g}", f"skewness {value:+g}"
         made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
-    for radius in tip["radii"]:
+    for radius in configuration["robustness"]["tip_radii"]:
         name, label = f"tip-{token(radius, 'nm')}", f"tip of {radius:g} nm"
-        made.append(SurfaceVariant(name, label, "tip", tip["surface"], tip_radius=radius))
+        made.append(SurfaceVariant(name, label, "tip", reference, tip_radius=radius))
     return {variant.name: variant for variant in made}
 
 

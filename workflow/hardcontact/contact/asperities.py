@@ -24,6 +24,10 @@ CREASE = 100.0
 UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent": "nm"}
 
 
+#: Share of the force that patches carry: they are those of the fewest pixels.
+SHARE = 0.9
+
+
 class Asperities(NamedTuple):
     """The asperities that carry a share of the force of one contact."""
 

@@ -33,6 +33,10 @@ Floats = NDArray[np.float64]
 PASCAL_PER_GPA = 1e9
 NEWTON_PER_NN = 1e-9
 
+#: Edge in nm of the window about a contact in which elastic and rigid pull-off are compared, and
+#: the least pixels along it.
+PULL_OFF_WINDOW = 2500.0
+LEAST_WINDOW_PIXELS = 16
 #: Overlap or open gap (nm) that pixels in contact may have.
 OVERLAP = 1e-4
 #: Residual force on a pixel that counts as equilibrium, over the largest adhesive force on one.
@@ -218,7 +222,7 @@ def elastic_contacts_of_pair(
     """
     geometry, pixel_size = bodies.geometry, bodies.geometry.pixel_size
     period = min(bodies.substrate.pixels, geometry.window)
-    window = min(window_pixels(pull_off_window, pixel_size), period)
+    window = min(max(window_pixels(pull_off_window, pixel_size), LEAST_WINDOW_PIXELS), period)
     numbers, peaks = [], []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):

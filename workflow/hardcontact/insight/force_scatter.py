@@ -19,6 +19,8 @@ from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.statistics import lognormal_shape
 from hardcontact.surfaces.spectrum import Spectrum
 
+#: Relative error of a mean force, for which contacts and scans are counted.
+MEAN_ERROR = 0.05
 #: Shares of places at which quantiles are compared.
 SHARES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 #: Level of closest approach, in rms heights, above which the clumps that touch are rare. Below it
