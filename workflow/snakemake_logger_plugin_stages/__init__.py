@@ -114,7 +114,8 @@ class LogHandler(LogHandlerBase):
             self._cost[rule] = 0 if rule == "total" else stage.seconds
         self._begin = time.monotonic()
         minutes = self._whole_cost() / (os.cpu_count() or 1) / 60
-        self._say(f"{jobs['total']} jobs, about {minutes:.0f} minutes on grids of a quick study")
+        how_long = f"about {minutes:.0f} minutes" if minutes > 1.5 else "about a minute or less"
+        self._say(f"{jobs['total']} jobs, {how_long} on grids of a quick study")
         self._show("total")
         self._progress.start()
         threading.Thread(target=self._break_silence, daemon=True).start()
