@@ -7,8 +7,6 @@ OF_INSIGHT_PAGE = [
     "macros.html",
     "style.css",
     "page.js",
-    "uplot/uPlot.min.css",
-    "uplot/uPlot.iife.min.js",
     "insight.html",
     *(f"insight/{name}.html" for name in OF_INSIGHT),
 ]
@@ -19,7 +17,7 @@ rule answer_insight:
     input:
         datasets=[PATTERNS.dataset(figure.datasets[0]) for figure in OF_INSIGHT.values()],
         band=PATTERNS.dataset("band"),
-        figures=[PATTERNS.figure(name, "png") for name in OF_INSIGHT],
+        figures=[PATTERNS.figure(name, "svg") for name in OF_INSIGHT],
         captions=[f"workflow/report/{name}.rst" for name in OF_INSIGHT],
         templates=[f"workflow/report/templates/{name}" for name in OF_INSIGHT_PAGE],
         published_constants=PUBLISHED["published_constants"],

@@ -10,9 +10,9 @@ rule answer_paper:
         },
         claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED["published_constants"],
-        figures=[PATTERNS.figure(name, "png") for name in OF_PAPER],
+        published_table1=PUBLISHED["published_table1"],
+        figures=[PATTERNS.figure(name, "svg") for name in OF_PAPER],
         captions=[f"workflow/report/{name}.rst" for name in OF_PAPER],
-        departures="workflow/report/departures.md",
         citation="CITATION.cff",
         templates=template_inputs("paper.html", "verdicts.html"),
         code=code_inputs("answer_paper.py"),
@@ -35,6 +35,7 @@ rule answer_paper:
 
 
 rule answer:
-    """Make the page that answers."""
+    """Make the page that answers, and the pages that it leads to."""
     input:
         rules.answer_paper.output,
+        rules.describe_study.output,

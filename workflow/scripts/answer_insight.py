@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from hardcontact.answer.captions import caption, web_png
+from hardcontact.answer.captions import caption
 from hardcontact.answer.insight_page import insight_page
 from hardcontact.insight.prediction import validated_errors
 from hardcontact.records import published
@@ -14,8 +14,8 @@ with job(snakemake) as this:
     files = zip(this.input.datasets, this.input.figures, this.input.captions, strict=True)
     for dataset, figure, template in files:
         name = Path(figure).stem
-        png = web_png(Path(figure).read_bytes())
-        figures[name] = png, caption(Path(template).read_text("utf-8"), this.parameters)
+        svg = Path(figure).read_bytes()
+        figures[name] = svg, caption(Path(template).read_text("utf-8"), this.parameters)
         datasets[name] = read(dataset)
     constants = published.constants(this.input.published_constants)
     band, pixels = read(this.input.band), this.parameters["scan"]["pixels"]

@@ -1,12 +1,17 @@
 """The page of the paper's study, and its numbers for machines."""
 
-import json
 from pathlib import Path
 
 import yaml
 
-from hardcontact.answer.captions import caption, web_png
-from hardcontact.answer.paper_answer import as_plain, paper_answer, paper_page
+from hardcontact.answer.captions import caption
+from hardcontact.answer.paper_answer import (
+    paper_answer,
+    paper_head,
+    paper_page,
+    paper_quantities,
+)
+from hardcontact.answer.quantities import answer_json
 from hardcontact.claims.verdicts import read_verdicts
 from hardcontact.records import published
 from hardcontact.records.dataset import read
@@ -19,14 +24,14 @@ with job(snakemake) as this:
         read_verdicts(this.input.claims),
         {name: read(this.input[name]) for name in DATASETS},
         published.constants(this.input.published_constants),
+        published.table1(this.input.published_table1),
     )
-    figures = {path.stem: web_png(path.read_bytes()) for path in map(Path, this.input.figures)}
+    figures = {path.stem: path.read_bytes() for path in map(Path, this.input.figures)}
     captions = {
         path.stem: caption(path.read_text("utf-8"), this.parameters)
         for path in map(Path, this.input.captions)
     }
-    departures = Path(this.input.departures).read_text("utf-8")
     citation = yaml.safe_load(Path(this.input.citation).read_text("utf-8"))
-    this.write_text(paper_page(answer, figures, captions, departures, citation), "page")
-    numbers = json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1)
-    this.write_text(numbers + "\n", "json")
+    this.write_text(paper_page(answer, figures, captions, citation), "page")
+    head = paper_head(this.parameters, citation["version"])
+    this.write_text(answer_json(head, paper_quantities(answer)), "json")

@@ -1,12 +1,11 @@
 """The answer of a study of own surfaces: one page for people, the same numbers for machines."""
 
-import json
-
 import pandas as pd
 
 from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.answer.own_answer import as_plain, own_answer
+from hardcontact.answer.own_answer import own_answer, own_head, own_quantities
 from hardcontact.answer.own_page import own_page
+from hardcontact.answer.quantities import answer_json
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 
@@ -14,7 +13,7 @@ with job(snakemake) as this:
     paths = {name: getattr(this.input, name, None) for name in Datasets._fields}
     given = Datasets(**{name: dataset.read(path) if path else None for name, path in paths.items()})
     pairs = pd.read_csv(this.input.pairs).to_dict("records")
-    answer = own_answer(given, Setting(**this.parameters, pairs=pairs))
-    numbers = json.dumps(as_plain(answer), ensure_ascii=False, allow_nan=False, indent=1)
+    setting = Setting(**this.parameters, pairs=pairs)
+    answer = own_answer(given, setting)
     this.write_text(own_page(answer), "page")
-    this.write_text(numbers + "\n", "json")
+    this.write_text(answer_json(own_head(setting), own_quantities(answer)), "json")

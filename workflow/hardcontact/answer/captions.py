@@ -1,7 +1,6 @@
-"""Captions and images of the report for a page: templates as plain text, small pictures."""
+"""Captions of the report for a page: templates as plain text."""
 
 from collections.abc import Mapping
-from io import BytesIO
 from types import SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -46,24 +45,3 @@ def caption(template: str, configuration: Mapping[str, Any]) -> Caption:
         raise ValueError(f"expected a caption that begins with its title in bold, found {first!r}")
     title, short = bold[0].removesuffix("."), first.removeprefix(bold[0]).strip()
     return Caption(title, short, " ".join(others))
-
-
-COLOURS = 256  # of the palette, which PNG keeps in one byte a pixel
-#: Pixels of a figure: enough for a phone that has three for each of the page.
-WIDTH = 1400
-
-
-def web_png(png_bytes: bytes, width: int = WIDTH) -> bytes:
-    """Return an image at most so many pixels wide, with a palette that has its rare colours."""
-    from PIL import Image
-
-    with Image.open(BytesIO(png_bytes)) as image:
-        opaque = image.convert("RGB")
-    if opaque.width > width:
-        height = round(opaque.height * width / opaque.width)
-        opaque = opaque.resize((width, height), Image.Resampling.LANCZOS)
-    # The usual method gives bands and gradients all colours: small symbols would lose theirs.
-    reduced = opaque.quantize(COLOURS, Image.Quantize.MAXCOVERAGE, dither=Image.Dither.NONE)
-    written = BytesIO()
-    reduced.save(written, "PNG", optimize=True)
-    return written.getvalue()

@@ -19,7 +19,7 @@ Cells = dict[str, Any]
 class Row(NamedTuple):
     """A row of the table of an answer: a number whose name and source are codes.
 
-    What else is known of it is `reason` of an open edge, `change`, the share of an edge or a force
+    What else is known of it is `reason` of an open edge, `measured_share` of an edge or a force
     that comes from reliable wavelengths, `side`, `start` and `end` of continued roughness, `tests`
     of a measured force.
     """
@@ -68,12 +68,18 @@ def with_reason(fact: Number, source: xr.DataArray) -> Number:
 
 
 def printed(number: Number, digits: int = 3, end: str = "") -> str:
-    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end."""
+    """Return a known number with its interval, "67 [47, 74] nm", or its "low" or "high" end.
+
+    With the status "interval_open_high" the interval ends at a bound: "67 [47, 74 or more] nm".
+    """
+    open_end = (
+        number.status.removeprefix("interval_open_") if "interval_open" in number.status else ""
+    )
     if end:
         number = Number(number.name, getattr(number, end), number.unit)
     if number.unit in UNITS:
-        return print_quantity(number.value, number.unit, number.low, number.high, digits)
-    return print_as_paper(number.value, number.unit, (number.low, number.high), digits)
+        return print_quantity(number.value, number.unit, number.low, number.high, digits, open_end)
+    return print_as_paper(number.value, number.unit, (number.low, number.high), digits, open_end)
 
 
 def number(name: str, value: float, unit: str, missing: str) -> Number:

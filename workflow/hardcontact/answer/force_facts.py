@@ -89,7 +89,7 @@ def _origin_of_force(of: Datasets) -> dict[str, Any]:
     origin = "artificial" if share < 1 - NEARLY_ALL else "partly_artificial"
     if parts[1] <= np.log1p(of.edges.attrs["tolerance"]):
         origin = "measured"
-    return {"change": Number("change", share), "origin": origin}
+    return {"change": Number("measured_share", share), "origin": origin}
 
 
 def _sensitivity(force: xr.Dataset) -> float:

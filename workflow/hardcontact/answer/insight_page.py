@@ -41,7 +41,7 @@ def insight_page(
 ) -> str:
     """Return the page, HTML.
 
-    Datasets, and figures as PNG with their captions, are by the figures of the parts, in the order
+    Datasets, and figures as SVG with their captions, are by the figures of the parts, in the order
     of the page. The band is as from `critical_band.critical_band`, with labels and bases; constants
     are as from `published.constants`, the scans have `pixels` along an edge, and the errors of the
     closed form are as from `prediction.validated_errors`.

@@ -1,7 +1,7 @@
 """What the study of the paper answers: numbers of claims and datasets, and the page of them."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -11,19 +11,19 @@ import xarray as xr
 
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.facts import number_of, on_scans
-from hardcontact.answer.report_pages import chapter, claim_facts, plain_rows
+from hardcontact.answer.quantities import Quantity, quantity
+from hardcontact.answer.report_pages import claim_facts
+from hardcontact.answer.table1 import table1_rows
 from hardcontact.answer.templates import rendered
 from hardcontact.claims.verdicts import summary, with_open_ends
 from hardcontact.figures.catalogue import OF_PAPER
-from hardcontact.numbers.number import Number, plain
-from hardcontact.numbers.printing import DIGITS, print_as_paper
-from hardcontact.numbers.statistics import bounds
+from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import POOLED
 
 #: The claims that the answer is made of, by what the answer calls them.
 ANSWERS = {
-    "shortest_wavelength": "edge_small_pooled",
-    "longest_wavelength": "edge_large_pooled",
+    "short_edge": "edge_small_pooled",
+    "long_edge": "edge_large_pooled",
     "range_of_adhesion": "range_of_adhesion",
     "work_of_adhesion": "work_of_adhesion",
     "fit_error": "plastic_fits",
@@ -45,189 +45,178 @@ MAIN_FINDINGS = (
     "numerical_beats_classical",
     "few_asperities_ncd",
 )
-#: Side of each edge of the band in the datasets, and what is known of one beyond the cutoffs.
-EDGES = {
-    "shortest_wavelength": ("small", "at least"),
-    "longest_wavelength": ("large", "at most"),
-}
-#: What is fitted to the forces of each set of scans.
-FITTED = ("range_of_adhesion", "work_of_adhesion")
-#: What is said of a group of fits.
-SUMMARY = ("count", "median", "min", "max")
-#: Sizes of the study that the paper prints too.
-GRIDS = ("scan_pixels", "scan_size", "contacts_per_side")
-#: Level of the headings within the departures, which are one section of the page.
-WITHIN_SECTION = 3
+#: Side of each edge of the band in the datasets, and the status of one beyond the cutoffs.
+EDGES = {"short_edge": ("small", "open_above"), "long_edge": ("large", "open_below")}
+#: What is fitted to the forces of each set of scans, with units.
+FITTED = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
+#: Names of the sets whose range exceeds that of the paper's statement, and of the others.
+FIT_GROUPS = {True: "long_range_sets", False: "short_range_sets"}
+#: Sizes of the study that the paper prints too, with units.
+GRIDS = {"scan_pixels": "1", "scan_size": "nm", "contacts_per_side": "1"}
 
 
 class PaperAnswer(NamedTuple):
-    """What the page, and its numbers for machines, are made of."""
+    """What the page of the paper and answer.json are made of."""
 
-    #: As from `verdicts.with_open_ends`.
-    claims: pd.DataFrame
-    #: By name in `ANSWERS`: that an edge beyond the cutoffs is "at least" or "at most" its number.
-    open_edges: dict[str, str]
-    #: Best `FITTED` (nm, J/m2) of each set of scans, with plastic contact.
-    fits: pd.DataFrame
-    #: Mean force on mirrored scans over that on the largest surfaces, by substrate.
-    forces_on_scans: dict[str, Number]
-    #: Sides (nm) of these scans and surfaces.
-    size_of_scans: float
-    size_of_surfaces: float
-    #: As from `cutoff_curves`.
-    curves: dict[str, Any]
-    #: Columns label and basis, indexed by name: the substrates, then the sphere.
-    surfaces: pd.DataFrame
-    #: `rho`, the range of adhesion (nm) that the band is computed at; `tolerance`, the relative
-    #: change of the force that ends it; `confidence` of the intervals; `sets`, the number of sets
-    #: of scans that frequencies are shares of; `realizations` of each surface; the `GRIDS`.
-    settings: dict[str, float]
-    #: The `GRIDS` of the paper, sizes in nm.
-    printed: dict[str, float]
-
-    @property
-    def numbers(self) -> dict[str, Any]:
-        """Rows of those claims of `ANSWERS` that have a number, by what the answer calls them."""
-        computed = self.claims.dropna(subset="computed")
-        rows: dict[Any, Any] = {row.id: row for row in computed.itertuples()}
-        return {name: rows[claim] for name, claim in ANSWERS.items() if claim in rows}
+    claims: pd.DataFrame  #: As from `verdicts.with_open_ends`.
+    numbers: dict[str, Number]  #: Those of the whole study, by their names in answer.json.
+    #: Of each substrate: label, basis, both edges and the force on scans over that on large ones.
+    surfaces: dict[str, dict[str, Any]]
+    sphere: dict[str, Any]  #: Label and basis.
+    table1: list[list[str]]
 
     @property
     def coarse(self) -> bool:
         """Whether the study has fewer pixels or contacts than the paper."""
         sizes = ("scan_pixels", "contacts_per_side")
-        return any(self.settings[name] < self.printed[name] for name in sizes)
-
-    @property
-    def fit_groups(self) -> dict[bool, dict[Any, dict[str, float]]]:
-        """Fits of the sets whose range exceeds that of the paper's statement, and of the others.
-
-        Count, median, min and max of each column of `fits`, of groups that have a set. Empty where
-        the study does not have that statement.
-        """
-        row = self.numbers.get("range_exceeds")
-        if row is None or math.isnan(row.frequency):
-            return {}
-        exceeds = self.fits["range_of_adhesion"] > row.published
-        groups = self.fits.groupby(exceeds)
-        return {bool(group): of_group.agg([*SUMMARY]).to_dict() for group, of_group in groups}
+        return any(self.numbers[name].value < self.numbers[f"{name}_published"].value
+                   for name in sizes)  # fmt: skip
 
 
 def paper_answer(
-    claims: pd.DataFrame, datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame
+    claims: pd.DataFrame,
+    datasets: Mapping[str, xr.Dataset],
+    constants: pd.DataFrame,
+    published_table1: pd.DataFrame,
 ) -> PaperAnswer:
     """Gather what the page shows, in the units of the claims.
 
-    Claims are as from `verdicts.read_verdicts`, constants as from `published.constants`; datasets
+    Claims are as from `verdicts.read_verdicts`, constants and Table 1 as from `published`; datasets
     are `topography`, `scales`, `band`, `sets` and `scan_size`, as in the final netCDF files.
     """
-    topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
-    critical = band["critical_wavelength"]
-    scan_size = datasets["scan_size"]
-    of_scans = on_scans(scan_size)
+    topography, band, sets = (datasets[name] for name in ("topography", "band", "sets"))
+    claims = with_open_ends(claims, [band, sets])
+    rows = {str(row.id): row for row in claims.dropna(subset="computed").itertuples()}
+    numbers: list[Number] = []
+    for name, claim in ANSWERS.items():
+        if claim in rows:
+            numbers += _numbers_of_claim(name, rows[claim], band)
+    numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
+    numbers += _settings(datasets, constants)
+    for row in summary(claims).itertuples():
+        name = "verdicts_" + str(row.verdict).replace(" ", "_")
+        numbers += [Number(name, row.claims), Number(f"{name}_independent", row.independent)]
     sphere = topography.attrs["sphere_surface"]
-    fits = datasets["sets"].sel(contact_model="plastic", drop=True)
-    surfaces = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    known = topography[["label", "basis"]].to_dataframe()[["label", "basis"]].to_dict("index")
+    forces = on_scans(datasets["scan_size"])
     return PaperAnswer(
-        with_open_ends(claims, [band, datasets["sets"]]),
+        claims,
+        {number.name: number for number in numbers},
         {
-            name: bound
-            for name, (side, bound) in EDGES.items()
-            if np.isnan(critical.sel(side=side, group=POOLED).item())
+            name: known[name] | _numbers_of_surface(name, rows, forces)
+            for name in map(str, band["surface"].values)
         },
-        fits[list(FITTED)].to_dataframe()[list(FITTED)],
-        {
-            name: number_of(of_scans.sel(surface=name), "force_over_largest", name=name)
-            for name in of_scans["surface"].values.tolist()
-        },
-        float(of_scans["edge_size"]),
-        float(scan_size["edge_size"][-1]),
-        cutoff_curves(band),
-        surfaces.loc[[*surfaces.index.drop(sphere), sphere]],
-        {
-            "rho": float(scales.attrs["rho"]),
-            "tolerance": float(band.attrs["scale_tolerance"]),
-            "confidence": float(band.attrs["confidence"]),
-            "sets": datasets["sets"].sizes["set"],
-            "realizations": scales.sizes["realization"],
-            "scan_pixels": topography.sizes["row"],
-            "scan_size": float(topography["scan_size"].min()),
-            "contacts_per_side": scales.sizes["contact_y"],
-        },
-        {name: float(constants["value"][name]) for name in GRIDS},
+        known[sphere],
+        table1_rows(topography, published_table1),
     )
 
 
-def cutoff_curves(band: xr.Dataset) -> dict[str, Any]:
-    """Return the mean force ratio of band.nc against the cutoff, for curves that show their values.
+def _numbers_of_claim(name: str, row: Any, band: xr.Dataset) -> list[Number]:
+    """Return the computed and the published number of a claim, and how often it holds."""
+    status = f"interval_open_{row.open_end}" if row.open_end else ""
+    if name in EDGES:
+        side, beyond = EDGES[name]
+        if np.isnan(band["critical_wavelength"].sel(side=side, group=POOLED).item()):
+            status = beyond
+    return [
+        Number(name, row.computed, row.unit, row.low, row.high, status),
+        Number(f"{name}_published", row.published, row.unit, source="published"),
+        Number(f"{name}_frequency", row.frequency),
+    ]
 
-    By side these are `cutoffs` (nm), `limits` of the axis of ratios, and `surfaces`, each with
-    `name`, `label`, `basis`, `colour`, and at every cutoff `ratios`, `low` and `high`, None of what
-    is unknown.
+
+def _numbers_of_surface(
+    name: str, rows: Mapping[str, Any], forces: xr.Dataset
+) -> dict[str, Number]:
+    """Return both edges of a substrate by itself, and how far forces on scans are too large."""
+    numbers = {}
+    for edge, (side, _) in EDGES.items():
+        if row := rows.get(f"edge_{side}_{name}"):
+            status = f"interval_open_{row.open_end}" if row.open_end else ""
+            numbers[edge] = Number(edge, row.computed, row.unit, row.low, row.high, status)
+    if name in forces["surface"].values:
+        force = number_of(forces.sel(surface=name), "force_over_largest")
+        numbers["force_on_scans"] = force._replace(name="force_on_scans")
+    return numbers
+
+
+def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
+    """Yield median and extremes of the fits of sets with a long and with a short range.
+
+    The range of a set is long if it exceeds that of the paper's statement. There are no groups
+    where the study does not have that statement.
     """
-    # Imported here: matplotlib is loaded where colours are needed, and not by the rules.
-    from hardcontact.figures.style import BEYOND, colours
-
-    curves = {}
-    for side in band["side"].values.tolist():
-        of_side = band.sel(side=side).dropna("cutoff_wavelength", how="all", subset=["scale_ratio"])
-        ratio, (low, high) = of_side["scale_ratio"], bounds(of_side, "scale_ratio")
-        values = {"ratios": ratio, "low": low, "high": high}
-        curves[side] = {
-            "cutoffs": of_side["cutoff_wavelength"].values.tolist(),
-            # An interval of few realizations spans many decades, and curves would be flat lines.
-            "limits": [
-                float(np.fmax(low.min(), ratio.min() / BEYOND)),
-                float(np.fmin(high.max(), ratio.max() * BEYOND)),
-            ],
-            "surfaces": [
-                {"name": name, "colour": colour}
-                | {text: str(of_side[text].sel(surface=name).item()) for text in ("label", "basis")}
-                | {key: plain(one.sel(surface=name).values.tolist()) for key, one in values.items()}
-                for name, colour in colours(band["surface"].values).items()
-            ],
-        }
-    return curves
+    fits = sets.sel(contact_model="plastic", drop=True)[[*FITTED]].to_dataframe()
+    if statement is None or math.isnan(statement.frequency):
+        return
+    for exceeds, group in fits.groupby(fits["range_of_adhesion"] > statement.published):
+        prefix = FIT_GROUPS[bool(exceeds)]
+        yield Number(prefix, len(group))
+        for name, unit in FITTED.items():
+            values = group[name]
+            yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
 
 
-def as_plain(answer: PaperAnswer) -> dict[str, Any]:
-    """Return the answer for JSON, as answer_paper.schema.json describes it."""
-    rows = plain_rows(answer.claims.drop(columns="open_end"))
-    is_open = answer.claims["open_end"] != ""
-    by_claim = {row["id"]: row for row in rows}
-    return {
-        "answer": {
-            name: by_claim[row.id]
-            | {"bound": answer.open_edges.get(name), "open_end": row.open_end or None}
-            for name, row in answer.numbers.items()
-        },
-        "fit_groups": [
-            {"exceeds": exceeds, **group} for exceeds, group in answer.fit_groups.items()
-        ],
-        "verdicts": summary(answer.claims).set_index("verdict").to_dict("index"),
-        "claims": rows,
-        "open_ends": answer.claims[is_open].set_index("id")["open_end"].to_dict(),
-        "surfaces": answer.surfaces.to_dict("index"),
-        "settings": answer.settings,
+def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:
+    """Yield what the study was made with, and the sizes of its grids beside those of the paper."""
+    topography, scales, band = (datasets[name] for name in ("topography", "scales", "band"))
+    sizes = {
+        "scan_pixels": topography.sizes["row"],
+        "scan_size": topography["scan_size"].min().item(),
+        "contacts_per_side": scales.sizes["contact_y"],
     }
+    for name, unit in GRIDS.items():
+        yield Number(name, sizes[name], unit, source="given")
+        published = float(constants["value"][name])
+        yield Number(f"{name}_published", published, unit, source="published")
+    yield Number("range_of_band", float(scales.attrs["rho"]), "nm", source="given")
+    yield Number("tolerance", float(band.attrs["scale_tolerance"]), source="given")
+    yield Number("confidence", float(band.attrs["confidence"]), source="given")
+    yield Number("sets", datasets["sets"].sizes["set"], source="given")
+    yield Number("realizations", scales.sizes["realization"], source="given")
+    sizes_of_forces = on_scans(datasets["scan_size"]), datasets["scan_size"].isel(edge_size=-1)
+    for name, of_size in zip(("mirrored_scan_size", "large_surface_size"), sizes_of_forces,
+                             strict=True):  # fmt: skip
+        yield Number(name, float(of_size["edge_size"]), "nm", source="given")
+
+
+def paper_head(configuration: Mapping[str, Any], version: str) -> dict[str, Any]:
+    """Return the head of answer.json, of the configuration of the study as it was given."""
+    contact = {"radius of the sphere": configuration["sphere"]["radius"]}
+    contact |= {key: configuration["contact"][key] for key in ("hardness", "preload")}
+    return {
+        "study": configuration["study"],
+        "version": version,
+        "effort": configuration["effort"],
+        "kind": "paper",
+        "contact": contact,
+    }
+
+
+def paper_quantities(answer: PaperAnswer) -> Iterator[Quantity]:
+    """Yield the numbers of the whole study, then those of each substrate."""
+    for number in answer.numbers.values():
+        yield quantity(number)
+    for name, surface in answer.surfaces.items():
+        for number in surface.values():
+            if isinstance(number, Number):
+                yield quantity(number, name)
 
 
 def paper_page(
     answer: PaperAnswer,
     figures: Mapping[str, bytes],
     captions: Mapping[str, Caption],
-    departures: str,
     citation: Mapping[str, Any],
 ) -> str:
     """Return the page, HTML.
 
-    Figures are PNG and captions by their names in the catalogue; departures are the chapter of that
-    name in Markdown, as `report_pages.chapter` takes it; the citation is CITATION.cff.
+    Figures are SVG and captions by their names in the catalogue; the citation is CITATION.cff.
     """
     return rendered(
         "paper.html",
         answer=answer,
-        said={name: _said(row) for name, row in answer.numbers.items()},
+        numbers=answer.numbers,
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
         chapters=[
             (heading, [name for name, _ in members])
@@ -236,17 +225,6 @@ def paper_page(
         catalogue=OF_PAPER,
         figures=figures,
         captions=captions,
-        departures=chapter(departures, level=WITHIN_SECTION),
         citation=citation,
         **claim_facts(answer.claims),
     )
-
-
-def _said(row: Any) -> dict[str, str]:
-    """Return the numbers of a claim with as many digits as its interval gives reason for."""
-    interval = row.low, row.high
-    return {
-        "alone": print_as_paper(row.computed, row.unit, digits=DIGITS),
-        "computed": print_as_paper(row.computed, row.unit, interval, DIGITS, row.open_end),
-        "published": print_as_paper(row.published, row.unit),
-    }

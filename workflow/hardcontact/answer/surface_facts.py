@@ -72,8 +72,10 @@ def edge_rows(of: Datasets) -> list[Row]:
         if np.isfinite([edge.low, edge.high]).any() and not np.isfinite([low, high]).any():
             edge = edge._replace(status=edge.status or "no_interval")
         edge = with_reason(edge._replace(low=low, high=high), of.edges["interval_source"])
-        change = Number("change", share_at_edge(of, side))
-        rows.append(Row(edge, {"reason": str(of_side["edge_status"].item()), "change": change}))
+        change = Number("measured_share", share_at_edge(of, side))
+        rows.append(
+            Row(edge, {"reason": str(of_side["edge_status"].item()), "measured_share": change})
+        )
     return rows
 
 

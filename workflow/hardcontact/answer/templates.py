@@ -1,4 +1,4 @@
-"""Pages from templates: one self-contained HTML document, with its style and its scripts."""
+"""Pages from templates: one self-contained HTML document, with its style and its script."""
 
 import base64
 import hashlib
@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from hardcontact.answer.facts import printed
+from hardcontact.answer.facts import bare, printed
 from hardcontact.numbers.number import plain
 from hardcontact.numbers.printing import print_as_paper, print_share
 
@@ -22,8 +22,7 @@ def rendered(template: str, **facts: Any) -> str:
 
     The template is a file of workflow/report/templates, the facts are what it names; one that is
     not given is a jinja2.UndefinedError. Everything that a template prints is escaped. The page
-    carries a policy that lets no script run but those of the templates, which it names by their
-    digests.
+    carries a policy that lets no script run but its own, which it names by its digest.
     """
     # Imported here: it takes longer than most jobs compute.
     from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -34,15 +33,15 @@ def rendered(template: str, **facts: Any) -> str:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "printed": printed, "as_paper": print_as_paper, "percent": print_share, "plain": plain,
-        "unbroken": _unbroken, "base64": _base64,
+        "printed": printed, "bare": bare, "as_paper": print_as_paper, "percent": print_share,
+        "plain": plain, "unbroken": _unbroken, "base64": _base64,
     }  # fmt: skip
     environment.tests["known"] = math.isfinite
-    scripts = [_file("uplot/uPlot.iife.min.js"), _file("page.js")]
+    script = _file("page.js")
     return environment.get_template(template).render(
-        style=Markup(_file("uplot/uPlot.min.css") + _file("style.css")),
-        scripts=[Markup(script) for script in scripts],
-        policy=_policy(scripts),
+        style=Markup(_file("style.css")),
+        script=Markup(script),
+        policy=_policy(script),
         **facts,
     )
 
@@ -51,11 +50,11 @@ def _file(name: str) -> str:
     return (FOLDER / name).read_text("utf-8")
 
 
-def _policy(scripts: list[str]) -> str:
-    """Return what a page may load: pictures and styles that it holds, and these scripts."""
-    digests = (base64.b64encode(hashlib.sha256(one.encode()).digest()).decode() for one in scripts)
-    allowed = " ".join(f"'sha256-{digest}'" for digest in digests)
-    return f"default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src {allowed}"
+def _policy(script: str) -> str:
+    """Return what a page may load: the pictures and styles that it holds, and this script."""
+    digest = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
+    allowed = f"img-src data:; style-src 'unsafe-inline'; script-src 'sha256-{digest}'"
+    return f"default-src 'none'; {allowed}"
 
 
 def _unbroken(text: Any) -> str:

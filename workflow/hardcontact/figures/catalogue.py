@@ -31,13 +31,6 @@ OF_PAPER = {
         "scans of the substrates and the sphere",
         ("topography",),
     ),
-    "table1": Figure(
-        "1. Surfaces",
-        "Table 1: roughness",
-        "Table 1, published and computed",
-        ("topography",),
-        ("published_table1",),
-    ),
     "fig_elastic": Figure(
         "2. Contact",
         "elastic contact",

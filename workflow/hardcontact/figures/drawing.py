@@ -1,10 +1,12 @@
 """Drawing of a figure: its sheet, and the files that it is written to: PDF, PNG, SVG, its table."""
 
 import importlib
+import re
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
-from pathlib import Path
+from io import BytesIO
 
+import matplotlib as mpl
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -22,13 +24,13 @@ from hardcontact.records.whole_file import whole_file
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
 RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
-SVG_RESOLUTION = 200  # dots per inch of the images inside the SVG
+SVG_RESOLUTION = 120  # dots per inch of the images inside the SVG
 MAX_VECTOR_POINTS = 1000  # of a curve or of symbols that the SVG holds as such
+SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of the same widths, whichever a reader has
 KINDS = ("pdf", "png", "svg", "csv")
 READERS = {
     "published_constants": published.constants,
     "published_pull_off": published.pull_off,
-    "published_table1": published.table1,
 }
 
 
@@ -62,15 +64,24 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
         figure.savefig(
             paths["pdf"], format="pdf", dpi=RESOLUTION, metadata=metadata | {"CreationDate": None}
         )
-        save_svg(figure, paths["svg"], title)
+        paths["svg"].write_bytes(svg_bytes(figure, title))
 
 
-def save_svg(figure: Figure, path: str | Path, title: str) -> None:
-    """Write a figure as SVG for pages; curves and symbols of many points become an image in it."""
+def svg_bytes(figure: Figure, title: str, resolution: float = SVG_RESOLUTION) -> bytes:
+    """Return a figure as SVG for pages.
+
+    Its text is text, which is a third of the size of drawn letters. Curves and symbols of many
+    points become images; the resolution of images is in dots per inch.
+    """
     for artist in figure.findobj(_has_many_points):
         artist.set_rasterized(True)
+    buffer = BytesIO()
     metadata = {"Title": title, "Date": None}
-    figure.savefig(path, format="svg", dpi=SVG_RESOLUTION, metadata=metadata)
+    with mpl.rc_context({"svg.fonttype": "none"}):
+        figure.savefig(buffer, format="svg", dpi=resolution, metadata=metadata)
+    svg = buffer.getvalue().replace(b"'DejaVu Sans'", SVG_FONTS)
+    # Hundredths of a point are enough, and indentation is a tenth of the file.
+    return re.sub(rb"\s+", b" ", re.sub(rb"(\.\d\d)\d+", rb"\1", svg))
 
 
 def _has_many_points(artist: Artist) -> bool:

@@ -18,8 +18,9 @@ class Number(NamedTuple):
     status : str
         What else is to be said, as a code for which a template has the words: "open_above" and
         "open_below" where `value` is a bound, "not_bounded" where the interval says only that there
-        are too few scans, "no_interval" where it should have one, "between", "more_than" and
-        "at_most" where only ends are known, other codes where there is a reason for no value.
+        are too few scans, "interval_open_low" and "interval_open_high" where an end of the
+        interval is a bound on it, "no_interval" where it should have one, "between", "more_than"
+        and "at_most" where only ends are known, other codes where there is a reason for no value.
     source : str
         Where it comes from, as a code: "computed", "measured", "extrapolated", "artificial",
         "given", "file", "assumed".

@@ -59,16 +59,23 @@ def _print(
 
 
 def print_quantity(
-    value: float, unit: str, low: float = math.nan, high: float = math.nan, digits: int = 3
+    value: float,
+    unit: str,
+    low: float = math.nan,
+    high: float = math.nan,
+    digits: int = 3,
+    open_end: str = "",
 ) -> str:
     """Return a number with its unit and its interval: "1.7 µm" or "0.64 [0.5, 0.8] µN".
 
     All are in `unit`, a key of UNITS: "nm", "N" or "J m-2". Ends of the interval are NaN where they
-    are not known, zero and infinity where they bound nothing.
+    are not known, zero and infinity where they bound nothing; the open end, "low" or "high", is a
+    bound on it.
     """
     endless = (low == 0 and math.isinf(high)) or math.inf > high > ENDLESS * low > 0
     known = math.isfinite(low + high) and not endless
-    text = _print(value, UNITS[unit], (low, high) if known else (math.nan, math.nan), digits)
+    interval = (low, high) if known else (math.nan, math.nan)
+    text = _print(value, UNITS[unit], interval, digits, open_end)
     return f"{text} [not bounded]" if endless else text
 
 

@@ -17,12 +17,9 @@ REQUIREMENTS = ("environment.txt", "workflow/constraints.txt")
 #: The same without comments, on which jobs depend: so that a comment makes no file stale.
 PINS = tuple(f"results/{Path(path).name}" for path in REQUIREMENTS)
 
-#: The templates of pages, and what every page holds: layout, macros, style and scripts.
+#: The templates of pages, and what every page holds: layout, macros, style and script.
 TEMPLATES = LIBRARY.parent / "report/templates"
-OF_EVERY_PAGE = (
-    "base.html", "macros.html", "style.css", "page.js", "uplot/uPlot.iife.min.js",
-    "uplot/uPlot.min.css",
-)  # fmt: skip
+OF_EVERY_PAGE = ("base.html", "macros.html", "style.css", "page.js")
 
 
 def template_inputs(*names: str) -> list[str]:
