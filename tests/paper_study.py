@@ -1,16 +1,15 @@
 """What the page of the paper's study is made from, small: claims, datasets, figures, captions."""
 
 from functools import cache
-from io import BytesIO
 
 import numpy as np
 import yaml
+from figure_inputs.published_tables import published_table1
 from figure_inputs.scales import band, scales
 from figure_inputs.scan_size import scan_size
 from figure_inputs.sets import sets
 from figure_inputs.surfaces import topography
 from paper_claims import CONSTANTS, STATEMENTS
-from PIL import Image
 from repository import ROOT
 
 from hardcontact.answer.captions import Caption
@@ -20,7 +19,6 @@ from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.figures.catalogue import OF_PAPER
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
-DEPARTURES = "# Where it departs\n\n1. **First.** 1 < 2.\n\n## Substitutes\n\nRandom surfaces.\n"
 
 
 def claims():
@@ -52,19 +50,18 @@ def datasets(contacts=20, pixels=512):
 
 def answer(rows=None, **changed):
     """The answer of the study, of other claims or datasets if they are given."""
-    return paper_answer(claims() if rows is None else rows, datasets() | changed, CONSTANTS)
+    table = claims() if rows is None else rows
+    return paper_answer(table, datasets() | changed, CONSTANTS, published_table1())
 
 
-def png(colour, size=(12, 8)):
+def svg(colour):
     """A picture of one colour."""
-    written = BytesIO()
-    Image.new("RGB", size, colour).save(written, "PNG")
-    return written.getvalue()
+    return f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 6" fill="{colour}"/>'.encode()
 
 
 def figures():
     """A picture for each figure of the study, each of another colour."""
-    return {name: png((20 * place, 0, 0)) for place, name in enumerate(OF_PAPER)}
+    return {name: svg(f"#{place:03}") for place, name in enumerate(OF_PAPER)}
 
 
 def captions():
@@ -75,6 +72,6 @@ def captions():
     }
 
 
-def made_page(of=None, departures=DEPARTURES):
+def made_page(of=None):
     """The page."""
-    return paper_page(answer() if of is None else of, figures(), captions(), departures, CITATION)
+    return paper_page(answer() if of is None else of, figures(), captions(), CITATION)

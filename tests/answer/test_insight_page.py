@@ -7,7 +7,7 @@ import pytest
 from figure_inputs.published_tables import published_constants
 from figure_inputs.registry import INPUTS
 from html_page import Page
-from paper_study import png
+from paper_study import svg
 
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.insight_page import PARTS, insight_page
@@ -24,7 +24,7 @@ def made_page(text="Said.", labels=None, basis="substitute"):
         one["basis"] = one["label"].copy(data=[basis] * 4)
         if labels:
             one["label"] = one["label"].copy(data=np.array([*labels]))
-    figures = {name: (png((90, 90, 90)), Caption("", text, text)) for name in PARTS}
+    figures = {name: (svg("grey"), Caption("", text, text)) for name in PARTS}
     errors = validated_errors(VALIDATION)
     return insight_page(datasets, datasets.pop("band"), figures, published_constants(), 128, errors)
 
@@ -52,7 +52,7 @@ def test_every_part_has_a_question_an_anchor_a_table_and_a_figure_with_its_files
     assert {"band", *(name.removeprefix("fig_") for name in PARTS)} <= set(ids)
     sources = page.values("src")
     assert len(sources) == len(PARTS) and len(page.values("alt")) == len(PARTS)
-    assert all(source.startswith("data:image/png;base64,") for source in sources)
+    assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
 
 
 def test_no_cell_lacks_its_column_or_shows_what_is_no_number(page):

@@ -128,10 +128,7 @@ def run_script(folder, given):
         dataset.write(getattr(given, name), path)
     inputs["pairs"] = ROOT / "resources/adhesion/pairs.csv"
     named = Namedlist(fromdict={name: str(path) for name, path in inputs.items()})
-    outputs = {
-        "page": folder / "answer.html", "json": folder / "answer.json",
-        "record": folder / "answer.record.json",
-    }  # fmt: skip
+    outputs = {"page": folder / "answer.html", "json": folder / "answer.json"}
     parameters = setting([("part", "why")])._asdict()
     del parameters["pairs"]
     job = SimpleNamespace(

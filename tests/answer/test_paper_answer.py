@@ -1,23 +1,30 @@
 """The answer of the paper's study: its numbers are those of the claims and of the datasets."""
 
 import json
-import math
 
 import numpy as np
 import pytest
-from figure_inputs.scales import CUTOFFS, LARGE_CUTOFFS, SMALL_CUTOFFS, band
+from figure_inputs.published_tables import published_table1
+from figure_inputs.scales import band
 from figure_inputs.scan_size import scan_size
+from figure_inputs.surfaces import topography
 from jsonschema import Draft202012Validator
 from paper_numbers import SUBSTRATES
-from paper_study import answer, claims, datasets
-from repository import ROOT
+from paper_study import CITATION, answer, claims, datasets
+from repository import PAPER, ROOT
 
-from hardcontact.answer.paper_answer import ANSWERS, MAIN_FINDINGS, as_plain, cutoff_curves
-from hardcontact.claims.verdicts import VERDICTS, summary
-from hardcontact.figures.style import colours
+from hardcontact.answer.paper_answer import (
+    ANSWERS,
+    MAIN_FINDINGS,
+    paper_head,
+    paper_quantities,
+)
+from hardcontact.answer.quantities import answer_json
+from hardcontact.answer.table1 import decimals_of, table1_rows
+from hardcontact.claims.verdicts import summary
 from hardcontact.numbers.number import Number
 
-SCHEMA = json.loads((ROOT / "workflow/schemas/answer_paper.schema.json").read_text("utf-8"))
+SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
 
 
 def changed(name, **values):
@@ -43,53 +50,38 @@ def with_fits(ranges, works):
     return sets
 
 
-def test_numbers_for_machines_are_those_of_the_claims():
-    plain = json.loads(json.dumps(as_plain(answer()), allow_nan=False))
-    table = claims()
-    assert [row["id"] for row in plain["claims"]] == list(table["id"])
-    assert all(list(row) == list(table.columns) for row in plain["claims"])
-    for row, claim in zip(plain["claims"], table.to_dict("records"), strict=True):
-        for column, value in claim.items():
-            missing = isinstance(value, float) and math.isnan(value)
-            assert row[column] == (None if missing else value), (claim["id"], column)
-    assert {name: row["id"] for name, row in plain["answer"].items()} == ANSWERS
-    rows = {row["id"]: row for row in plain["claims"]}
-    for row in plain["answer"].values():
-        assert row == rows[row["id"]] | {"bound": None, "open_end": None}
+def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
+    text = answer_json(paper_head(PAPER, CITATION["version"]), paper_quantities(answer()))
+    content = json.loads(text)
+    Draft202012Validator(SCHEMA).validate(content)
+    rows = {(row["surface"], row["name"]): row for row in content["quantities"]}
+    table = claims().set_index("id")
+    for name, claim in ANSWERS.items():
+        low = table["low"][claim]
+        assert rows["", name]["value"] == table["computed"][claim]
+        assert rows["", name]["low"] == (None if np.isnan(low) else low)
+    for surface in SUBSTRATES:
+        edge = rows[surface, "short_edge"]
+        assert edge["value"] == table["computed"][f"edge_small_{surface}"]
 
 
-def test_counts_for_machines_are_those_of_the_summary():
-    counts = as_plain(answer())["verdicts"]
-    assert list(counts) == list(VERDICTS)
+def test_counts_are_those_of_the_summary():
+    numbers = answer().numbers
     for row in summary(claims()).itertuples():
-        assert counts[row.verdict] == {"independent": row.independent, "claims": row.claims}
+        name = "verdicts_" + row.verdict.replace(" ", "_")
+        assert (numbers[name].value, numbers[f"{name}_independent"].value) == (
+            row.claims, row.independent,
+        )  # fmt: skip
 
 
-def test_settings_for_machines_are_those_of_the_datasets():
-    assert as_plain(answer())["settings"] == {
-        "rho": 5.6, "tolerance": 0.1, "confidence": 0.9, "sets": 100, "realizations": 5,
+def test_settings_are_those_of_the_datasets():
+    numbers = answer().numbers
+    expected = {
+        "range_of_band": 5.6, "tolerance": 0.1, "confidence": 0.9, "sets": 100, "realizations": 5,
         "scan_pixels": 512, "scan_size": 2500.0, "contacts_per_side": 20,
+        "mirrored_scan_size": 2500.0, "large_surface_size": 40e3,
     }  # fmt: skip
-
-
-def test_numbers_for_machines_are_as_their_schema_says():
-    Draft202012Validator.check_schema(SCHEMA)
-    beyond = with_critical("large", np.nan)
-    split = with_fits([9.0, 1.2, 8.0], [0.012, 0.09, 0.014])
-    for made in (answer(), answer(band=beyond, sets=split), answer(changed("fit_error", low=1.0))):
-        plain = json.loads(json.dumps(as_plain(made), allow_nan=False))
-        assert list(Draft202012Validator(SCHEMA).iter_errors(plain)) == []
-    assert set(SCHEMA["properties"]["answer"]["properties"]) == set(ANSWERS)
-
-
-def test_every_key_of_the_schema_is_described():
-    pending = [SCHEMA, *SCHEMA["$defs"].values()]
-    while pending:
-        inner = pending.pop()
-        assert inner["description"].endswith("."), inner
-        pending += [*inner.get("properties", {}).values()]
-        below = (inner.get(name) for name in ("items", "additionalProperties"))
-        pending += [one for one in below if isinstance(one, dict) and "properties" in one]
+    assert {name: numbers[name].value for name in expected} == expected
 
 
 def test_main_findings_are_statements_of_the_paper():
@@ -104,51 +96,45 @@ def test_grids_coarser_than_the_papers_are_known():
 def test_fits_of_sets_are_grouped_by_the_statement_on_the_range():
     """The paper's statement is that the range exceeds 5 nm."""
     both = with_fits([9.0, 1.2, 8.0, 0.8, 10.0], [0.012, 0.09, 0.014, 0.14, 0.011])
-    short, long = as_plain(answer(sets=both))["fit_groups"]
-    assert long["exceeds"] is True and short["exceeds"] is False
-    assert long["range_of_adhesion"] == {"count": 3, "median": 9, "min": 8, "max": 10}
-    assert short["work_of_adhesion"] == pytest.approx(
-        {"count": 2, "median": 0.115, "min": 0.09, "max": 0.14}
-    )
-    assert list(answer(sets=with_fits([9.0, 8.0], [0.01, 0.02])).fit_groups) == [True]
-    assert answer(changed("range_exceeds", frequency=np.nan), sets=both).fit_groups == {}
+    numbers = answer(sets=both).numbers
+    long, short = numbers["long_range_sets_range_of_adhesion"], numbers["short_range_sets"]
+    assert (long.value, long.low, long.high, short.value) == (9, 8, 10, 2)
+    assert numbers["short_range_sets_work_of_adhesion"].value == pytest.approx(0.115)
+    assert "short_range_sets" not in answer(sets=with_fits([9.0, 8.0], [0.01, 0.02])).numbers
+    without = answer(changed("range_exceeds", frequency=np.nan), sets=both)
+    assert "long_range_sets" not in without.numbers
 
 
 @pytest.mark.parametrize(
-    ("side", "name", "bound"),
-    [
-        ("small", "shortest_wavelength", "at least"),
-        ("large", "longest_wavelength", "at most"),
-    ],
+    ("side", "name", "status"),
+    [("small", "short_edge", "open_above"), ("large", "long_edge", "open_below")],
 )
-def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, bound):
+def test_an_edge_beyond_the_cutoffs_is_a_bound(side, name, status):
     beyond = answer(band=with_critical(side, np.nan))
-    assert beyond.open_edges == {name: bound} and answer().open_edges == {}
-    assert as_plain(beyond)["answer"][name]["bound"] == bound
+    assert beyond.numbers[name].status == status and answer().numbers[name].status == ""
 
 
 @pytest.mark.parametrize(
     ("name", "end", "last", "inside"),
     [
-        ("shortest_wavelength", "high", 250.0, 249.0),  # of the band
-        ("shortest_wavelength", "high", 120.0, 500.0),  # of the sets, whose cutoffs are fewer
-        ("longest_wavelength", "low", 500.0, 501.0),
-        ("longest_wavelength", "low", 800.0, 250.0),
+        ("short_edge", "high", 250.0, 249.0),  # of the band
+        ("short_edge", "high", 120.0, 500.0),  # of the sets, whose cutoffs are fewer
+        ("long_edge", "low", 500.0, 501.0),
+        ("long_edge", "low", 800.0, 250.0),
     ],
 )
 def test_an_end_at_the_last_cutoff_is_open(name, end, last, inside):
     sets = datasets()["sets"]
     fewer = sets.sel(cutoff_wavelength=slice(30, 2700)).drop_sel(cutoff_wavelength=[250, 500])
-    at_end = as_plain(answer(changed(name, **{end: last}), sets=fewer))
-    assert at_end["answer"][name]["open_end"] == end
-    assert at_end["open_ends"] == {ANSWERS[name]: end}
-    assert as_plain(answer(changed(name, **{end: inside}), sets=fewer))["open_ends"] == {}
+    at_end = answer(changed(name, **{end: last}), sets=fewer)
+    assert at_end.numbers[name].status == f"interval_open_{end}"
+    assert answer(changed(name, **{end: inside}), sets=fewer).numbers[name].status == ""
 
 
 @pytest.mark.parametrize("name", ANSWERS)
 def test_a_claim_without_a_number_is_not_in_the_answer(name):
     for rows in (claims()[claims()["id"] != ANSWERS[name]], changed(name, computed=np.nan)):
-        assert as_plain(answer(rows))["answer"].keys() == ANSWERS.keys() - {name}
+        assert ANSWERS.keys() - answer(rows).numbers.keys() == {name}
 
 
 def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
@@ -157,31 +143,21 @@ def test_forces_on_scans_are_those_on_mirrored_windows_of_their_size():
     data["force_over_largest"].loc[place] = 2.24
     data["force_over_largest_interval"].loc[place] = [1.48, 3.39]
     made = answer(scan_size=data)
-    assert (made.size_of_scans, made.size_of_surfaces) == (2500, 40e3)
-    assert list(made.forces_on_scans) == SUBSTRATES
-    assert made.forces_on_scans["mcd"] == Number("mcd", 2.24, "1", 1.48, 3.39)
+    expected = Number("force_on_scans", 2.24, "1", 1.48, 3.39)
+    assert made.surfaces["mcd"]["force_on_scans"] == expected
 
 
-def test_curves_are_the_ratios_of_each_side_with_their_intervals():
-    curves = cutoff_curves(band())
-    for side, cutoffs in (("small", SMALL_CUTOFFS), ("large", LARGE_CUTOFFS)):
-        assert curves[side]["cutoffs"] == list(cutoffs)
-        shown = curves[side]["surfaces"]
-        assert {one["name"]: one["colour"] for one in shown} == colours(SUBSTRATES)
-        for one in shown:
-            of_side = band().sel(side=side, surface=one["name"])
-            of_side = of_side.sel(cutoff_wavelength=np.isin(CUTOFFS, cutoffs))
-            assert one["ratios"] == of_side["scale_ratio"].values.tolist()
-            ends = of_side["scale_ratio_interval"].values.T.tolist()
-            assert [one["low"], one["high"]] == ends
-            assert one["basis"] == of_side["basis"].item()
+def test_table_1_holds_published_and_computed_values_and_marks_what_is_by_construction():
+    rows = table1_rows(topography(), published_table1())
+    height, curvature = rows[0], rows[5:8]
+    assert height[0] == "AFM scans: rms height (nm), published" and height[4] == "107.1 ± 12.0"
+    assert [row[3].split()[0] for row in curvature] == ["39", "39.0", "78.0"]
+    marked = [row[0] for row in rows if "†" in row[1]]
+    assert marked == ["computed", "computed, gradient", "computed, half the Laplacian"]
 
 
-def test_limits_of_curves_do_not_follow_what_is_unbounded():
-    wide = band()
-    wide["scale_ratio_interval"].loc[{"surface": "mcd", "bound": "high"}] = 1e20
-    low, high = cutoff_curves(wide)["small"]["limits"]
-    assert high == pytest.approx(10 * wide["scale_ratio"].sel(side="small").max().item())
-    wide["scale_ratio_interval"][:] = np.nan
-    bare = cutoff_curves(wide)["small"]
-    assert all(np.isfinite(bare["limits"])) and set(bare["surfaces"][0]["low"]) == {None}
+@pytest.mark.parametrize(
+    ("value", "uncertainty", "decimals"), [(108, 11, 0), (3.2, 0.04, 2), (0.51, 0.0, 3), (0, 0, 2)]
+)
+def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty, decimals):
+    assert decimals_of(value, uncertainty) == decimals

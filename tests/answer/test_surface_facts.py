@@ -71,7 +71,7 @@ def test_the_change_at_an_edge_is_parted_where_scans_begin_to_be_reliable():
     unseen = low + (high - low) * np.log(55 / 40) / np.log(2)
     of = datasets(edges=data).of_surface(SURFACES[0])
     np.testing.assert_allclose(parts_of_change(of, "small", 0, 80), [high - unseen, unseen], 1e-4)
-    assert rows(edges=data)["short_edge"].about["change"].value == pytest.approx(
+    assert rows(edges=data)["short_edge"].about["measured_share"].value == pytest.approx(
         1 - unseen / high, rel=1e-4
     )
     assert sum(parts_of_change(of, "small")) == pytest.approx(np.log1p(0.1 * 4**4), rel=1e-4)

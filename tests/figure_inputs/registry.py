@@ -15,7 +15,6 @@ from figure_inputs.laws import laws
 from figure_inputs.published_tables import (
     published_constants,
     published_pull_off,
-    published_table1,
 )
 from figure_inputs.scales import band, scales
 from figure_inputs.scaling import scaling
@@ -49,7 +48,6 @@ INPUTS = {
         scan_size,
         published_constants,
         published_pull_off,
-        published_table1,
     )
 }
 

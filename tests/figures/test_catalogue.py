@@ -31,9 +31,8 @@ def test_a_module_takes_what_the_table_says(name):
 
 
 def test_published_tables_exist_and_are_read():
-    assert set(PUBLISHED) == set(READERS)
     named = {name for figure in FIGURES.values() for name in figure.published}
-    assert named == set(PUBLISHED)
+    assert named == set(READERS) and named <= set(PUBLISHED)
     for path in PUBLISHED.values():
         assert (ROOT / path).is_file()
 

@@ -40,7 +40,7 @@ def input_files(name: str, folder: Path) -> dict[str, str]:
 
 
 #: What draws fast; the others are drawn from their files in the tier of studies.
-FAST = "table1"
+FAST = "fig_asperities"
 slow = [pytest.param(name, marks=pytest.mark.study) for name in FIGURES if name != FAST]
 
 

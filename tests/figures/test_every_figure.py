@@ -40,7 +40,7 @@ def measured(data):
 
 
 def test_substitutes_are_named_on_the_figure(name):
-    labels = {"fig5": ["NCD"], "fig1": [*LABELS, "ruby"], "table1": [*LABELS, "ruby"]}
+    labels = {"fig5": ["NCD"], "fig1": [*LABELS, "ruby"]}
     (note,) = notes(drawn(name))
     assert note.startswith(f"substitute surfaces: {', '.join(labels.get(name, LABELS))} (")
 
@@ -74,8 +74,6 @@ def test_figure_has_print_width_and_fits_a_page(name):
 
 
 def test_every_panel_has_its_letter(name):
-    if name == "table1":
-        return  # it has no panels
     titles = [axes.get_title(loc="left") for axes in drawn(name).axes]
     start = r"$\mathbf{"
     lettered = {title.removeprefix(start)[0] for title in titles if title.startswith(start)}
@@ -95,8 +93,6 @@ def test_a_surface_has_the_same_colour_in_every_figure():
     ):
         axes = next(axes for axes in drawn(name).axes if axes.get_ylabel() == panel)
         assert any(same_color(line.get_color(), expected) for line in axes.lines)
-    header = {text.get_text(): text for text in drawn("table1").axes[0].texts}
-    assert same_color(header["NCD"].get_color(), expected)
 
 
 def renamed(data):
