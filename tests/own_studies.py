@@ -50,8 +50,16 @@ def made(folder, name, *arguments):
 
 
 def numbers(results):
-    """Return the numbers of an answer."""
+    """Return the answer of a study as its answer.json has it."""
     return json.loads((results / "answer.json").read_text("utf-8"))
+
+
+def quantities(results):
+    """Return the quantities of an answer by surface and name, "" for those of the whole study."""
+    surfaces = {}
+    for row in numbers(results)["quantities"]:
+        surfaces.setdefault(row["surface"], {})[row["name"]] = row
+    return surfaces
 
 
 def rough(rng, pixels=128, size=2500.0, rms=None):

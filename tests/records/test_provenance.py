@@ -142,7 +142,7 @@ FINAL, STITCHED = "results/quick", "results/store-quick/stitched/ncd/study/scan-
             STITCHED,
             [f"{FINAL}/indent.nc: does not match its input {STITCHED}", "/ncd/study/scan-2/"],
         ),
-        ("resources/paper/table1.csv", ["figures/table1.pdf: does not match its input resources"]),
+        ("resources/paper/table1.csv", ["answer.html: does not match its input resources"]),
         (
             "workflow/hardcontact/contact/indents.py",
             ["indent.nc: does not match its input workflow"],

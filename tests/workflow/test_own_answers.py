@@ -9,7 +9,7 @@ import xarray as xr
 import yaml
 from html_page import Page
 from jsonschema import Draft202012Validator
-from own_studies import LEFT_OUT, RANGE, SHARED, WORK, made, numbers, quick, rough, spm
+from own_studies import LEFT_OUT, RANGE, SHARED, WORK, made, numbers, quantities, quick, rough, spm
 from refusals import assert_says
 from repository import ROOT
 from scan_files import container, scan, write_coordinates
@@ -31,43 +31,45 @@ def page_of(results):
     return Page(re.sub(r"<script.*?</script>", "", html, flags=re.DOTALL))
 
 
-def codes(limits):
-    """Return which limits there are."""
-    return {one["code"] for one in limits}
+def cautions(surface):
+    """Return the codes of what limits the answer of a surface."""
+    return {row["status"] for name, row in surface.items() if name.startswith("caution")}
 
 
 def assert_honest(results, fitted=False):
     """Expect what holds of the answer of every study of own surfaces."""
     answer, page = numbers(results), page_of(results)
-    schema = ROOT / "workflow/schemas/answer_surfaces.schema.json"
+    schema = ROOT / "workflow/schemas/answer.schema.json"
     Draft202012Validator(json.loads(schema.read_text("utf-8"))).validate(answer)
     figures = {figure["id"] for figure in page.attributes["figure"]}
-    for name, surface in answer["surfaces"].items():
-        assert {f"cutoffs-{name}", f"map-{name}", f"spectrum-{name}"} <= figures
-        for side in ("small", "large"):
-            assert_bounded(surface["band"][side])
-        rho = surface["force"]["rho"]["values"]
-        assert answer["range_of_adhesion"]["value"] in rho
-        assert surface["force"]["value"] > 0
-    assert {one["part"] for one in answer["left_out"]} == LEFT_OUT | (set() if fitted else {"fit"})
+    edges, force = (xr.load_dataset(results / f"{name}.nc") for name in ("edges", "force"))
+    for name, surface in quantities(results).items():
+        if name:
+            assert {f"cutoffs-{name}", f"map-{name}", f"spectrum-{name}"} <= figures
+            assert surface["force_mean"]["value"] > 0
+            for side in ("small", "large"):
+                assert_bounded(edges.sel(surface=name, side=side))
+    assert quantities(results)[""]["range_of_adhesion"]["value"] in force["rho"]
+    left_out = {part for part in LEFT_OUT | {"fit"} if part in page.texts["main"][0]}
+    assert left_out >= LEFT_OUT | (set() if fitted else {"fit"})
     assert not re.search(r"\bnan\b|\binf\b|None|reproduced", page.texts["main"][0])
     made = {path.name for path in results.iterdir()}
     assert not made & {"claims.csv", "figures", "inference.nc", "band.nc", "report"}
 
 
-def assert_bounded(band):
+def assert_bounded(of_side):
     """Expect of an edge that it lies between cutoffs and its interval around it, or is open."""
-    cutoffs, edge = band["cutoff_wavelength"]["values"], band["edge"]
-    low, high = edge["interval"]
-    assert (edge["value"] is None) == (band["bound"]["value"] is not None)
-    for end in (edge["value"], low, high):
-        assert end is None or min(cutoffs) <= end <= max(cutoffs)
-    assert low is None or high is None or low < high
-    if edge["value"] is None:
-        assert band["bound"]["value"] in (min(cutoffs), max(cutoffs))
-        assert band["status"] != "found"
-    elif low is not None and high is not None:
-        assert low <= edge["value"] <= high
+    known = of_side.dropna("cutoff_wavelength", subset=["scale_ratio"])["cutoff_wavelength"].values
+    edge, bound = of_side["edge"].item(), of_side["edge_bound"].item()
+    low, high = of_side["edge_interval"].values
+    assert np.isnan(edge) == np.isfinite(bound)
+    for end in (edge, low, high):
+        assert np.isnan(end) or known.min() <= end <= known.max()
+    assert not low >= high
+    if np.isnan(edge):
+        assert bound in (known.min(), known.max()) and of_side["edge_status"] != "found"
+    else:
+        assert not edge < low and not edge > high
 
 
 # Real scans
@@ -86,24 +88,21 @@ def assert_bounded(band):
 def test_real_scans(folder, name, files, contacts):
     results, said = made(folder, name, *(SHARED / file for file in files))
     assert_honest(results)
-    (answer,) = numbers(results)["surfaces"].values()
-    assert answer["basis"] == "measured" and answer["scan_size"]["value"] == contacts
-    kinds = {one["kind"] for one in answer["spectrum"]["measurements"]}
+    surface = quantities(results)[name]
+    assert surface["scan_size"]["value"] == contacts
+    kinds = set(xr.load_dataset(results / "spectra.nc")["kind"].values.ravel())
     assert kinds == ({"map"} if name == "ten" else {"map", "profile"})
+    mean = surface["force_mean"]
     if name == "twin":  # 100 nm are too small for a sphere of 250 µm: no interval, and a warning.
-        assert answer["force"]["interval"] == [None, None]
+        assert (mean["low"], mean["high"]) == (None, None)
         assert_says(said, "the window holds 36% of the force")
-        assert {"window", "blind_measurements"} <= codes(answer["limits"])
+        assert {"window", "blind_measurements"} <= cautions(surface)
     else:
-        assert 14.2 < answer["scans"][0]["rms_height"]["value"] < 14.4
-        low, high = answer["force"]["interval"]
-        assert low < answer["force"]["value"] < high
-        assert 20 < answer["band"]["small"]["edge"]["value"] < 100
-        assert answer["band"]["small"]["interval_source"] == "quarters"
-        assert "conditional" in codes(answer["limits"])
-        assert "force_continued" in [row["name"] for row in answer["answer"]]
-        continued = answer["force"]["with_continued_roughness"]["small"]
-        assert continued["differs"] and continued["value"] < 0.7 * answer["force"]["value"]
+        assert 14.2 < surface["scan_1_rms_height"]["value"] < 14.4
+        assert mean["low"] < mean["value"] < mean["high"]
+        assert 20 < surface["short_edge"]["value"] < 100
+        assert "conditional" in cautions(surface)
+        assert surface["force_continued_small"]["value"] < 0.7 * mean["value"]
 
 
 # Files of all kinds, surfaces with scans of different sizes
@@ -134,19 +133,17 @@ def test_files_of_all_kinds_are_told_and_used(folder, several):
     assert_says(said, "cropped", "96 x 96", "line scan", "undefined pixels", "5 nm")
     overlay = yaml.safe_load((folder / "config/several.yaml").read_text())
     assert overlay["scan"]["undefined_pixels"] == "harmonic"
-    film, twin = numbers(results)["surfaces"].values()
-    kinds = [[one["kind"] for one in of["spectrum"]["measurements"]] for of in (film, twin)]
-    assert kinds == [["map", "profile"], ["map"]]
-    notes = twin["spectrum"]["measurements"][0]["notes"]
-    assert "4 undefined pixels" in notes
-    assert film["label"] == "My film"
+    spectra = xr.load_dataset(results / "spectra.nc")
+    assert spectra["kind"].values.tolist() == [["map", "profile"], ["map", ""]]
+    assert "4 undefined pixels" in spectra["notes"].values[1, 0]
+    assert spectra["label"].values[0] == "My film"
 
 
 @long
 def test_surfaces_on_different_grids_have_each_their_answer(several):
     results, _ = several
     assert_honest(results)
-    film, twin = numbers(results)["surfaces"].values()
+    _, film, twin = quantities(results).values()
     assert (film["scan_size"]["value"], twin["scan_size"]["value"]) == (1500.0, 2500.0)
     assert film["pixel_size"]["value"] == pytest.approx(15.625)
     assert twin["pixel_size"]["value"] == pytest.approx(19.53, abs=0.01)
@@ -168,14 +165,13 @@ def test_the_region_of_own_forces_holds_the_truth(measured):
 
 @long
 def test_own_forces_stand_on_the_page_as_measured(measured):
-    answer = numbers(measured)
-    assert answer["fit"] is not None
     assert "forces" in [one["id"] for one in page_of(measured).attributes["section"]]
-    for surface in answer["surfaces"].values():
-        (row,) = [row for row in surface["answer"] if row["name"] == "measured_force"]
-        assert row["source"] == "measured" and row["about"]["tests"] == 40
-        assert not surface["band"]["small"]["conditional"]
-        assert surface["band"]["small"]["interval_source"] == "scans"
+    for name, surface in quantities(measured).items():
+        if name:
+            assert surface["measured_force"]["source"] == "measured"
+            assert surface["measured_force_tests"]["value"] == 40
+    edges = xr.load_dataset(measured / "edges.nc")
+    assert not edges["conditional"].any() and set(edges["interval_source"].values) == {"scans"}
 
 
 # A colloidal probe
@@ -189,12 +185,11 @@ def test_a_colloidal_probe_has_its_own_force(probe):
         "hardness": "5 GPa", "preload": "100 nN", "radius of the sphere": "5 µm",
         "range of adhesion": "2 nm", "sphere": "smooth", "work of adhesion": "30 mJ/m²",
     }  # fmt: skip
-    assert answer["of_paper"] == []
-    assert answer["range_of_adhesion"]["value"] == 2.0
-    assert answer["work_of_adhesion"]["value"] == pytest.approx(0.03)
+    of_study, surface = quantities(probe).values()
+    assert of_study["range_of_adhesion"]["value"] == 2.0
+    assert of_study["work_of_adhesion"]["value"] == pytest.approx(0.03)
     # Less than the smooth limit 2 pi R W, by the roughness.
-    (surface,) = answer["surfaces"].values()
-    assert surface["force"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
+    assert surface["force_mean"]["value"] < 0.5 * 2 * np.pi * 5e-6 * 0.03
 
 
 @pytest.mark.study

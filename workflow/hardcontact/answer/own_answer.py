@@ -38,7 +38,7 @@ class OwnSurface(NamedTuple):
     of: Datasets
     rows: list[Row]
     limits: list[Limit]
-    next: list[dict[str, Any]]
+    next: list[Mapping[str, Any]]
 
     @property
     def basis(self) -> str:

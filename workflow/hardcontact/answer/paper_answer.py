@@ -93,11 +93,12 @@ def paper_answer(
             numbers += _numbers_of_claim(name, rows[claim], band)
     numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
     numbers += _settings(datasets, constants)
-    for row in summary(claims).itertuples():
-        name = "verdicts_" + str(row.verdict).replace(" ", "_")
-        numbers += [Number(name, row.claims), Number(f"{name}_independent", row.independent)]
+    for row in summary(claims).to_dict("records"):
+        name = "verdicts_" + row["verdict"].replace(" ", "_")
+        numbers += [Number(name, row["claims"]), Number(f"{name}_independent", row["independent"])]
     sphere = topography.attrs["sphere_surface"]
-    known = topography[["label", "basis"]].to_dataframe()[["label", "basis"]].to_dict("index")
+    named: Any = topography[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    known = named.to_dict("index")
     forces = on_scans(datasets["scan_size"])
     return PaperAnswer(
         claims,

@@ -67,7 +67,8 @@ def _published(values: pd.DataFrame, surface: str, quantity: _Quantity) -> str:
     """Return a published value, with the decimals of whichever number was printed with more."""
     if surface not in values.index:
         return "–"
-    value, uncertainty = values.loc[surface, ["value", "uncertainty"]] / quantity.printed_unit
+    of_surface = values.loc[[surface], ["value", "uncertainty"]].to_numpy(float)
+    value, uncertainty = of_surface[0] / quantity.printed_unit
     decimals = max(len(f"{number:g}".partition(".")[2]) for number in (value, uncertainty))
     return _printed(value, uncertainty, decimals)
 

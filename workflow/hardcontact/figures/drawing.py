@@ -5,6 +5,7 @@ import re
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
 from io import BytesIO
+from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
@@ -64,7 +65,7 @@ def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, 
         figure.savefig(
             paths["pdf"], format="pdf", dpi=RESOLUTION, metadata=metadata | {"CreationDate": None}
         )
-        paths["svg"].write_bytes(svg_bytes(figure, title))
+        Path(paths["svg"]).write_bytes(svg_bytes(figure, title))
 
 
 def svg_bytes(figure: Figure, title: str, resolution: float = SVG_RESOLUTION) -> bytes:
