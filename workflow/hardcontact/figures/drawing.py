@@ -25,7 +25,7 @@ from hardcontact.records.whole_file import whole_file
 WIDTH = 7.0  # inch: two columns of a journal page
 FOOTER = 0.2  # inch kept free below the axes for the line that names the substitutes
 RESOLUTION = 300  # dots per inch of the PNG and of the maps inside the PDF
-SVG_RESOLUTION = 120  # dots per inch of the images inside the SVG
+SVG_RESOLUTION = 100  # dots per inch of the images inside the SVG
 MAX_VECTOR_POINTS = 1000  # of a curve or of symbols that the SVG holds as such
 SVG_FONTS = b"'DejaVu Sans', Verdana, sans-serif"  # of the same widths, whichever a reader has
 KINDS = ("pdf", "png", "svg", "csv")
