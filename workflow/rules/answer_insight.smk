@@ -44,5 +44,5 @@ rule insight:
     """Make the chapter on what decides the band: datasets, figures, page."""
     input:
         rules.answer_insight.output,
-        rules.evaluate_insight_claims.output,
+        PATTERNS.result("insight_claims.csv"),
         [getattr(rules, f"draw_{name}").output for name in OF_INSIGHT],
