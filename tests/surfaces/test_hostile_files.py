@@ -1,5 +1,6 @@
 """Hostile files: one line for the user; nothing is executed or written, no other file is read."""
 
+import ast
 import io
 import json
 import multiprocessing
@@ -7,17 +8,22 @@ import os
 import pickle
 import signal
 import struct
+import sys
 import time
 import zipfile
+from importlib.util import resolve_name
+from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+import SurfaceTopography
+import tifffile
 import yaml
 from refusals import assert_says, refusal
 from scan_files import heights, scan
 
-from hardcontact.surfaces import limited_process, scans
+from hardcontact.surfaces import limited_process, scan_formats, scans  # noqa: F401
 
 
 class Payload:
@@ -306,3 +312,33 @@ def test_what_a_terminal_would_obey_is_no_name_of_a_channel(folder):
         folder / "a.zip"
     )
     assert scans.read_measurement(folder / "a.zip", "one").channel == " [31mh"
+
+
+def imported_late(path):
+    """Yield the modules that functions of a file import, but for parallel and written files."""
+    package = path.parent.relative_to(Path(SurfaceTopography.__file__).parents[1]).as_posix()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        for late in ast.walk(node) if isinstance(node, ast.FunctionDef) else ():
+            if isinstance(late, ast.Import):
+                yield from (alias.name for alias in late.names)
+            elif isinstance(late, ast.ImportFrom):
+                name = "." * late.level + (late.module or "")
+                yield resolve_name(name, package.replace("/", ".")) if late.level else name
+
+
+def test_what_readers_import_while_they_read_is_there_before():
+    folder = Path(SurfaceTopography.__file__).parent / "IO"
+    late = {name for path in folder.glob("*.py") for name in imported_late(path)}
+    assert "tifffile" in late
+    assert late - set(sys.modules) <= {"netCDF4"}  # of files that many processes share
+
+
+def test_a_reader_of_images_needs_no_file(tmp_path):
+    values = heights(32, 32)
+    tifffile.imwrite(tmp_path / "a.tif", values, compression="zlib")
+
+    def read(content):
+        return {"heights": tifffile.TiffFile(io.BytesIO(content)).asarray()}
+
+    found = limited_process.read_in_child(read, tmp_path / "a.tif")["heights"]
+    np.testing.assert_array_equal(found, values)

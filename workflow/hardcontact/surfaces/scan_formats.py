@@ -6,19 +6,15 @@ zip archive with a list of its scans, `index.json` or, in older ones, `meta.yml`
 described by `SurfaceTopography.Container.IO.Schema`.
 """
 
-import encodings.cp437
-import encodings.latin_1
-import encodings.utf_16
-import encodings.utf_16_le  # noqa: F401
 import io
 import json
 import math
 import zipfile
 from collections.abc import Callable
 from contextlib import suppress
+from importlib import import_module
 from typing import Any
 
-import h5py  # noqa: F401
 import numpy as np
 import yaml
 from SurfaceTopography import open_topography
@@ -34,6 +30,15 @@ from hardcontact.surfaces.measurement import (
     stated_tip_radius,
     unit_in_nm,
 )
+
+#: What readers import while they read, when the child opens no file any more.
+IMPORTED_LATE = (
+    "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
+    "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
+    "encodings.utf_16_le", "encodings.utf_8_sig",
+)  # fmt: skip
+for module in IMPORTED_LATE:
+    import_module(module)
 
 
 class _ListLoader(yaml.CSafeLoader):
