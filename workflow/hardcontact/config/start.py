@@ -17,7 +17,6 @@ from typing import Any, NoReturn
 from snakemake.settings.types import ExecMode
 from snakemake.utils import min_version, update_config
 
-from hardcontact.config.checks import check
 from hardcontact.config.configuration import refuse_repeated_keys
 from hardcontact.config.faults import refuse_all
 from hardcontact.config.model import configuration as numbers_of
@@ -135,6 +134,9 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     try:
         rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
         if _is_main(workflow):
+            # Imported here, as the libraries that read scans would cost every job almost a second.
+            from hardcontact.config.checks import check
+
             compared = published.pull_off(PUBLISHED["published_pull_off"]).index
             check(configuration, rows, compared)
     except ValueError as error:
