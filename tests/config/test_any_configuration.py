@@ -148,8 +148,8 @@ def test_keys_that_are_left_out_have_their_defaults(branch):
     assert configuration(config) == configuration(PAPER)
 
 
-@pytest.mark.parametrize("depth", [10, 100, 1000, 50_000])
-@pytest.mark.parametrize("key", ["scans", "contact.count", "scales.small.cutoffs", "seed", "deep"])
+@pytest.mark.parametrize("depth", [100, 50_000])
+@pytest.mark.parametrize("key", ["scans", "scales.small.cutoffs", "deep"])
 def test_deep_nesting(key, depth):
     assert outcome(changed(PAPER, key.split("."), nested(depth)))
 

@@ -35,22 +35,6 @@ def test_swept_values_stand_in_paths():
     assert study.stitched("uncd", 1).endswith("uncd/study/scan-1-flat.nc")
 
 
-def test_topography_is_of_all_scans_and_forces_are_of_those_of_substrates():
-    study = files(scans=[1, 3])
-    assert study.scans == list(product(SURFACES, [1, 3]))
-    assert study.substrate_scans == list(product(SUBSTRATES, [1, 3]))
-    levelled = study.paths(PATTERNS.levelled, study.scans)
-    assert len(set(levelled)) == len(study.scans)
-    assert len(set(study.paths(PATTERNS.pull_off, study.substrate_scans))) == 2 * len(SUBSTRATES)
-    assert [path.split("/")[-3:-1] for path in levelled[2:4]] == [["uncd", "study"]] * 2
-    stitched = [path for path in study.paths(PATTERNS.stitched, study.scans) if "ruby" in path]
-    assert [path.split("/")[-1] for path in stitched] == [
-        "scan-1-sphere-R250um.nc",
-        "scan-3-sphere-R250um.nc",
-    ]
-    assert study.first_sphere == stitched[0]
-
-
 def test_measured_scans_are_read_once():
     study = files(measured=["mcd"])
     assert study.measurements("mcd") == [
@@ -100,12 +84,6 @@ def test_scans_are_conditioned_in_groups_as_large_as_the_study():
         path = f"results/store/conditioning/uncd/study/group-{group}.nc"
         for scan in chosen.scans_of_group("uncd", group):
             assert study.conditioning("uncd", scan) == path
-
-
-def test_only_substitutes_are_conditioned():
-    conditionings = files(measured=["mcd"]).conditionings
-    assert list(conditionings) == [name for name in SURFACES if name != "mcd"]
-    assert conditionings["ruby"] == "results/store/conditioning/ruby/study/group-0.nc"
 
 
 def test_every_master_of_every_realization_is_filtered():

@@ -2,24 +2,12 @@
 
 from refusals import assert_says, refusal
 
-from hardcontact.config.grids import (
-    machine_megabytes,
-    master_megabytes,
-    refuse_beyond_memory,
-)
-
-
-def test_small_masters_take_what_all_did():
-    assert master_megabytes(8192, 3000) == 3000
+from hardcontact.config.grids import master_megabytes, refuse_beyond_memory
 
 
 def test_memory_grows_with_pixels_and_the_largest_master_fits_into_20_gb():
     assert 4000 < master_megabytes(16384, 3000) < 6000
     assert 15000 < master_megabytes(32768, 3000) < 20000
-
-
-def test_a_machine_has_memory():
-    assert machine_megabytes() > 100
 
 
 def test_a_master_beyond_the_memory_is_refused():

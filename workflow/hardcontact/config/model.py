@@ -528,10 +528,7 @@ class LawLargeScaleKeys(Keys):
 class ScalingSmallScaleKeys(Keys):
     """Small-scale masters whose edges are scaled."""
 
-    cutoffs: Lengths = key(
-        nm(10, 20, 30, 43, 62, 90, 150, 300),
-        "forces of `scaling.nc`",
-    )
+    cutoffs: Lengths = key(nm(10, 20, 30, 43, 62, 90, 150, 300), "forces of `scaling.nc`")
     """Short-wavelength cutoffs, ascending."""
 
 
@@ -543,8 +540,7 @@ class ScalingLargeScaleKeys(Keys):
     tiles: Tiles = key(4, "forces of `scaling.nc`")
     """Stitched scans along an edge of the large-scale master."""
     cutoffs: Lengths = key(
-        nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000),
-        "forces of `scaling.nc`",
+        nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000), "forces of `scaling.nc`"
     )
     """Long-wavelength cutoffs, ascending."""
 
@@ -577,10 +573,7 @@ class InsightKeys(Keys):
     each substrate; surfaces in repeated contact."""
     count: Count = key(8, "forces of `closed_form.nc`, `laws.nc` and `scaling.nc`")
     """Contacts along an edge of the array."""
-    ranges: Ranges = key(
-        nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20),
-        "`closed_form.nc`, `statistics.nc`",
-    )
+    ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20), "`closed_form.nc`, `statistics.nc`")
     """Ranges of adhesion, ascending; `scales.range` is always one of them."""
     pixels: Pixels = key(1024, "`closed_form.nc`")
     """Pixels along an edge of the random surfaces beside the closed form."""
