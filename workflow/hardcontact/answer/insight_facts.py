@@ -24,16 +24,13 @@ from hardcontact.answer.facts import (
     span,
     surfaces,
 )
-from hardcontact.contact.asperities import CREASE
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS, SMOOTH, at_transition
 from hardcontact.insight.edge_scaling import (
     CLOSED_FORM,
     COMPUTED,
-    CONTACT,
     FORMULA,
     INDEPENDENT,
     LENGTHS,
-    RANGE,
     UNDECIDED,
 )
 from hardcontact.numbers.number import Number
@@ -73,10 +70,9 @@ def _band_edges(of_group: xr.Dataset) -> Cells:
 
 
 def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
-    """Return local exponents of both edges, what sets them, and how far the formulas are off."""
+    """Return local exponents of both edges, and how far the formulas are off."""
     changes = ~scaling["dependence"].isin([INDEPENDENT, UNDECIDED])
     undecided = (scaling["dependence"] == UNDECIDED).any()
-    varied = {"radius": "nm", "rho": "nm", "area": "nm2"}
     return {
         "verdict": "changes" if changes.any() else "open" if undecided else "not_seen",
         "counts": {
@@ -84,18 +80,11 @@ def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
             for side in SIDES
         },
         "surfaces": scaling.sizes["surface"],
-        "varied": {name: span(name, scaling[name], unit) for name, unit in varied.items()},
         "rows": [
             row | {"edge": side} | _local_exponents(one.sel(side=side), scaling.attrs)
             for row, one in surfaces(scaling)
             for side in SIDES
         ],
-        "causes": [
-            _cause(scaling.sel(cause=cause), origin)
-            for cause in (CONTACT, RANGE)
-            for origin in (COMPUTED, FORMULA)
-        ],
-        "bounds": int(scaling["cause_bounds"].sum()),
         "errors": list(_edge_errors(scaling)),
         "tolerance": percent(Number("tolerance", scaling.attrs["tolerance"])),
     }
@@ -123,23 +112,6 @@ def _both(values: np.ndarray, bound: np.ndarray) -> Number:
     high = np.where(bound > 0, np.inf, values)[known].max(initial=-np.inf)
     # Hundredths: what is far below them is no dependence.
     return between("local_exponent", round(low, 2) + 0.0, round(high, 2) + 0.0)
-
-
-def _cause(of_cause: xr.Dataset, origin: str) -> Cells:
-    """Return local exponents of short edges that one cause sets, and what is noted of them.
-
-    That is the number of computed steps, and whether the formula lies among their middle half.
-    """
-    row: Cells = {"cause": str(of_cause["cause"].item()), "origin": origin}
-    for length in LENGTHS:
-        computed, own = (of_cause.sel(length=length, origin=one) for one in (COMPUTED, origin))
-        row[length] = number_of(own, "cause_exponent")
-        if origin == COMPUTED:
-            row[f"{length}_note"] = number_of(computed, "cause_steps")
-        else:
-            low, high = ends(computed, "cause_exponent")
-            row[f"{length}_note"] = "within" if low <= row[length].value <= high else "outside"
-    return row
 
 
 def _edge_errors(scaling: xr.Dataset) -> Iterator[Cells]:
@@ -198,7 +170,6 @@ def scan_size_facts(scan_size: xr.Dataset) -> dict[str, Any]:
         "exponents": [(ratio, Number("exponent", power)) for ratio, power in powers],
         "errors": errors,
         "against": int((trends[0] * trends[1] < 0).sum()),
-        "crease": Number("crease", CREASE, "nm"),
     }
 
 
@@ -228,11 +199,6 @@ def _sizes(one: xr.Dataset) -> Cells:
         "from_scan": _long_edge(from_scan),
         "from_whole": _long_edge(whole),
         "edges_say": "differ" if differ else "alike",
-        "crease_contact": percent(number_of(one, "crease_contact")),
-        "crease_force": percent(number_of(one, "crease_force")),
-        "crease_area": percent(number_of(one, "crease_area")),
-        "contact_distance": number_of(one, "contact_distance"),
-        "draw_length": number_of(one, "draw_length"),
     }
 
 

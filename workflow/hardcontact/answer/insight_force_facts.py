@@ -21,9 +21,9 @@ from hardcontact.answer.facts import (
 )
 from hardcontact.claims.verdicts import verdict
 from hardcontact.insight.force_scatter import CHANCE, held_back
-from hardcontact.insight.interaction_laws import EXPONENTIAL, HAMAKER, POTENTIAL
+from hardcontact.insight.interaction_laws import EXPONENTIAL
 from hardcontact.numbers.number import Number
-from hardcontact.scales.critical_band import POOLED, computed_cutoffs
+from hardcontact.scales.critical_band import POOLED
 from hardcontact.surfaces.synthesis import SIDES
 
 #: Numbers of the scatter of forces on a surface.
@@ -42,7 +42,6 @@ def law_facts(laws: xr.Dataset) -> dict[str, Any]:
     rows = [_law(one) for one in others]
     judged = [row["verdict"] for row in rows]
     answer = "yes" if set(judged) == {"reproduced"} else "open"
-    cutoffs = {side: computed_cutoffs(laws["scale_ratio"].sel(side=side)) for side in SIDES}
     return {
         "rows": rows,
         "verdict": "no" if "not reproduced" in judged else answer,
@@ -50,15 +49,10 @@ def law_facts(laws: xr.Dataset) -> dict[str, Any]:
         "undecided": judged.count("undecided"),
         "moved": {side: count(rows, f"{side}_says", "above", "below") for side in SIDES},
         "tolerance": percent(Number("tolerance", laws.attrs["scale_tolerance"])),
-        "range": Number("range", laws.attrs["published_range"], "nm"),
-        "work": Number("work", laws.attrs["published_work"], "J m-2"),
         "spacing": Number("spacing", laws.attrs["atomic_spacing"], "nm"),
         "fits": [_fits(one) for one in of_laws],
         "scans": laws.attrs["scans"],
         "contacts": laws.attrs["contacts"],
-        "cutoffs": {side: len(found) for side, found in cutoffs.items()},
-        "steps": {side: span("steps", one[1:] / one[:-1]) for side, one in cutoffs.items()},
-        "local": [row | _local(one) for row, one in surfaces(laws)],
         "missed": span("missed", 100 * laws["conductor_excess"], "%"),
     }
 
@@ -82,30 +76,13 @@ def _law(law: xr.Dataset) -> Cells:
     return row
 
 
-def _local(one: xr.Dataset) -> Cells:
-    """Return what a plate's law applied gap by gap misses on one surface."""
-    return {
-        "gap": number_of(one, "attraction_gap", "nm"),
-        "conductors": percent(number_of(one, "conductor_excess")),
-        "pairs": percent(number_of(one, "pair_damping", missing="no_edge")),
-    }
-
-
 def _fits(law: xr.Dataset) -> Cells:
     """Return how near one law comes to the measured forces."""
-    strength = law["implied_over_known"].sel(case="equivalent").item()
-    # The energy of a capacitor goes with the square of its potential.
-    known = {
-        "van_der_waals": (HAMAKER, HAMAKER * strength, "J"),
-        "electrostatic": (POTENTIAL, POTENTIAL * strength**0.5, "V"),
-    }.get(str(law["law"].item()), (np.nan, np.nan, "1"))
     return {
         "law": str(law["law_label"].item()),
         "fitted": percent(number_of(law.sel(case="fitted"), "fit_error")),
         "atomic": percent(number_of(law.sel(case="atomic"), "fit_error")),
         "beyond": percent(Number("beyond", law["window_growth"].max().item())),
-        "known": number("known", known[0], known[2], "none"),
-        "implied": number("implied", known[1], known[2], "none"),
     }
 
 
