@@ -2,6 +2,7 @@
 
 from hardcontact.config import start
 from hardcontact.config.configuration import made
+from hardcontact.records.code import write_pins
 
 start.prepare(workflow)
 
@@ -10,6 +11,9 @@ configfile: start.kept_configuration(config)
 
 
 include: "rules/common.smk"
+
+
+write_pins()
 
 
 if COMPARED:

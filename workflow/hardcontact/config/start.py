@@ -54,10 +54,6 @@ def prepare(workflow: Any) -> None:
         Path(".snakemake").mkdir(exist_ok=True)  # Snakemake's own attempt ends in a traceback.
     except OSError as error:
         _refuse(f".snakemake: expected a folder to write to, found: {error.strerror}")
-    try:
-        write_pins()
-    except ValueError as error:
-        _refuse(error)
 
 
 def _refuse_elsewhere(workflow: Any) -> None:
@@ -139,6 +135,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
 
             compared = published.pull_off(PUBLISHED["published_pull_off"]).index
             check(configuration, rows, compared)
+        write_pins()  # A run that is refused writes nothing.
     except ValueError as error:
         _refuse(error)
     return Selection(rows, configuration["sphere"]["surface"])
