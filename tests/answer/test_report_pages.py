@@ -125,10 +125,10 @@ def test_a_chapter_is_a_page_without_links_into_the_repository():
     assert [cell["data-label"] for cell in shown.attributes["td"]] == ["surface", "made from"]
 
 
-def test_sections_of_a_chapter_have_anchors_and_a_level():
-    made = chapter(CHAPTER, level=3)
+def test_sections_of_a_chapter_have_anchors():
+    made = chapter(CHAPTER)
     assert made.sections == [("substitute-scans", "Substitute scans")]
-    assert '<h3 id="substitute-scans">Substitute scans</h3>' in made.html
+    assert '<h2 id="substitute-scans">Substitute scans</h2>' in made.html
 
 
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
@@ -159,7 +159,3 @@ def test_parameters_are_the_whole_configuration_and_every_version():
     assert yaml.safe_load(shown.texts["pre"][0]) == configuration
     cells = [[cell.strip() for cell in row] for row in shown.rows]
     assert cells[1:] == [[name, number] for name, number in versions.items()]
-
-
-def test_pages_are_those_of_the_claims_the_chapters_and_the_parameters():
-    assert list(made(departures=CHAPTER)) == ["claims", "departures", "parameters"]

@@ -75,12 +75,11 @@ def _meaning(row: Mapping[Any, Any]) -> dict[str, Any]:
     }
 
 
-def chapter(text: str, level: int = 2) -> Chapter:
+def chapter(text: str) -> Chapter:
     """Return a chapter in Markdown as HTML, with anchors at its headings.
 
-    The text begins with its title, ``# ...``, or is a ValueError; the level is that of the headings
-    of its sections, ``## ...``. Links into the repository are replaced by their text, because they
-    do not work from a page.
+    Raises ValueError if the text does not begin with its title, ``# ...``. Links into the
+    repository are replaced by their text, because they do not work from a page.
     """
     first, _, body = text.partition("\n")
     if not first.startswith("# "):
@@ -89,16 +88,14 @@ def chapter(text: str, level: int = 2) -> Chapter:
     markdown = MarkdownIt("commonmark").enable("table")
     tokens = markdown.parse(unlinked)
     _label_cells(tokens)
-    sections = _anchored(tokens, level)
+    sections = _anchored(tokens)
     return Chapter(first[2:], markdown.renderer.render(tokens, markdown.options, {}), sections)
 
 
-def _anchored(tokens: Sequence[Token], level: int) -> list[tuple[str, str]]:
-    """Set level and anchor of each heading, and return anchors and headings."""
+def _anchored(tokens: Sequence[Token]) -> list[tuple[str, str]]:
+    """Set the anchor of each heading, and return anchors and headings."""
     sections = []
     for token, content in pairwise(tokens):
-        if token.type.startswith("heading"):
-            token.tag = f"h{int(token.tag[1:]) + level - 2}"
         if token.type == "heading_open":
             anchor = re.sub(r"\W+", "-", content.content.lower()).strip("-")
             token.attrSet("id", anchor)
