@@ -18,7 +18,7 @@ with job(snakemake) as this:
     indents = indents_of_scans(
         by_scan(scans, this.input.substrates),
         by_scan(sphere_scans, this.input.spheres),
-        Contact(radius=given["radius"], **given["contact"]),
+        Contact(radius=given["radius"], preload=max(given["preloads"]), **given["contact"]),
         given["preloads"],
     )
     this.write(
