@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from hardcontact.surfaces.spectral_models import self_affine
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine
 
 
 def scaled(density, rms):

@@ -5,7 +5,7 @@ from functools import cache
 import numpy as np
 from random_scans import uncd
 
-from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.synthesis import random_surface
 
 

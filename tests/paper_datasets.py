@@ -8,7 +8,7 @@ from intervals import between_multiples
 from known_forces import FORCE_DIMS
 from paper_numbers import MEAN_FORCE, MEDIAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
-from hardcontact.surfaces.topography import table1_variables
+from hardcontact.surfaces.height_map import table1_variables
 
 GROUPS = [*SUBSTRATES, "pooled"]
 MODELS = ["rigid", "plastic"]

@@ -3,11 +3,10 @@
 import numpy as np
 
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.spectral_models import smooth_rolloff
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds
+from hardcontact.surfaces.height_map import level
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, measured_psds, smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level
 
 PIXEL = 2500 / 512  # nm, of the paper's scans
 

@@ -9,8 +9,8 @@ from paper_datasets import MODELS, RADIUS, RHO
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.sets.judged_sets import Sources
+from hardcontact.surfaces.height_map import METRICS, table1_variables
 from hardcontact.surfaces.roughness_table import averages
-from hardcontact.surfaces.topography import METRICS, table1_variables
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
 CUTOFFS = {"small": [20.0, 43.0, 120.0], "large": [500.0, 1800.0, 3500.0]}

@@ -8,9 +8,9 @@ from hardcontact.contact.contact import Contact
 from hardcontact.numbers.random import generator
 from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
+from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level
 
 GRID = ScanGrid(pixels=64, size=640.0, realization_pixels=128)
 CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, count=2)

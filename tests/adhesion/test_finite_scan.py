@@ -19,11 +19,10 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.summits import banded, draw_size, moment
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.spectral_models import smooth_rolloff
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.height_map import level, mirror_stitch
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level, mirror_stitch
 
 RADIUS, PIXEL = 250e3, 10e3 / 256
 

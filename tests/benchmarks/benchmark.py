@@ -36,7 +36,7 @@ from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map, part_around_lowest
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces import spectral_models, topography
+from hardcontact.surfaces import height_map, spectrum
 from hardcontact.surfaces.filters import interpolate, lowpass
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
@@ -50,7 +50,7 @@ RHOS = [0.5, 1, 2, 3, 4, 5, 5.6, 6, 7, 8, 9, 10]
 
 def uncd(q):
     """Measured C_iso (nm⁴) of UNCD: resources/spectra/uncd.csv."""
-    return spectral_models.smooth_rolloff(q, 6.1e7, 930.0, 0.84)
+    return spectrum.smooth_rolloff(q, 6.1e7, 930.0, 0.84)
 
 
 def surface(pixels):
@@ -113,7 +113,7 @@ def stitched(seed, scale):
     rng = generator(seed, "benchmark pair")
     random = random_surface(rng, 1024, 2500 / 512, lambda q: scale * uncd(q))
     scan = substitute_scan(random, 512)
-    return topography.mirror_stitch(topography.level(scan))
+    return height_map.mirror_stitch(height_map.level(scan))
 
 
 def rough_sphere():

@@ -14,11 +14,10 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, window_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level, mirror_stitch
 
 
 @dataclass(frozen=True)

@@ -24,8 +24,7 @@ from hardcontact.insight.prediction import coordinates
 from hardcontact.numbers.random import generator
 from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
 from hardcontact.scales.filtered_masters import Filters, scaled_pull_off
-from hardcontact.surfaces.spectral_models import self_affine, varying_hurst
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 
 TABLE = Path(__file__).parents[2] / "resources/validation/prediction.csv"

@@ -37,17 +37,16 @@ from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.records import dataset, published
 from hardcontact.records.dataset import stack
 from hardcontact.scales.critical_band import logarithmic_limits
-from hardcontact.surfaces.calibration import rows_of_surface
-from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Floats,
     Spectrum,
     all_scales_moments,
     roll_off,
+    self_affine,
     spectrum_from,
 )
-from hardcontact.surfaces.substitute_spectra import substitute_spectrum
+from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
 RESOURCES = Path(__file__).parents[2] / "resources"

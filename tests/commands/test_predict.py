@@ -18,7 +18,8 @@ from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.prediction import coordinates, nearest_errors, rough_part
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.joined_spectrum import continued_spectrum, joined_spectrum
+from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
+from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
 

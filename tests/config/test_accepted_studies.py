@@ -21,11 +21,11 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, sampled_contacts
 from hardcontact.contact.indents import indents
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off, scaled_pull_off
-from hardcontact.surfaces import spectral_models, synthesis
+from hardcontact.surfaces import spectrum, synthesis
+from hardcontact.surfaces.height_map import flat_map, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 from hardcontact.surfaces.substitute_scans import sphere_scan, substitute_scan
 from hardcontact.surfaces.synthesis import synthesized_master
-from hardcontact.surfaces.topography import flat_map, level, mirror_stitch
 
 
 def lengths(least, most, count):
@@ -126,9 +126,7 @@ def accepted(overlay):
 
 #: About as rough as MCD, and as the ruby.
 ROUGH, SMOOTH = (
-    Spectrum(
-        WAVEVECTORS, spectral_models.self_affine(WAVEVECTORS, plateau, rolloff=1500.0, hurst=0.9)
-    )
+    Spectrum(WAVEVECTORS, spectrum.self_affine(WAVEVECTORS, plateau, rolloff=1500.0, hurst=0.9))
     for plateau in (2e9, 5e4)
 )
 

@@ -5,7 +5,7 @@ from refusals import assert_says, refusal
 from repository import ROOT
 
 from hardcontact.config.tables import refuse_description, refuse_of_paper
-from hardcontact.surfaces.spectral_models import AFM_ROWS, TAIL_ROWS
+from hardcontact.surfaces.spectrum import AFM_ROWS, TAIL_ROWS
 
 SPECTRA = ROOT / "resources/spectra"
 HEADER = (

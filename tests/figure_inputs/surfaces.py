@@ -7,7 +7,7 @@ import xarray as xr
 from paper_numbers import LABELS, SUBSTRATES, TABLE1
 
 from figure_inputs.building import RADIUS, generator, named
-from hardcontact.surfaces.topography import table1_variables
+from hardcontact.surfaces.height_map import table1_variables
 
 
 def _rough(rng: np.random.Generator, rms: float, pixels: int = 48) -> np.ndarray:

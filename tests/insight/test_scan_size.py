@@ -25,9 +25,8 @@ from validate_scan_sizes import (
 from hardcontact.contact.contact import Contact
 from hardcontact.insight.scan_size import crease_shares
 from hardcontact.records import dataset
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import all_scales_moments, roll_off
-from hardcontact.surfaces.topography import level, mirror_stitch
 
 CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, count=2)
 WINDOWS = Windows([320.0, 640.0], 2, [2.0, 5.0], CONTACT)

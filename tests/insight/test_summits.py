@@ -10,8 +10,7 @@ from scipy import integrate, stats
 from hardcontact.insight import summits
 from hardcontact.insight.summits import banded, draw_size, moment
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.spectral_models import smooth_rolloff
-from hardcontact.surfaces.spectrum import Spectrum
+from hardcontact.surfaces.spectrum import Spectrum, smooth_rolloff
 from hardcontact.surfaces.synthesis import random_surface
 
 RADIUS = 250e3

@@ -9,10 +9,10 @@ from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
-from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.height_map import level, mirror_stitch
+from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
-from hardcontact.surfaces.topography import level, mirror_stitch
 
 #: A factor of sqrt(2) apart, and farther than one of three from both edges: ends of intervals are
 #: cutoffs, so that fewer of them would widen every interval, or bound it where they end.

@@ -12,13 +12,11 @@ from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.open_edges import band_edges
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
-from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectral_models import self_affine
-from hardcontact.surfaces.spectrum import spectrum_from
+from hardcontact.surfaces.scans import Measurement
+from hardcontact.surfaces.spectrum import self_affine, spectrum_from
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface
-from hardcontact.surfaces.topography import level, mirror_stitch
 
 pytestmark = pytest.mark.study
 

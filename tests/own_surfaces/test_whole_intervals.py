@@ -10,15 +10,15 @@ from scipy import stats
 from hardcontact.insight import closed_form as closed
 from hardcontact.insight.closed_form import Contact, closed_form, filtered_spectrum
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.joined_spectrum import (
-    CALIBRATION,
-    GRADIENT,
-    HALF_LAPLACIAN,
-    drawn_spectra,
-    joined_spectrum,
+from hardcontact.surfaces.extrapolated_spectrum import GRADIENT, HALF_LAPLACIAN
+from hardcontact.surfaces.joined_spectrum import CALIBRATION, drawn_spectra, joined_spectrum
+from hardcontact.surfaces.spectrum import (
+    WAVEVECTORS,
+    Spectrum,
+    all_scales_moments,
+    spectrum_from,
+    varying_hurst,
 )
-from hardcontact.surfaces.spectral_models import varying_hurst
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, spectrum_from
 
 pytestmark = pytest.mark.study
 

@@ -14,7 +14,7 @@ from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import student_log_interval
 from hardcontact.sets.judged_sets import draw_scans, with_sampled_mean
 from hardcontact.surfaces.conditioning import group_heights
-from hardcontact.surfaces.topography import metrics, mirror_stitch
+from hardcontact.surfaces.height_map import metrics, mirror_stitch
 
 POOL = range(1, 7)
 

@@ -11,8 +11,8 @@ from small_pool import CONTACT, GRID, HEIGHTS, SETTINGS, TARGETS, pool_of, raw_s
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.numbers.random import generator
 from hardcontact.sets.pool import height_weights, pool_heights
+from hardcontact.surfaces.height_map import metrics, mirror_stitch
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import metrics, mirror_stitch
 
 
 def direct_force(scan, factor, contact_pixels, rho, place):

@@ -15,7 +15,7 @@ from hardcontact.sets.judged_sets import (
     set_band,
     set_topography,
 )
-from hardcontact.surfaces.topography import METRICS
+from hardcontact.surfaces.height_map import METRICS
 
 DRAW = Draw(seed=1, number=3)
 NO_SAMPLES = Sampling(1, 0, CONFIDENCE)

@@ -7,9 +7,10 @@ from random_scans import PIXEL, UNCD
 
 from hardcontact.records import published
 from hardcontact.records.published import rows_met
-from hardcontact.surfaces import calibration, spectral_models
-from hardcontact.surfaces.calibration import expected_moments, transfer_weights
+from hardcontact.surfaces import spectrum as spectral_models
+from hardcontact.surfaces import substitute_spectra as calibration
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
+from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
 
 def rows(values):

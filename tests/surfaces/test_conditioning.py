@@ -12,12 +12,11 @@ from hardcontact.numbers.random import generator
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces import conditioning as scan_targets
 from hardcontact.surfaces import conditioning as spectral_gain
-from hardcontact.surfaces.calibration import expected_moments, transfer_weights
 from hardcontact.surfaces.conditioning import Targets
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
-from hardcontact.surfaces.topography import level, metrics
+from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)

@@ -11,14 +11,23 @@ from repository import PAPER, ROOT
 from hardcontact.config.grids import realization_pixels
 from hardcontact.numbers.random import generator
 from hardcontact.records import published
-from hardcontact.surfaces.calibration import rows_of_surface, transfer_weights
 from hardcontact.surfaces.conditioning import amplified, conditioned_group, scan_targets
-from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectral_models import AFM_ROWS, TAIL_ROWS
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, spectrum_from
+from hardcontact.surfaces.height_map import HeightMap, level, metrics
+from hardcontact.surfaces.spectrum import (
+    AFM_ROWS,
+    TAIL_ROWS,
+    WAVEVECTORS,
+    Spectrum,
+    all_scales_moments,
+    spectrum_from,
+)
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
-from hardcontact.surfaces.substitute_spectra import from_description, substitute_spectrum
-from hardcontact.surfaces.topography import level, metrics
+from hardcontact.surfaces.substitute_spectra import (
+    from_description,
+    rows_of_surface,
+    substitute_spectrum,
+    transfer_weights,
+)
 
 DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}
 TABLE1 = published.table1(ROOT / "resources/paper/table1.csv")

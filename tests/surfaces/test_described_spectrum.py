@@ -5,10 +5,8 @@ import pandas as pd
 from refusals import assert_says, refusal
 
 from hardcontact.answer.artificial import artificial_bands
-from hardcontact.surfaces.joined_spectrum import stacked_spectra
-from hardcontact.surfaces.spectral_models import self_affine
-from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
-from hardcontact.surfaces.substitute_spectra import described_spectrum
+from hardcontact.surfaces.joined_spectrum import described_spectrum, stacked_spectra
+from hardcontact.surfaces.spectrum import WAVEVECTORS, self_affine, spectrum_dataset
 
 BANDS = pd.DataFrame(
     {

@@ -11,9 +11,9 @@ from refusals import assert_says, refusal
 from hardcontact.answer.artificial import artificial_bands
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
+from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.joined_spectrum import (
     HURST_SCATTER,
-    Tail,
     drawn_spectra,
     joined_spectrum,
     smoothed,
@@ -27,8 +27,7 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.reliable_band import reliable_band
-from hardcontact.surfaces.spectral_models import smooth_rolloff
-from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, read_spectrum
+from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, read_spectrum, smooth_rolloff
 
 
 def gentle(q):

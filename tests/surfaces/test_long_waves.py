@@ -5,14 +5,14 @@ import pytest
 from measurements import measurement
 
 from hardcontact.numbers.random import generator
+from hardcontact.surfaces.extrapolated_spectrum import levelled_share, with_rolloff
 from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
-from hardcontact.surfaces.long_waves import levelled_share, with_rolloff
 from hardcontact.surfaces.measured_spectrum import levelled_topography
-from hardcontact.surfaces.spectral_models import self_affine
 from hardcontact.surfaces.spectrum import (
     WAVEVECTORS,
     Spectrum,
     all_scales_moments,
+    self_affine,
     spectrum_from,
 )
 from hardcontact.surfaces.synthesis import random_surface

@@ -7,7 +7,7 @@ from random_scans import PIXEL, uncd
 from scipy.ndimage import gaussian_filter1d
 
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.measured_spectrum import (
     axis_ratio,
     independent_waves,
@@ -17,7 +17,6 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.spectrum import measured_psds
-from hardcontact.surfaces.topography import level
 
 
 def test_a_map_has_the_psd_of_the_levelled_scan():

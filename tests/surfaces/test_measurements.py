@@ -17,12 +17,12 @@ from scan_files import (
 from SurfaceTopography import NonuniformLineScan, Topography, UniformLineScan
 
 from hardcontact.records import dataset
-from hardcontact.surfaces.measurement import read_stored
 from hardcontact.surfaces.scans import (
     list_measurements,
     prepared,
     read_measurement,
     read_scan,
+    read_stored,
 )
 
 

@@ -7,8 +7,7 @@ from random_scans import uncd
 
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile, variance_of_log
-from hardcontact.surfaces.spectral_models import profile_from_isotropic_power_law
-from hardcontact.surfaces.spectrum import BIN_EDGES
+from hardcontact.surfaces.spectrum import BIN_EDGES, profile_from_isotropic_power_law
 
 BINS = np.sqrt(BIN_EDGES[1:] * BIN_EDGES[:-1])
 MEASURED = BINS[(BINS > 1e-4) & (BINS < 2)]

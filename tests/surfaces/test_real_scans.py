@@ -7,8 +7,8 @@ import pytest
 import xarray as xr
 from repository import ROOT, copy_repository, run_snakemake
 
+from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.scans import list_measurements, read_measurement, read_scan
-from hardcontact.surfaces.topography import level
 
 SCANS = ROOT / "../shared/scans"
 pytestmark = pytest.mark.skipif(not SCANS.is_dir(), reason="no folder ../shared/scans")

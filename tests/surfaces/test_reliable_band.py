@@ -9,7 +9,7 @@ from scipy.ndimage import gaussian_filter, gaussian_filter1d
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band
-from hardcontact.surfaces.spectral_models import smooth_rolloff
+from hardcontact.surfaces.spectrum import smooth_rolloff
 from hardcontact.surfaces.substitute_scans import imaged_by_tip
 from hardcontact.surfaces.synthesis import random_surface
 

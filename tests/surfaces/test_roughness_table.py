@@ -7,14 +7,10 @@ from random_scans import PIXEL, UNCD, levelled_scan
 
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import bounds
-from hardcontact.surfaces.roughness_table import (
-    averages,
-    measured_roughness,
-    roughness_table,
-)
+from hardcontact.surfaces.height_map import METRICS, metrics, prepared_scan
+from hardcontact.surfaces.roughness_table import averages, measured_roughness, roughness_table
 from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_dataset
 from hardcontact.surfaces.substitute_scans import sphere_scan
-from hardcontact.surfaces.topography import METRICS, metrics, prepared_scan
 
 SETTINGS = dict(
     labels={"uncd": "UNCD", "ruby": "ruby"},

@@ -4,10 +4,10 @@ import numpy as np
 from random_scans import PIXEL, uncd
 
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces import calibration as scan_moments
+from hardcontact.surfaces import substitute_spectra as scan_moments
+from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level, metrics
 
 MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")
 

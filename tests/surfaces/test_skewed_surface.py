@@ -13,11 +13,11 @@ from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
+from hardcontact.surfaces.height_map import level, mirror_stitch
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import _opened, skewed_surface
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import level, mirror_stitch
 
 AFM = (ROOT / "../shared/scans/afm-10um-512.di").resolve()
 WINDOW = 128

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from hardcontact.surfaces import spectral_models
+from hardcontact.surfaces import spectrum as spectral_models
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from random_scans import uncd
 
-from hardcontact.surfaces.joined_spectrum import (
+from hardcontact.surfaces.extrapolated_spectrum import (
     ATOMIC,
     GRADIENT,
     HALF_LAPLACIAN,

@@ -6,7 +6,7 @@ from random_scans import PIXEL, uncd
 
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, flat_map, level
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.substitute_scans import (
     ScanGrid,
@@ -15,7 +15,6 @@ from hardcontact.surfaces.substitute_scans import (
     synthesized_scan,
 )
 from hardcontact.surfaces.synthesis import random_surface
-from hardcontact.surfaces.topography import flat_map, level
 
 RADIUS = 250e3
 

@@ -8,9 +8,10 @@ from refusals import assert_says, refusal
 from repository import ROOT
 
 from hardcontact.records import published
-from hardcontact.surfaces import calibration, spectral_models, substitute_spectra
-from hardcontact.surfaces.calibration import expected_moments, transfer_weights
+from hardcontact.surfaces import spectrum as spectral_models
+from hardcontact.surfaces import substitute_spectra
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
+from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
 HEADER = (
     "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
@@ -36,7 +37,7 @@ def described(tmp_path):
 @pytest.fixture
 def polished(at_root):
     table1 = published.table1("resources/paper/table1.csv")
-    return calibration.rows_of_surface(table1, "polished_uncd", "gradient", "half_laplacian")
+    return substitute_spectra.rows_of_surface(table1, "polished_uncd", "gradient", "half_laplacian")
 
 
 def test_bands_with_all_parameters_are_their_models(described, tmp_path):

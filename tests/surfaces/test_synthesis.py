@@ -6,9 +6,8 @@ from random_scans import UNCD, levelled_scan, uncd
 
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.synthesis import large_scale_master, random_surface, small_scale_master
-from hardcontact.surfaces.topography import mirror_stitch
 
 
 def radii(pixels, pixel_size):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scan_files import container, heights
 
-from hardcontact.surfaces.measurement import stated_tip_radius
+from hardcontact.surfaces.scan_heights import stated_tip_radius
 from hardcontact.surfaces.scans import read_measurement
 
 

@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 
-from hardcontact.surfaces.height_map import HeightMap, library_map
-from hardcontact.surfaces.topography import (
+from hardcontact.surfaces.height_map import (
     DEFINITIONS,
     METRICS,
+    HeightMap,
     flat_map,
     level,
     level_lines,
+    library_map,
     metrics,
     mirror_stitch,
     prepared_scan,

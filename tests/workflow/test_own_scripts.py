@@ -14,8 +14,8 @@ from repository import ROOT
 from hardcontact.insight.summits import draw_size
 from hardcontact.records import dataset
 from hardcontact.records.origin import canonical
+from hardcontact.surfaces.joined_spectrum import described_spectrum
 from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset
-from hardcontact.surfaces.substitute_spectra import described_spectrum
 
 CONTACTS = ("contact_y", "contact_x")
 NAMES = {"label": ("surface", ["A", "B"]), "basis": ("surface", ["measured"] * 2)}

@@ -29,13 +29,12 @@ from hardcontact.numbers.number import Number
 from hardcontact.own_surfaces.open_edges import edges_of_curves
 from hardcontact.scales.critical_band import logarithmic_limits
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
+from hardcontact.surfaces.height_map import metrics as metrics
 from hardcontact.surfaces.scans import flattened, height_map, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum, spectrum_from
 from hardcontact.surfaces.spectrum import measured_psds as measured_psds
 from hardcontact.surfaces.synthesis import SIDES
-from hardcontact.surfaces.topography import metrics as metrics
-from hardcontact.surfaces.topography import mirror_stitch
 
 
 def read_scan(

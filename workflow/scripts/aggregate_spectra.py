@@ -2,8 +2,7 @@
 
 from hardcontact.records import dataset
 from hardcontact.records.job import job
-from hardcontact.surfaces.joined_spectrum import stacked_spectra
-from hardcontact.surfaces.substitute_spectra import described_spectrum
+from hardcontact.surfaces.joined_spectrum import described_spectrum, stacked_spectra
 
 with job(snakemake) as this:
     surfaces, labels = this.parameters["surfaces"], this.parameters["labels"]

@@ -2,8 +2,7 @@
 
 from hardcontact.records import published
 from hardcontact.records.job import job
-from hardcontact.surfaces.calibration import rows_of_surface
-from hardcontact.surfaces.substitute_spectra import substitute_spectrum
+from hardcontact.surfaces.substitute_spectra import rows_of_surface, substitute_spectrum
 
 with job(snakemake) as this:
     surface = this.parameters["surface"]

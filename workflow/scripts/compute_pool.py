@@ -4,10 +4,10 @@ from hardcontact.contact.contact import Contact
 from hardcontact.records import dataset, published
 from hardcontact.records.job import job
 from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
-from hardcontact.surfaces.calibration import rows_of_surface
 from hardcontact.surfaces.conditioning import scan_targets
 from hardcontact.surfaces.spectrum import spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid
+from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 with job(snakemake) as this:
     given, surface = this.parameters, this.parameters["surface"]

@@ -5,9 +5,9 @@ from functools import partial
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset, published
 from hardcontact.records.job import job
-from hardcontact.surfaces.calibration import rows_of_surface
 from hardcontact.surfaces.conditioning import conditioned_group, scan_targets
 from hardcontact.surfaces.substitute_scans import ScanGrid
+from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 with job(snakemake) as this:
     surface, definitions = this.parameters["surface"], this.parameters["table1"]

@@ -1,8 +1,7 @@
 """A measured scan: levelled, the sphere subtracted if there is one; stitched."""
 
 from hardcontact.records.job import job
-from hardcontact.surfaces.measurement import read_stored
-from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared
+from hardcontact.surfaces.scans import LEVELLED, STITCHED, prepared, read_stored
 
 with job(snakemake) as this:
     levelled, stitched = prepared(

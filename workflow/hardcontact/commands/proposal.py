@@ -24,7 +24,7 @@ from hardcontact.contact.bearing_area import TILE
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.numbers.printing import print_length
-from hardcontact.surfaces.joined_spectrum import FEWEST
+from hardcontact.surfaces.extrapolated_spectrum import FEWEST
 from hardcontact.surfaces.reliable_band import LIMITS
 
 #: Pixels of the shortest wave that is kept of a scan, and the longest one over its size, as in the

@@ -17,7 +17,7 @@ from hardcontact.config.selection import CONTACT
 from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
 from hardcontact.records import published
 from hardcontact.surfaces.scans import read_measurement, read_scan
-from hardcontact.surfaces.spectral_models import is_calibrated
+from hardcontact.surfaces.spectrum import is_calibrated
 from hardcontact.surfaces.substitute_spectra import described_rms_height
 
 #: Upper bound on the differences in height between contacts on a substitute for a surface of the

@@ -18,8 +18,8 @@ from hardcontact.config.tables import Row, UserTable, found, in_unit, number, us
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
-from hardcontact.surfaces.measurement import LENGTHS
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.scan_heights import LENGTHS
 from hardcontact.surfaces.scans import flattened, list_measurements, read_measurement
 from hardcontact.surfaces.spectrum import Spectrum
 

@@ -14,7 +14,7 @@ from hardcontact.config.model import Keys, Matching, Quantity
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.tables import user_table
 from hardcontact.numbers.units import magnitude
-from hardcontact.surfaces.spectral_models import is_calibrated
+from hardcontact.surfaces.spectrum import is_calibrated
 
 #: Stands for the number of a scan of a smooth sphere; scans are numbered from 1.
 NO_SCAN = 0

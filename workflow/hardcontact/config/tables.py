@@ -17,7 +17,7 @@ import pandas as pd
 
 from hardcontact.config.faults import plain, refuse_lines
 from hardcontact.numbers.units import magnitude
-from hardcontact.surfaces.spectral_models import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
+from hardcontact.surfaces.spectrum import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
 #: A number with a decimal comma.
 DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")

@@ -32,7 +32,7 @@ from hardcontact.insight.pull_off_statistics import force_statistics
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import print_length, print_quantity
 from hardcontact.records.code import LIBRARY
-from hardcontact.surfaces.joined_spectrum import FEWEST, continued_spectrum
+from hardcontact.surfaces.extrapolated_spectrum import FEWEST, continued_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments, roll_off
 

@@ -20,8 +20,8 @@ from hardcontact.records.job import progress
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.sets.pool import height_weights
 from hardcontact.surfaces.conditioning import group_heights
+from hardcontact.surfaces.height_map import METRICS
 from hardcontact.surfaces.roughness_table import averages
-from hardcontact.surfaces.topography import METRICS
 
 Floats = NDArray[np.float64]
 

@@ -20,10 +20,9 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
 from hardcontact.surfaces.conditioning import Targets
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
 from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
-from hardcontact.surfaces.topography import METRICS, level, metrics, mirror_stitch
 
 #: Least height of a pool, over the mean height: no set of a few scans has a smoother one.
 LEAST = 0.05

@@ -17,12 +17,10 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.records.published import rows_met
-from hardcontact.surfaces.calibration import expected_moments, transfer_weights
-from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectral_models import AFM_ROWS
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Density, Floats, spectrum_from
+from hardcontact.surfaces.height_map import DEFINITIONS, HeightMap, level, metrics
+from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, Density, Floats, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
-from hardcontact.surfaces.topography import DEFINITIONS, level, metrics
+from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
 
 #: Metrics of isotropic surfaces over the moments: height, gradient, half the Laplacian.
 OVER_MOMENTS = {

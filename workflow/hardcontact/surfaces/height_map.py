@@ -14,6 +14,9 @@ from hardcontact.records import dataset
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
@@ -78,3 +81,145 @@ def library_map(surface: HeightMap) -> "Topography":
 
     sizes = tuple(count * surface.pixel_size for count in surface.heights.T.shape)
     return Topography(np.asarray(surface.heights, dtype=float).T, sizes, unit="nm")
+
+
+#: Metrics of a height map with their units and long names, in the order of Table 1.
+METRICS = {
+    "rms_height": ("nm", "rms height"),
+    "rms_gradient": ("1", "rms gradient (2D slope)"),
+    "rms_profile_slope": ("1", "rms slope of profiles along x"),
+    "rms_half_laplacian": ("nm-1", "half the rms Laplacian (mean curvature)"),
+    "rms_laplacian": ("nm-1", "rms Laplacian"),
+    "skewness": ("1", "skewness of heights"),
+    "kurtosis": ("1", "kurtosis of heights (3 for a Gaussian)"),
+    "peak_to_valley": ("nm", "peak to valley"),
+}
+#: Metrics that slope and curvature of Table 1 may stand for, by their names in the configuration.
+DEFINITIONS = {
+    "gradient": "rms_gradient",
+    "profile": "rms_profile_slope",
+    "half_laplacian": "rms_half_laplacian",
+    "laplacian": "rms_laplacian",
+}
+
+
+def level(scan: HeightMap) -> HeightMap:
+    """Return a scan less its least-squares plane."""
+    return replace(scan, heights=library_map(scan).detrend("height").heights().T)
+
+
+def level_lines(scan: HeightMap) -> HeightMap:
+    """Return a scan whose lines are aligned, less its least-squares plane.
+
+    Scan lines run along x. Each loses its least-squares line, then its median: offsets and tilts
+    of lines that drift and jumps of the feedback leave. So does what is real in them: all
+    roughness whose wavevector points along y.
+
+    Source: ``ScanLineAlignedTopography`` of SurfaceTopography.
+    """
+    aligned = library_map(scan).scan_line_align(direction="x", mode="median", degree=1)
+    return level(replace(scan, heights=aligned.heights().T))
+
+
+#: Ways to level a scan, by their names in the configuration.
+LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {"plane": level, "lines": level_lines}
+
+
+def flat_map(
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
+) -> HeightMap:
+    """Return a scan levelled, less the sphere of a radius in nm whose top it shows, if any.
+
+    The paraboloid x²/2R of the known radius is added back and the rest levelled. The position of
+    the apex does not matter, because moving it adds a plane.
+    """
+    if sphere_radius is not None:
+        y, x = (
+            (np.arange(count) - (count - 1) / 2) * scan.pixel_size for count in scan.heights.shape
+        )
+        heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
+        scan = replace(scan, heights=heights)
+    return LEVELLING[levelling](scan)
+
+
+def mirror_stitch(scan: HeightMap) -> HeightMap:
+    """Return a periodic map (2y, 2x): the scan beside its mirror images, so that all edges match.
+
+    Source: the paper, section Numerical Analysis of Results.
+    """
+    wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
+    return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
+
+
+def prepared_scan(
+    scan: HeightMap,
+    sphere_radius: float | None = None,
+    levelling: str = "plane",
+    described: Mapping[str, str] | None = None,
+) -> tuple[xr.Dataset, xr.Dataset]:
+    """Return a scan levelled, and then mirror-stitched, both as they are stored.
+
+    The levelled scan of a sphere, of a radius in nm, also keeps the scan as it was read, in the
+    variable `as_scanned`. Both keep the attributes `described`.
+    """
+    flat = flat_map(scan, sphere_radius, levelling)
+    stored = flat.dataset()
+    if sphere_radius is not None:
+        attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
+        stored["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
+    stitched = mirror_stitch(flat).dataset()
+    return stored.assign_attrs(described or {}), stitched.assign_attrs(described or {})
+
+
+def metrics(scan: HeightMap) -> dict[str, float]:
+    """Return the METRICS of a scan.
+
+    Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, over
+    the pixels that have them along both axes. Where the paper leaves a definition open there is
+    one metric for each reading.
+
+    Parameters
+    ----------
+    scan : HeightMap
+        Levelled, not periodic.
+
+    Returns
+    -------
+    dict of str to float
+        By name, such as ``rms_height``, in powers of nm.
+
+    Examples
+    --------
+    >>> scan = hc.read_scan("scan.nc")
+    >>> rms_height = hc.metrics(scan)["rms_height"]  # nm
+    """
+    from scipy.stats import kurtosis, skew
+
+    heights, pixel_size = scan.heights.astype(float), scan.pixel_size
+    slope_y = np.diff(heights, axis=0)[:, :-1] / pixel_size
+    slope_x = np.diff(heights, axis=1)[:-1] / pixel_size
+    bend = np.diff(heights, 2, axis=0)[:, 1:-1] + np.diff(heights, 2, axis=1)[1:-1]
+    laplacian = float(np.sqrt((bend**2).mean())) / pixel_size**2
+    values = heights.ravel()
+    return {
+        "rms_height": float(values.std()),
+        "rms_gradient": float(np.sqrt((slope_x**2 + slope_y**2).mean())),
+        "rms_profile_slope": float(np.sqrt((slope_x**2).mean())),
+        "rms_half_laplacian": laplacian / 2,
+        "rms_laplacian": laplacian,
+        "skewness": float(skew(values)),
+        "kurtosis": float(kurtosis(values, fisher=False)),
+        "peak_to_valley": float(np.ptp(values)),
+    }
+
+
+def table1_variables(slope: str, curvature: str) -> dict[str, str]:
+    """Return the variables of topography.nc by their rows in Table 1, read as of DEFINITIONS."""
+    variables = {
+        "height": "rms_height",
+        "slope": DEFINITIONS[slope],
+        "curvature": DEFINITIONS[curvature],
+    }
+    return {f"afm_rms_{row}": f"{metric}_mean" for row, metric in variables.items()} | {
+        f"all_rms_{row}": f"all_scales_{metric}" for row, metric in variables.items()
+    }

@@ -4,14 +4,14 @@ It is continued beyond its band within bounds on slope and curvature.
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.long_waves import BIN, LongWaves, with_rolloff
+from hardcontact.surfaces.extrapolated_spectrum import BIN, LongWaves, with_rolloff
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION,
     bias_of_log,
@@ -21,47 +21,30 @@ from hardcontact.surfaces.measured_spectrum import (
     size_of,
     variance_of_log,
 )
-from hardcontact.surfaces.measurement import Measurement
 from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band, with_tip
-from hardcontact.surfaces.spectral_models import power_law_tail
+from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     WAVEVECTORS,
     Floats,
     Spectrum,
     spectrum_dataset,
-    with_measurements,
 )
 
-#: Bins that a joined spectrum has at least.
-FEWEST = 3
-#: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
-ATOMIC = 0.3
-#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
-#: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
-#: 1.20). A sphere of such a curvature has the radius of an atom.
-GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
+if TYPE_CHECKING:
+    pass
+
+import io
+
+from hardcontact.surfaces.extrapolated_spectrum import FEWEST, TAIL_UNITS, Tail, continued_spectrum
+from hardcontact.surfaces.spectrum import KNOWN, spectrum_from
+
 #: Radii in nm of tips that are not known: from new ones to blunt ones.
 TIPS = (5.0, 50.0)
 #: Standard deviations of the Hurst exponent beyond what is measured, for surfaces are self-affine
 #: over some decades at best, and of the change of the slope d ln C/d ln q along a root of a decade:
 #: at a roll-off it is 2 + 2H, some 3.6, once in the three decades that surfaces are measured on.
 HURST_SCATTER, KINK = 0.1, 2.0
-#: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
-FLATTEST = -2.0
-
-
-class Tail(NamedTuple):
-    """How a spectrum goes on below the shortest wavelength measured; NaN where it does not."""
-
-    tail_hurst: float = np.nan
-    tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
-    tail_fit_longest: float = np.nan
-    tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
-
-
-#: Units of the fields of a tail.
-TAIL_UNITS = dict(zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True))
 
 
 class _Data(NamedTuple):
@@ -285,71 +268,81 @@ def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, s
     )
 
 
-def continued_spectrum(
-    wavevector: Floats, density: Floats, variance: Floats, hurst_change: float = 0.0
-) -> tuple[Floats, Tail]:
-    """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
+def with_measurements(
+    spectrum: xr.Dataset,
+    psds: Floats,
+    reliable: NDArray[np.bool_],
+    measurements: Sequence[Mapping[str, Any]],
+) -> xr.Dataset:
+    """Return a spectrum with what it was joined of.
 
-    The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
-    of ln C. Above the longest wavelength measured C_iso is constant. Below the shortest it is
-    self-affine with the Hurst exponent of the last decade past the roll-off, changed by a number
-    and held within 0 to 1.
-    The tail ends at the distance of atoms, or where the rms gradient or half-Laplacian of all
-    scales would pass that of the roughest hard surface known: there is none if the measured part
-    alone does.
+    The PSDs (measurement, bins) are in nm⁴; of each measurement there are words, lengths in nm.
     """
-    # A point of the table at the last wavevector may lie beyond it by rounding.
-    table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
-    measured = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
-    hurst, count = _hurst(wavevector, density, variance, hurst_change)
-    # The tail begins with the log-mean of the last points along it.
-    relative = wavevector[-FEWEST:] / wavevector[-1]
-    level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * hurst)))))
-    last = measured.nonzero()[0][-1]
-    start = measured.copy()
-    start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * hurst)
-    tail = power_law_tail(start, hurst, ATOMIC)
-    ends, ended_by = _bounded(measured + tail)
-    spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(ends, last), measured + tail, 0.0)
-    if ends <= last:
-        return spectrum, Tail(tail_ended_by=ended_by)
-    shortest, longest = 2 * np.pi / wavevector[[-1, -count]]
-    return spectrum, Tail(hurst, float(shortest), float(longest), ended_by)
-
-
-def _hurst(
-    wavevector: Floats, density: Floats, variance: Floats, change: float
-) -> tuple[float, int]:
-    """Return the Hurst exponent of the last decade past the roll-off, and its number of points."""
-    slopes, error = local_slopes(wavevector, density, variance)
-    fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
-    flat = np.flatnonzero(slopes - error > FLATTEST)
-    if flat.size:
-        fitted[: flat[-1] + 1] = False
-    fitted[-FEWEST:] = True
-    weight = 1 / np.sqrt(variance[fitted])
-    slope = np.polyfit(np.log(wavevector[fitted]), np.log(density[fitted]), 1, w=weight)[0]
-    return float(np.clip(-slope / 2 - 1 + change, 0, 1)), int(fitted.sum())
-
-
-def _bounded(density: Floats) -> tuple[int, str]:
-    """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
-    from scipy.integrate import cumulative_trapezoid
-
-    squares = (
-        density * WAVEVECTORS**power / divisor / (2 * np.pi) for power, divisor in ((4, 1), (6, 4))
-    )
-    gradient, half_laplacian = (
-        np.sqrt(cumulative_trapezoid(square, np.log(WAVEVECTORS), initial=0)) for square in squares
-    )
-    ends = {
-        "gradient": gradient > GRADIENT,
-        "half_laplacian": half_laplacian > HALF_LAPLACIAN,
-        "atoms": density == 0,
+    of_each = {
+        name: (
+            "measurement",
+            [one[name] for one in measurements],
+            {} if isinstance(value, str) else {"units": "nm"},
+        )
+        for name, value in measurements[0].items()
     }
-    first = {
-        bound: int(np.argmax(np.append(beyond, True)))  # where no wave is beyond: after the last
-        for bound, beyond in ends.items()
-    }
-    ended_by = min(first, key=first.__getitem__)
-    return first[ended_by] - 1, ended_by
+    both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
+    return (
+        spectrum.assign(psd=(both, psds, {"units": "nm4", "long_name": "isotropic PSD"}))
+        .assign(reliable=(both, reliable.astype("int8"), {"long_name": "1 where it is reliable"}))
+        .assign(of_each)
+        .assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
+    )
+
+
+def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
+    """Return a stored `substitute_spectrum` as `joined_spectrum` returns that of a measurement.
+
+    Its known bands stand for measurements, neighbours of one source for one: they were fitted to
+    measurements, and their wavelengths are not artificial. What only a measurement has is NaN or
+    empty. The path is that of the description; if no band is known, it is a ValueError.
+    """
+    bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
+    known = bands[bands.basis.isin(KNOWN)]
+    if known.empty:
+        raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
+    before = known.shift()
+    begins = (known.longest_nm != before.shortest_nm) | (known.source != before.source)
+    runs = known.groupby(begins.cumsum()).agg(
+        longest=("longest_nm", "first"),
+        shortest=("shortest_nm", "last"),
+        source=("source", "first"),
+    )
+    runs["longest"] = runs.longest.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
+    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
+    shortest, longest = runs[["shortest", "longest"]].to_numpy().T[..., None]
+    reliable = (shortest < wavelength) & (wavelength <= longest)
+    measurements = [
+        {
+            "kind": "description",
+            "path": path,
+            "dataset": "",
+            "size": np.nan,
+            "pixel_size": np.nan,
+            "tip_radius": np.nan,
+            "shortest_reliable": run.shortest,
+            "longest_reliable": run.longest,
+            "limited_by": "source",
+            "notes": run.source,
+        }
+        for run in runs.itertuples()
+    ]
+    joined = np.where(reliable.any(axis=0), density, np.nan)
+    return with_measurements(
+        stored[["spectrum"]].assign(joined=("bin_wavevector", joined, {"units": "nm4"})),
+        np.where(reliable, density, np.nan),
+        reliable,
+        measurements,
+    ).assign_attrs(
+        basis="substitute",
+        calibrated_to_table1=stored.attrs["calibrated_to_table1"],
+        shortest_measured=runs.shortest.min(),
+        longest_measured=runs.longest.max(),
+        **Tail()._asdict(),
+        rolloff=np.nan,
+    )

@@ -13,16 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.surfaces.height_map import HeightMap, library_map
-from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import (
-    BIN_CENTRES,
-    BIN_EDGES,
-    Floats,
-    measured_psds,
-    profile_psd,
-)
-from hardcontact.surfaces.topography import level
+from hardcontact.surfaces.height_map import HeightMap, level, library_map
+from hardcontact.surfaces.scans import Measurement
+from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, Floats, measured_psds, profile_psd
 
 #: Share of the waves of a window of Hann that are independent, along one axis:
 #: (mean w²)² / mean w⁴ = (3/8)² / (35/128).

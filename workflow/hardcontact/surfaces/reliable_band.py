@@ -36,7 +36,7 @@ from hardcontact.surfaces.measured_spectrum import (
     size_of,
     variance_of_log,
 )
-from hardcontact.surfaces.measurement import Measurement
+from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
 
 #: The shortest wavelength in pixels, and the part of the size that is the longest: of longer waves

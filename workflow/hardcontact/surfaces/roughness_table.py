@@ -9,9 +9,8 @@ import xarray as xr
 from hardcontact.numbers.statistics import student_interval, with_interval
 from hardcontact.records.dataset import stack
 from hardcontact.records.origin import canonical
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import METRICS, HeightMap, metrics, table1_variables
 from hardcontact.surfaces.spectrum import Floats, all_scales_moments, measured_psds, spectrum_from
-from hardcontact.surfaces.topography import METRICS, metrics, table1_variables
 
 
 def measured_roughness(scan: HeightMap) -> xr.Dataset:

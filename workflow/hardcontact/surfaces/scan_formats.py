@@ -22,7 +22,7 @@ from SurfaceTopography.Exceptions import CannotDetectFileFormat, MetadataAlready
 from SurfaceTopography.IO import AscReader, XYZReader
 
 from hardcontact.surfaces.limited_process import RefusedFile
-from hardcontact.surfaces.measurement import (
+from hardcontact.surfaces.scan_heights import (
     OBLONG,
     check_points,
     map_values,

@@ -5,9 +5,9 @@ with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Ju
 Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import xarray as xr
@@ -18,6 +18,9 @@ from hardcontact.surfaces.height_map import HeightMap, library_map
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography, UniformLineScan
+
+
+import pandas as pd
 
 Floats = NDArray[np.float64]
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
@@ -67,33 +70,6 @@ def spectrum_dataset(density: Floats) -> xr.Dataset:
     return xr.Dataset(
         {"spectrum": ("wavevector", density, {"units": "nm4", "long_name": "isotropic PSD"})},
         {"wavevector": ("wavevector", WAVEVECTORS, {"units": "rad nm-1"})},
-    )
-
-
-def with_measurements(
-    spectrum: xr.Dataset,
-    psds: Floats,
-    reliable: NDArray[np.bool_],
-    measurements: Sequence[Mapping[str, Any]],
-) -> xr.Dataset:
-    """Return a spectrum with what it was joined of.
-
-    The PSDs (measurement, bins) are in nm⁴; of each measurement there are words, lengths in nm.
-    """
-    of_each = {
-        name: (
-            "measurement",
-            [one[name] for one in measurements],
-            {} if isinstance(value, str) else {"units": "nm"},
-        )
-        for name, value in measurements[0].items()
-    }
-    both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
-    return (
-        spectrum.assign(psd=(both, psds, {"units": "nm4", "long_name": "isotropic PSD"}))
-        .assign(reliable=(both, reliable.astype("int8"), {"long_name": "1 where it is reliable"}))
-        .assign(of_each)
-        .assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
     )
 
 
@@ -147,3 +123,103 @@ def roll_off(spectrum: Spectrum) -> float:
     """Return the wavelength (nm) whose octave holds most of the variance of heights."""
     variance = spectrum.wavevector**2 * spectrum.density
     return float(2 * np.pi / spectrum.wavevector[variance.argmax()])
+
+
+#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
+AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
+#: Columns of descriptions that hold numbers.
+PARAMETERS = (
+    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
+)  # fmt: skip
+#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
+CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
+#: Bases of bands that are known; all others are inferred or assumed.
+KNOWN = ("published", "measured")
+
+
+def is_calibrated(bands: pd.DataFrame) -> bool:
+    """Return whether a description leaves parameters to Table 1."""
+    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
+
+
+def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
+    """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), (q/q_r)^(-2-2H) below."""
+    return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
+
+
+def varying_hurst(
+    wavevector: Floats, plateau: float, rolloff: float, hurst: float, change: float
+) -> Floats:
+    """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
+
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off (nm) and C_0, the
+    plateau, before it: locally a power law of the exponent H + H' x, with H' the change a decade.
+    """
+    decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
+    return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - change * decades**2))
+
+
+def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
+    """Return C_iso: `plateau` (nm⁴) [1 + (q/q_r)²]^(-1-H), roll-off wavelength in nm."""
+    return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
+
+
+#: Models that parameters fix alone, by their names in descriptions, and the columns of these.
+MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
+    "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
+    "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
+    "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
+}
+
+
+def continued(above: Floats, hurst: float) -> Floats:
+    """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
+
+    Both are in nm⁴ on WAVEVECTORS; it is zero where the spectrum, `above`, is not. A spectrum
+    without roughness is a ValueError.
+    """
+    if not above.any():
+        raise ValueError("expected roughness above a power law, found none")
+    last = above.nonzero()[0][-1]
+    relative = WAVEVECTORS / WAVEVECTORS[last]
+    return np.where(relative > 1, above[last] * relative ** (-2 - 2 * hurst), 0.0)
+
+
+def share_of_cells(shortest: float) -> Floats:
+    """Return the share of each cell of WAVEVECTORS that lies above a wavelength (nm).
+
+    The cell that the wavelength lies in counts by the share before it, so that moments of the table
+    depend on it continuously.
+    """
+    cells = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
+    return np.asarray(np.clip(cells + 0.5, 0, 1))
+
+
+def power_law_tail(above: Floats, hurst: float, shortest: float) -> Floats:
+    """Return `continued`, up to the wavelength (nm) at which the spectrum ends."""
+    return continued(above, hurst) * share_of_cells(shortest)
+
+
+def profile_from_isotropic_power_law(wavevector: Floats, hurst: float) -> Floats:
+    """Return the ratio C_1D/C_iso in 1/nm of an isotropic C_iso ∝ q^(-2-2H).
+
+    C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y, in closed form for a power law.
+    """
+    from scipy.special import gamma
+
+    ratio = wavevector / (2 * np.sqrt(np.pi)) * gamma(hurst + 0.5) / gamma(hurst + 1)
+    return np.asarray(ratio, float)
+
+
+def profile_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> Floats:
+    """Return C_iso (nm⁴) through points of C_1D (nm³), converted with one fitted Hurst exponent."""
+    points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
+    hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
+    order = np.argsort(points)
+    points, level, place = points[order], level[order], np.log(wavevector)
+    # The first and the last segment continue beyond the points.
+    segment = np.clip(np.searchsorted(points, place) - 1, 0, len(points) - 2)
+    slope = np.diff(level)[segment] / np.diff(points)[segment]
+    density: Floats = np.exp(level[segment] + slope * (place - points[segment]))
+    return density / profile_from_isotropic_power_law(wavevector, hurst)

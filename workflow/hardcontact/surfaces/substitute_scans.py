@@ -12,10 +12,9 @@ import numpy as np
 import xarray as xr
 from numpy.lib.stride_tricks import sliding_window_view
 
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.synthesis import random_surface, refined
-from hardcontact.surfaces.topography import level
 
 
 class ScanGrid(NamedTuple):

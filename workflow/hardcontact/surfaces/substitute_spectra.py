@@ -1,41 +1,196 @@
 """Spectra of substitutes from descriptions: bands of wavelengths, each with its model."""
 
-import io
 from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.surfaces.calibration import (
-    Weights,
-    calibrate_model,
-    calibrate_tail,
-    expected_moments,
-    transfer_weights,
-)
-from hardcontact.surfaces.joined_spectrum import Tail
-from hardcontact.surfaces.spectral_models import (
+from hardcontact.surfaces.spectrum import (
+    AFM_ROWS,
     CALIBRATED,
-    KNOWN,
     MODELS,
     PARAMETERS,
     TAIL_ROWS,
-    continued,
-    is_calibrated,
-    profile_points,
-    share_of_cells,
-)
-from hardcontact.surfaces.spectrum import (
-    BIN_CENTRES,
     WAVEVECTORS,
+    Density,
     Floats,
     Spectrum,
     all_scales_moments,
+    continued,
+    is_calibrated,
+    power_law_tail,
+    profile_points,
+    share_of_cells,
     spectrum_dataset,
-    spectrum_from,
-    with_measurements,
 )
+
+#: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
+Weights = tuple[Floats, Floats]
+#: Bins of wavevectors in which weights are added up.
+BINS = 4000
+#: Rows of wavevectors that weights are computed of at a time.
+ROWS = 512
+
+
+def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
+    """Return wavevectors (bins,) in rad/nm and weights (3, bins): moments = weights @ C_iso.
+
+    The moments are the squares that are expected of a scan: rms height², gradient² and
+    half-Laplacian². The scan is cut out of a larger periodic surface and levelled. Levelling takes
+    from its height variance what a plane fits (Legendre functions of degree 0 and 1, whose
+    transforms are spherical Bessel functions); its derivatives are differences of neighbouring
+    pixels. The pixel size is in nm.
+    """
+    from scipy.special import spherical_jn
+
+    wave = 2 * np.pi * np.abs(np.fft.fftfreq(pixels, pixel_size))
+    half = wave[: pixels // 2 + 1]
+    count = np.where((half == 0) | (half == half.max()), 1.0, 2.0)
+    shortest = np.hypot(wave.max(), half.max())
+    edges = np.geomspace(half[1] * 0.999, shortest * 1.001, BINS + 1)
+    # Along one axis: the shares that mean and tilt fit, and the squared difference.
+    phase = wave * window_pixels * pixel_size / 2
+    mean, tilt = spherical_jn(0, phase) ** 2, 3 * spherical_jn(1, phase) ** 2
+    difference = (2 * np.sin(wave * pixel_size / 2) / pixel_size) ** 2
+    along = slice(0, len(half))
+    weights = np.zeros((3, BINS))
+    for start in range(0, pixels, ROWS):
+        rows = slice(start, start + ROWS)
+        mean_y, tilt_y, difference_y = (factor[rows, None] for factor in (mean, tilt, difference))
+        fitted = mean_y * mean[along] + tilt_y * mean[along] + mean_y * tilt[along]
+        laplacian = difference_y + difference[along]
+        radius = np.hypot(wave[rows, None], half)
+        if start == 0:
+            radius[0, 0] = half[1]  # the mean carries no weight, and log 0 no bin
+        index = np.searchsorted(edges, radius.ravel()) - 1
+        for k, factor in enumerate((1 - fitted, laplacian, laplacian**2 / 4)):
+            weights[k] += np.bincount(index, (count * factor).ravel(), BINS)
+    return np.sqrt(edges[1:] * edges[:-1]), weights / (pixels * pixel_size) ** 2
+
+
+def expected_moments(density: Density, weights: Weights) -> Floats:
+    """Return the expected rms height (nm), gradient and half-Laplacian (1/nm) of a scan: (3,)."""
+    wavevector, factors = weights
+    return np.sqrt(factors @ density(wavevector))
+
+
+#: Relative error at which a number of Table 1 counts as met.
+TOLERANCE = 1e-9
+#: Parameters that are calibrated, by model; those that are found by their logarithms.
+SEARCHED = {
+    "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
+    "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
+}
+LOGARITHMIC = ("plateau_nm4", "rolloff_nm")
+#: Hurst exponents between which that of a tail is sought.
+TAIL_HURST = (-6.0, 5.0)
+
+
+def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
+    """Return Table 1 of a surface, slopes as rms gradients, curvatures as half rms Laplacians.
+
+    On an isotropic surface the gradient is sqrt(2) times the slope of profiles. The table is of
+    `published.table1`; its rows are taken to be a ``"gradient"`` or ``"profile"`` slope and a
+    ``"half_laplacian"`` or ``"laplacian"`` curvature. They are indexed by quantity, with value and
+    uncertainty; there are none of another surface.
+    """
+    rows = table1[table1["surface"] == surface].set_index("quantity")
+    factor = {
+        "slope": {"gradient": 1.0, "profile": np.sqrt(2)}[slope],
+        "curvature": {"half_laplacian": 1.0, "laplacian": 0.5}[curvature],
+    }
+    factors = [factor.get(quantity.rsplit("_", 1)[-1], 1.0) for quantity in rows.index]
+    return rows.assign(value=rows["value"] * factors, uncertainty=rows["uncertainty"] * factors)
+
+
+def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
+    """Return the parameters with which scans of a band of a model of SEARCHED are those of Table 1.
+
+    What is fitted is the table of the model on WAVEVECTORS, because scans are made of that. It is a
+    ValueError if no such spectrum has the three moments.
+    """
+    from scipy.optimize import least_squares
+
+    model, names = MODELS[band.model]
+    searched = SEARCHED[band.model]
+    values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
+
+    def parameters(found: Floats) -> dict[str, float]:
+        return {
+            name: np.exp(value) if name in LOGARITHMIC else value
+            for name, value in zip(searched, found, strict=True)
+        }
+
+    def mismatch(found: Floats) -> Floats:
+        given = dict(band) | parameters(found)
+        table = Spectrum(WAVEVECTORS, model(WAVEVECTORS, *(given[name] for name in names)))
+        return np.asarray(np.log(expected_moments(table, weights) / values))
+
+    start = {
+        "plateau_nm4": 2 * np.log(values[0] * 1000),
+        "rolloff_nm": np.log(1000.0),
+        "hurst": 0.9,
+        "hurst_change": 0.0,
+    }
+    fit = least_squares(
+        mismatch,
+        [start[name] for name in searched],
+        x_scale=(1, 0.3, 0.3),
+        xtol=1e-15,
+        ftol=1e-15,
+        gtol=1e-15,
+    )
+    if np.abs(fit.fun).max() > TOLERANCE:
+        worst = int(np.abs(fit.fun).argmax())
+        raise ValueError(
+            "expected three numbers of Table 1 that a spectrum of this model has, found "
+            f"{AFM_ROWS[worst]} = {values[worst]:.3g}, missed by {100 * fit.fun[worst]:+.1f} %"
+        )
+    return {name: float(value) for name, value in parameters(fit.x).items()}
+
+
+def calibrate_tail(above: Floats, moments: tuple[float, float]) -> tuple[float, float]:
+    """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
+
+    The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength at which the power law
+    begins, and the moments are the gradient and half-Laplacian (1/nm) over all scales of the whole.
+    It is a ValueError if the part above already exceeds one of them, or no power law adds them.
+    """
+    from scipy.optimize import brentq
+
+    gradient, half_laplacian = moments
+    _, *moments_above = all_scales_moments(Spectrum(WAVEVECTORS, above))
+    missing = [whole**2 - part**2 for whole, part in zip(moments, moments_above, strict=True)]
+    if min(missing) <= 0:
+        raise ValueError(
+            f"expected an all-scales slope and curvature above {moments_above[0]:.3g} "
+            f"and {moments_above[1]:.3g} nm-1, found {gradient} and {half_laplacian}"
+        )
+
+    def excess(moment: int, hurst: float, shortest: float) -> float:
+        tail = power_law_tail(above, hurst, shortest)
+        added = all_scales_moments(Spectrum(WAVEVECTORS, tail))[1 + moment]
+        return float(np.log(added**2 / missing[moment]))
+
+    def hurst_of(shortest: float) -> float:
+        return float(brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST, xtol=1e-14))
+
+    # Of the tails that add the gradient, those that end later add more to the half-Laplacian.
+    ends = 2 * np.pi / WAVEVECTORS[above.nonzero()[0][-1] + 1 :]
+    possible = [
+        end for end in ends if excess(0, TAIL_HURST[0], end) > 0 > excess(0, TAIL_HURST[1], end)
+    ]
+    reached = [excess(1, hurst_of(end), end) for end in possible]
+    if not reached or not reached[0] < 0 < reached[-1]:
+        raise ValueError(
+            "expected an all-scales slope and curvature that a power law "
+            f"below {ends[0]:.3g} nm can add, found {gradient} and {half_laplacian}"
+        )
+    shortest = brentq(
+        lambda end: excess(1, hurst_of(end), end), possible[0], possible[-1], xtol=1e-14
+    )
+    return hurst_of(shortest), float(shortest)
 
 
 def from_description(
@@ -142,57 +297,4 @@ def substitute_spectrum(
         calibrated_to_table1=",".join(calibrated),
         bands=bands.to_csv(index=False),
         expected_scan_moments=expected_moments(Spectrum(WAVEVECTORS, density), weights),
-    )
-
-
-def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a stored `substitute_spectrum` as `joined_spectrum` returns that of a measurement.
-
-    Its known bands stand for measurements, neighbours of one source for one: they were fitted to
-    measurements, and their wavelengths are not artificial. What only a measurement has is NaN or
-    empty. The path is that of the description; if no band is known, it is a ValueError.
-    """
-    bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
-    known = bands[bands.basis.isin(KNOWN)]
-    if known.empty:
-        raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
-    before = known.shift()
-    begins = (known.longest_nm != before.shortest_nm) | (known.source != before.source)
-    runs = known.groupby(begins.cumsum()).agg(
-        longest=("longest_nm", "first"),
-        shortest=("shortest_nm", "last"),
-        source=("source", "first"),
-    )
-    runs["longest"] = runs.longest.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
-    wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
-    shortest, longest = runs[["shortest", "longest"]].to_numpy().T[..., None]
-    reliable = (shortest < wavelength) & (wavelength <= longest)
-    measurements = [
-        {
-            "kind": "description",
-            "path": path,
-            "dataset": "",
-            "size": np.nan,
-            "pixel_size": np.nan,
-            "tip_radius": np.nan,
-            "shortest_reliable": run.shortest,
-            "longest_reliable": run.longest,
-            "limited_by": "source",
-            "notes": run.source,
-        }
-        for run in runs.itertuples()
-    ]
-    joined = np.where(reliable.any(axis=0), density, np.nan)
-    return with_measurements(
-        stored[["spectrum"]].assign(joined=("bin_wavevector", joined, {"units": "nm4"})),
-        np.where(reliable, density, np.nan),
-        reliable,
-        measurements,
-    ).assign_attrs(
-        basis="substitute",
-        calibrated_to_table1=stored.attrs["calibrated_to_table1"],
-        shortest_measured=runs.shortest.min(),
-        longest_measured=runs.longest.max(),
-        **Tail()._asdict(),
-        rolloff=np.nan,
     )

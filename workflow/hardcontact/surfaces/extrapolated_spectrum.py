@@ -9,12 +9,115 @@ their logarithm.
 """
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
-from hardcontact.surfaces.measured_spectrum import levelled_topography, size_of
-from hardcontact.surfaces.measurement import Measurement
-from hardcontact.surfaces.spectrum import BIN_CENTRES, BIN_EDGES, WAVEVECTORS, Floats
+from hardcontact.surfaces.measured_spectrum import levelled_topography, local_slopes, size_of
+from hardcontact.surfaces.scans import Measurement
+from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    BIN_EDGES,
+    WAVEVECTORS,
+    Floats,
+    Spectrum,
+    power_law_tail,
+)
+
+#: Bins that a joined spectrum has at least.
+FEWEST = 3
+#: The shortest wave of a row of atoms in nm: two bonds of diamond, 0.154 nm each.
+ATOMIC = 0.3
+#: The largest rms gradient, and half-Laplacian in 1/nm, over all scales: those of UNCD, the
+#: roughest hard surface of Table 1 of the paper, with their uncertainties (1.17 + 0.28, 6.32 +
+#: 1.20). A sphere of such a curvature has the radius of an atom.
+GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
+#: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
+FLATTEST = -2.0
+
+
+class Tail(NamedTuple):
+    """How a spectrum goes on below the shortest wavelength measured; NaN where it does not."""
+
+    tail_hurst: float = np.nan
+    tail_fit_shortest: float = np.nan  #: Wavelengths in nm that the Hurst exponent is fitted to.
+    tail_fit_longest: float = np.nan
+    tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
+
+
+#: Units of the fields of a tail.
+TAIL_UNITS = dict(zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True))
+
+
+def continued_spectrum(
+    wavevector: Floats, density: Floats, variance: Floats, hurst_change: float = 0.0
+) -> tuple[Floats, Tail]:
+    """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
+
+    The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
+    of ln C. Above the longest wavelength measured C_iso is constant. Below the shortest it is
+    self-affine with the Hurst exponent of the last decade past the roll-off, changed by a number
+    and held within 0 to 1.
+    The tail ends at the distance of atoms, or where the rms gradient or half-Laplacian of all
+    scales would pass that of the roughest hard surface known: there is none if the measured part
+    alone does.
+    """
+    # A point of the table at the last wavevector may lie beyond it by rounding.
+    table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
+    measured = np.where(wavevector[-1] * (1 + 1e-9) >= WAVEVECTORS, table, 0.0)
+    hurst, count = _hurst(wavevector, density, variance, hurst_change)
+    # The tail begins with the log-mean of the last points along it.
+    relative = wavevector[-FEWEST:] / wavevector[-1]
+    level = float(np.exp(np.mean(np.log(density[-FEWEST:] * relative ** (2 + 2 * hurst)))))
+    last = measured.nonzero()[0][-1]
+    start = measured.copy()
+    start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * hurst)
+    tail = power_law_tail(start, hurst, ATOMIC)
+    ends, ended_by = _bounded(measured + tail)
+    spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(ends, last), measured + tail, 0.0)
+    if ends <= last:
+        return spectrum, Tail(tail_ended_by=ended_by)
+    shortest, longest = 2 * np.pi / wavevector[[-1, -count]]
+    return spectrum, Tail(hurst, float(shortest), float(longest), ended_by)
+
+
+def _hurst(
+    wavevector: Floats, density: Floats, variance: Floats, change: float
+) -> tuple[float, int]:
+    """Return the Hurst exponent of the last decade past the roll-off, and its number of points."""
+    slopes, error = local_slopes(wavevector, density, variance)
+    fitted = wavevector >= wavevector[-1] / 10 * (1 - 1e-9)
+    flat = np.flatnonzero(slopes - error > FLATTEST)
+    if flat.size:
+        fitted[: flat[-1] + 1] = False
+    fitted[-FEWEST:] = True
+    weight = 1 / np.sqrt(variance[fitted])
+    slope = np.polyfit(np.log(wavevector[fitted]), np.log(density[fitted]), 1, w=weight)[0]
+    return float(np.clip(-slope / 2 - 1 + change, 0, 1)), int(fitted.sum())
+
+
+def _bounded(density: Floats) -> tuple[int, str]:
+    """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
+    from scipy.integrate import cumulative_trapezoid
+
+    squares = (
+        density * WAVEVECTORS**power / divisor / (2 * np.pi) for power, divisor in ((4, 1), (6, 4))
+    )
+    gradient, half_laplacian = (
+        np.sqrt(cumulative_trapezoid(square, np.log(WAVEVECTORS), initial=0)) for square in squares
+    )
+    ends = {
+        "gradient": gradient > GRADIENT,
+        "half_laplacian": half_laplacian > HALF_LAPLACIAN,
+        "atoms": density == 0,
+    }
+    first = {
+        bound: int(np.argmax(np.append(beyond, True)))  # where no wave is beyond: after the last
+        for bound, beyond in ends.items()
+    }
+    ended_by = min(first, key=first.__getitem__)
+    return first[ended_by] - 1, ended_by
+
 
 #: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
 #: slopes to it, which levelling removes.

@@ -6,63 +6,16 @@ is used.
 """
 
 import re
-from dataclasses import dataclass, fields
 from functools import partial
 from typing import Any
 
 import numpy as np
-import xarray as xr
 from numpy.typing import NDArray
 
 from hardcontact.numbers.printing import print_length
-from hardcontact.records import dataset as labelled
 from hardcontact.surfaces.limited_process import RefusedFile
 
 Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Measurement:
-    """One topography of a file: a map or a line scan."""
-
-    path: str
-    dataset: str  #: The data file in a container, the channel of any other file, or empty.
-    channel: str  #: Name of the channel that was read.
-    file_unit: str  #: Unit of length that the file, or its container, states.
-    kind: str  #: ``"map"`` or ``"profile"``.
-    heights: np.ndarray  #: (y, x), or (n,) of a profile, in nm, on uniform spacing, without gaps.
-    pixel_size: float  #: In nm; of a profile its spacing.
-    tip_radius: float | None  #: In nm, if the file or its container states one.
-    notes: tuple[str, ...]  #: What was changed or chosen in reading, in words for the user.
-    undefined: int  #: Undefined pixels among those kept, before they were filled.
-
-    def stored(self) -> xr.Dataset:
-        """Return the dataset that `read_stored` reads: heights in float64, else attributes."""
-        dimensions = ("y", "x") if self.kind == "map" else ("x",)
-        attributes = {field.name: getattr(self, field.name) for field in fields(self)}
-        del attributes["heights"]
-        attributes["tip_radius"] = np.nan if self.tip_radius is None else self.tip_radius
-        attributes["notes"] = "; ".join(self.notes)
-        heights = (dimensions, self.heights, {"units": "nm", "long_name": "height as read"})
-        return xr.Dataset({"heights": heights}, attrs=attributes)
-
-
-def read_stored(path: str) -> Measurement:
-    """Read a netCDF file of `Measurement.stored`; one that cannot be read is a ValueError."""
-    stored = labelled.read(path)
-    tip_radius, notes = float(stored.attrs["tip_radius"]), stored.attrs["notes"]
-    return Measurement(
-        path=stored.attrs["path"],
-        dataset=stored.attrs["dataset"],
-        channel=stored.attrs["channel"],
-        file_unit=stored.attrs["file_unit"],
-        kind=stored.attrs["kind"],
-        heights=stored["heights"].values,
-        pixel_size=float(stored.attrs["pixel_size"]),
-        tip_radius=None if np.isnan(tip_radius) else tip_radius,
-        notes=tuple(notes.split("; ")) if notes else (),
-        undefined=int(stored.attrs["undefined"]),
-    )
 
 
 #: Pixels along an edge of a map: substitutes have no fewer, and masters at least twice as many.
