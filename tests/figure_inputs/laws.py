@@ -11,7 +11,6 @@ from hardcontact.insight.law_comparison import CASES
 
 BY_LAW = ("law", "case")
 WORK = 0.05
-CUTOFFS = [20.0, 40.0, 100.0, 500.0, 1000.0, 3000.0]
 LENGTHS = np.geomspace(0.1, 40, 50)
 
 
@@ -21,8 +20,6 @@ def laws() -> xr.Dataset:
     ratio = factor[..., None] * np.array([22, 1, 0.4, 0.275])
     edges = factor[..., None, None] * CRITICAL
     error = 0.2 + abs(np.log(LENGTHS / 5.6)) * np.ones((4, 2, 1))
-    nan = [np.nan] * 3
-    filtered = [[0.9, 1, 1.3, *nan], [*nan, 1.3, 1, 0.9]]
     named_laws = {"law": [law.name for law in LAWS], "case": CASES, "side": SIDES}
     return (
         named()
@@ -31,7 +28,6 @@ def laws() -> xr.Dataset:
             group=[*SUBSTRATES, "pooled"],
             length=LENGTHS,
             target=["Eq. 1", "published"],
-            cutoff_wavelength=CUTOFFS,
         )
         .assign(
             bounded("range_of_law", BY_LAW, 5.6 * factor, unit="nm")
@@ -39,24 +35,16 @@ def laws() -> xr.Dataset:
             | bounded("fit_error", BY_LAW, 0.1 * factor)
             | bounded("ratio", (*BY_LAW, "surface"), ratio)
             | bounded("critical_wavelength", (*BY_LAW, "side", "group"), edges, unit="nm")
-            | bounded("edge_factor", ("law", "side", "group"), np.full((4, 2, 5), 1.2))
         )
         .assign(
             implied_over_known=(BY_LAW, 10 * factor),
             error=(("law", "target", "length"), error),
             published_ratio=("surface", [22.0, 1, 0.4, 0.275]),
-            attraction_gap=("surface", [6.0, 14, 6.5, 6.4]),
-            conductor_excess=("surface", [0.003, 0.09, 0.13, 0.11]),
-            pair_damping=("surface", [0.99, 0.4, np.nan, 0.9]),
             law_label=("law", [law.label for law in LAWS]),
-            scale_ratio=(("side", "cutoff_wavelength"), filtered),
-            window_growth=(("law", "surface"), 0.01 * np.arange(16.0).reshape(4, 4)),
         )
         .assign_attrs(
             reference_label="UNCD",
             scale_tolerance=TOLERANCE,
-            published_range=5.6,
-            published_work=WORK,
             atomic_spacing=0.3,
             confidence=0.9,
             scans=3,

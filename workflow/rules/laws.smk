@@ -44,7 +44,6 @@ rule compare_laws:
         scans=FILES.paths(PATTERNS.law_scan, FILES.realized_scans),
         small=FILES.paths(PATTERNS.law_small, FILES.realized_scans),
         large=FILES.paths(PATTERNS.law_large, FILES.realized_scans),
-        spectra=[FILES.spectrum(surface) for surface in SELECTION.substrates],
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("compare_laws.py"),
@@ -60,10 +59,7 @@ rule compare_laws:
         canonical=canonical(
             {
                 "scans": FILES.realized_scans,
-                "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
-                "sphere_radius": STUDY["sphere"]["radius"],
-                "area": STUDY["contact"]["preload"] / STUDY["contact"]["hardness"] * 1e18,
                 "reference_surface": STUDY["reference_surface"],
                 "contacts": INSIGHT["count"] ** 2,
                 "tolerance": STUDY["scales"]["tolerance"],

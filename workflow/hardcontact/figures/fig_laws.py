@@ -24,7 +24,6 @@ GAPS = np.geomspace(0.1, 300.0, 200)  # nm
 PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
 PANELS = {"small": ("d", "short edge (nm)"), "large": ("e", "long edge (nm)")}
 TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
-EDGES = {"critical_wavelength": "nm", "edge_factor": "1"}
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
 
 
@@ -33,8 +32,7 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
 
     By law and case its range (nm), work (J/m2) and error (panel a), the error of every length at
     its best work (b, `case` its target), the ratios of forces, computed and published (c), and the
-    edges of the band, also over those of Eq. 1 (d and e), of each substrate and of all pooled: a
-    `group`.
+    edges of the band (d and e) of each substrate and of all pooled: a `group`.
     """
     fits = (("a", name, unit) for name, unit in FITS.items())
     error = laws["error"].rename(target="case")
@@ -45,8 +43,7 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
         tables.drawn_rows(laws, ("c", "ratio", "1")),
         published.assign(origin="published", quantity="ratio"),
         *(
-            tables.drawn_rows(laws.sel(side=[side]), (panel, name, unit))
-            for name, unit in EDGES.items()
+            tables.drawn_rows(laws.sel(side=[side]), (panel, "critical_wavelength", "nm"))
             for side, (panel, _) in PANELS.items()
         ),
     ]

@@ -5,19 +5,16 @@ across the gap g, with u(0) = v(0) = 1: W is the work of adhesion and rho = W/|p
 every law alike. Eq. 1 of the paper is u = v = exp(-g/rho). Eq. 3 sums the pressure over pixels.
 
 A power law of exponent m is that of two flats whose atoms are the spacing g0 = m rho apart where
-the flats touch: U = -W (1 + g/g0)^-m and p = -(m W/g0) (1 + g/g0)^-(m + 1). The exponent that Eq. 3
-sums is therefore one more than that of the energy. Per area of two flats at the distance D the
-energy is A/(12 pi D²) for instantaneous dispersion (m = 2, pressure D^-3), pi² hbar c/(720 D³)
-between ideal mirrors for retarded dispersion (m = 3, pressure D^-4), and eps0 V²/(2 D) for a
-constant potential difference V (m = 1, pressure D^-2): Israelachvili, Intermolecular and Surface
-Forces, 3rd ed. (2011); Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
+the flats touch: U = -W (1 + g/g0)^-m and p = -(m W/g0) (1 + g/g0)^-(m + 1). Per area of two flats
+at the distance D the energy is A/(12 pi D²) for instantaneous dispersion (m = 2), pi² hbar c/(720
+D³) between ideal mirrors for retarded dispersion (m = 3), and eps0 V²/(2 D) for a constant
+potential difference V (m = 1): Israelachvili, Intermolecular and Surface Forces, 3rd ed. (2011);
+Casimir, Proc. K. Ned. Akad. Wet. 51 (1948) 793.
 
 Since (1 + x)^-m = (1/Gamma(m)) int_0^inf t^(m-1) exp(-t) exp(-t x) dt, such a law is a mixture of
 exponential laws of the ranges g0/t, whose works of adhesion add up to W and follow a gamma
-distribution of t. The integral is taken by the trapezoidal rule in log t, whose error falls off
-exponentially with the inverse of the step. The mixture holds for gaps g >= 0 alone: where bodies
-interpenetrate the terms of small range diverge. Pixels pressed into contact must therefore be left
-out of the sums beforehand and counted at g = 0, never subtracted afterwards.
+distribution of t. The integral is taken by the trapezoidal rule in log t. The mixture holds for
+gaps g >= 0 alone: where bodies interpenetrate the terms of small range diverge.
 """
 
 from dataclasses import dataclass
@@ -57,12 +54,8 @@ class Law:
         return bool(np.isinf(self.exponent))
 
     def spacing(self, rho: ArrayLike) -> Floats:
-        """Return g0 in nm at a range in nm; of the exponential law the range itself."""
+        """Return g0 in nm at a range in nm; for the exponential law the range itself."""
         return np.asarray(rho, float) * (1.0 if self.exponential else self.exponent)
-
-    def range_of_spacing(self, spacing: float) -> float:
-        """Return the range in nm at a spacing g0 in nm: the inverse of `spacing`."""
-        return spacing / float(self.spacing(1.0))
 
 
 EXPONENTIAL = Law("exponential", "exponential (Eq. 1)", np.inf, np.nan)
@@ -99,7 +92,7 @@ def work_shares(law: Law, rho: ArrayLike, ranges: ArrayLike) -> Floats:
 def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
     """Return W g0^m over the largest that the mechanism is known to give; NaN where none is.
 
-    `rho` is in nm, `work` in J/m²; above one the attraction is stronger than the mechanism allows.
+    `rho` is in nm, `work` in J/m². Above one the attraction is stronger than the mechanism allows.
     """
     if law.exponential:
         return np.full(np.broadcast(rho, work).shape, np.nan)
@@ -108,12 +101,12 @@ def implied_over_known(law: Law, rho: ArrayLike, work: ArrayLike) -> Floats:
 
 
 def range_grid(anchor: float, step: float, low: float, high: float) -> Floats:
-    """Return the grid of ranges, all in nm, that holds `anchor` and covers `low` to `high`.
+    """Return ranges in nm, even in their logarithm, that hold `anchor` and cover `low` to `high`.
 
     `step` is that of the logarithm.
     """
-    first, last = np.floor(np.log(low / anchor) / step), np.ceil(np.log(high / anchor) / step)
-    return np.asarray(anchor * np.exp(step * np.arange(first, last + 1)))
+    start, stop = np.floor(np.log(low / anchor) / step), np.ceil(np.log(high / anchor) / step)
+    return np.asarray(anchor * np.exp(step * np.arange(start, stop + 1)))
 
 
 def law_forces(law: Law, rho: ArrayLike, ranges: Floats, forces: ArrayLike) -> Floats:

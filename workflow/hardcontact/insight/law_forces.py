@@ -1,10 +1,9 @@
 """Plastic pull-off at the ranges that every law of attraction is a mixture of.
 
-The sums at one common grid of ranges are computed once. The force of any law at any range of its
-own adds them up with the shares that the exponential laws have in it. For the exponential law the
-penetration of plastic contact multiplies all that lies outside by exp(penetration/rho); in a
-mixture every term has such a factor of its own, and those of small range exceed any float. The
-contact pixels are therefore flattened to the gap 0 before each sum, which then runs over gaps >= 0.
+The sums at one grid of ranges are computed once. The force of any law at any range adds them up
+with the shares that the exponential laws have in it. The contact pixels are flattened to the gap 0
+before each sum: subtracted afterwards, they would multiply all that lies outside by
+exp(penetration/rho), which exceeds any float at small ranges.
 """
 
 from collections.abc import Sequence
@@ -16,11 +15,7 @@ from numpy.typing import NDArray
 
 from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_force, range_axis
 from hardcontact.adhesion.sphere_sums import Contacts, outside_sums
-from hardcontact.contact.bearing_area import (
-    all_lowest_gaps,
-    as_tiles,
-    lowest_gaps,
-)
+from hardcontact.contact.bearing_area import all_lowest_gaps, as_tiles, lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, bodies, window_pixels
 from hardcontact.scales.filtered_masters import Filters, forces_at_cutoffs
@@ -29,10 +24,8 @@ from hardcontact.surfaces.height_map import HeightMap
 Floats = NDArray[np.float64]
 
 #: The ranges that laws are mixtures of: the step of their logarithm, and both ends in nm. With the
-#: anchor 5.6 nm they give the pressure of every law of 0.1 to 40 nm, at gaps up to 300 nm, to 3e-4.
-#: Of the step the law of the largest exponent errs most; of the lower end, which depends on the
-#: anchor, that of the smallest, to 6e-3 where flats of 0.1 nm touch. `mixture_error` of
-#: `compare_laws` is the error of a study.
+#: anchor 5.6 nm they give the pressure of every law of 0.1 to 40 nm, at gaps up to 300 nm, to 3e-4;
+#: with other anchors to 6e-3, where flats of 0.1 nm touch.
 MIXED_RANGES = {"step": 0.6, "low": 0.02, "high": 1e5}
 #: Exponents beyond which a sum relative to the highest point of the surface leaves the floats.
 LARGEST_EXPONENT = 600.0
@@ -40,18 +33,54 @@ LARGEST_EXPONENT = 600.0
 NEGLIGIBLE = 40.0
 
 
-def range_forces(pair: Bodies, contact: Contact, reach: float, rhos: Sequence[float]) -> Floats:
+def scan_range_forces(
+    substrate: HeightMap,
+    sphere: HeightMap | None,
+    contact: Contact,
+    reach: float,
+    ranges: Sequence[float],
+) -> xr.Dataset:
+    """Return the mean plastic ``pull_off_force`` (rho) in N at 1 J/m² on a stitched scan.
+
+    The sphere is its roughness, or None for a smooth sphere; reach and ranges are as of
+    `range_forces`.
+    """
+    forces = range_forces(bodies(substrate, sphere, contact), contact, reach, ranges)
+    return xr.Dataset(
+        {"pull_off_force": ("rho", forces.mean(axis=(1, 2)), FORCE)},
+        range_axis(ranges),
+        {"work_of_adhesion": WORK_OF_ADHESION},
+    )
+
+
+def filtered_range_forces(
+    master: HeightMap,
+    filters: Filters,
+    contact: Contact,
+    reach: float,
+    ranges: Sequence[float],
+) -> xr.Dataset:
+    """Return `forces_at_cutoffs` of a smooth sphere, means over contacts by range."""
+
+    def mean_forces(surface: HeightMap) -> Floats:
+        forces = range_forces(bodies(surface, None, contact), contact, reach, ranges)
+        return np.asarray(forces.mean(axis=(1, 2)))
+
+    return forces_at_cutoffs(master, filters, mean_forces, range_axis(ranges))
+
+
+def range_forces(pair: Bodies, contact: Contact, reach: float, ranges: Sequence[float]) -> Floats:
     """Return the plastic pull-off force (rho, contact, contact) in N at 1 J/m².
 
     The ranges of adhesion (nm) are evenly spaced in their logarithm. The reach is the edge (nm) of
     the window that attracts, at least that of contact: power laws reach far.
     """
-    pixel_size, ranges = pair.geometry.pixel_size, np.asarray(rhos, float)
+    pixel_size, rhos = pair.geometry.pixel_size, np.asarray(ranges, float)
     contact_pixels = contact.pixels(pixel_size)
     contacts = all_lowest_gaps(pair, contact_pixels)
     window = max(window_pixels(reach, pixel_size), pair.geometry.window)
-    totals = contact_pixels + _outside(pair, window, contacts, ranges)
-    return pull_off_force(totals, ranges[:, None, None], pixel_size, WORK_OF_ADHESION)
+    totals = contact_pixels + _outside(pair, window, contacts, rhos)
+    return pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
 def _outside(narrow: Bodies, window: int, contacts: Contacts, ranges: Floats) -> Floats:
@@ -91,59 +120,3 @@ def _near_sums(pair: Bodies, contacts: Contacts, ranges: Floats) -> Floats:
             enough = above[-1] > NEGLIGIBLE * ranges.max() or count == pixels
         sums.append(np.exp(-above / ranges[:, None]).sum(axis=1))
     return np.array(sums)
-
-
-def mean_range_forces(
-    substrate: HeightMap,
-    sphere: HeightMap | None,
-    contact: Contact,
-    reach: float,
-    ranges: Sequence[float],
-) -> Floats:
-    """Return the plastic pull-off force (rho,) in N at 1 J/m², averaged over all contacts.
-
-    The sphere is its roughness, or None for a smooth sphere; reach and ranges are as of
-    `range_forces`.
-    """
-    pair = bodies(substrate, sphere, contact)
-    return np.asarray(range_forces(pair, contact, reach, ranges).mean(axis=(1, 2)))
-
-
-def filtered_range_forces(
-    master: HeightMap,
-    filters: Filters,
-    contact: Contact,
-    reach: float,
-    ranges: Sequence[float],
-) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of a smooth sphere: `mean_range_forces`, by range."""
-    return forces_at_cutoffs(
-        master,
-        filters,
-        lambda surface: mean_range_forces(surface, None, contact, reach, ranges),
-        range_axis(ranges),
-    )
-
-
-def scan_range_forces(
-    substrate: HeightMap,
-    sphere: HeightMap | None,
-    contact: Contact,
-    reach: float,
-    ranges: Sequence[float],
-) -> xr.Dataset:
-    """Return `mean_range_forces` of a stitched scan as stored, in the window and in half of it.
-
-    How much ``pull_off_force`` (rho) exceeds ``half_window_pull_off_force`` (rho) tells what may
-    lie beyond the window.
-    """
-    whole = mean_range_forces(substrate, sphere, contact, reach, ranges)
-    narrow = mean_range_forces(substrate, sphere, contact, reach / 2, ranges)
-    return xr.Dataset(
-        {
-            "pull_off_force": ("rho", whole, FORCE),
-            "half_window_pull_off_force": ("rho", narrow, FORCE),
-        },
-        range_axis(ranges),
-        {"work_of_adhesion": WORK_OF_ADHESION},
-    )
