@@ -16,7 +16,7 @@ from hardcontact.answer.captions import Caption
 from hardcontact.answer.paper_answer import paper_answer, paper_page
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
-from hardcontact.figures.catalogue import OF_PAPER
+from hardcontact.figures.listing import OF_PAPER
 
 CITATION = yaml.safe_load((ROOT / "CITATION.cff").read_text("utf-8"))
 

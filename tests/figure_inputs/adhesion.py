@@ -1,11 +1,10 @@
-"""Datasets of forces: adhesion, its inference, robustness."""
+"""The inference of forces."""
 
 import numpy as np
 import xarray as xr
-from known_forces import FORCE_DIMS
 from paper_numbers import MEAN_FORCE
 
-from figure_inputs.building import SCANS, SPHERE_SCANS, bounded, generator, named
+from figure_inputs.building import bounded, generator, named
 from figure_inputs.forces import (
     CONTACT_MODELS,
     FINE,
@@ -20,27 +19,6 @@ from figure_inputs.forces import (
 ERRORS, WORKS = least_errors(mean_forces(FINE))
 MINIMA = minima(ERRORS, WORKS)  # (contact_model, 3, minimum)
 RANGE, WORK, ERROR = MINIMA[1, :, 0]  # of plastic contact
-VARIANTS = {  # group
-    "baseline": "baseline",
-    "laplacian": "curvature",
-    "gaussian": "heights",
-    "rough_sphere": "sphere",
-    "preload-5uN": "preload",
-    "preload-20uN": "preload",
-}
-
-
-def adhesion() -> xr.Dataset:
-    """Return log-normal forces whose means are those of `mean_forces`."""
-    rng = generator()
-    size = (SCANS, SPHERE_SCANS, 6, 6)
-    scatter = np.stack([rng.lognormal(-(s**2) / 2, s, size) for s in (0.5, 0.5, 0.4, 0.5)])
-    data = named().assign_coords(contact_model=CONTACT_MODELS, rho=RHO)
-    data["pull_off_force"] = (
-        FORCE_DIMS,
-        np.einsum("asbij,mar->asbmrij", scatter, mean_forces(RHO)),
-    )
-    return data.assign_attrs(work_of_adhesion=1.0)
 
 
 def inference() -> xr.Dataset:
@@ -111,28 +89,3 @@ def _samples() -> dict[str, tuple]:
         "sampled_range": (("contact_model", "sample"), sampled[0], {"units": "nm"}),
         "sampled_work": (("contact_model", "sample"), sampled[1], {"units": "J m-2"}),
     }
-
-
-def robustness() -> xr.Dataset:
-    """Return variants, one of which changes the critical wavelengths alone."""
-    rng, count = generator(), len(VARIANTS)
-    spread = rng.uniform(0.5, 1.5, count)
-    spread[list(VARIANTS).index("rough_sphere")] = np.nan
-    critical = np.array([43, 1800]) * rng.uniform(0.6, 1.4, (count, 2))
-    minima = np.outer(spread, [1, 0.2, np.nan])
-    return xr.Dataset(
-        bounded("range_of_adhesion", "variant", 5.6 * spread, 0.7, 1.5, "nm")
-        | bounded("work_of_adhesion", "variant", 0.046 / spread, 0.7, 1.5, "J m-2")
-        | bounded("critical_wavelength", ("variant", "side"), critical, 0.7, 1.5, "nm")
-        | {
-            "minimum_range": (("variant", "minimum"), 5.6 * minima, {"units": "nm"}),
-            "minimum_work": (("variant", "minimum"), 0.046 / minima, {"units": "J m-2"}),
-        },
-        coords={
-            "variant": list(VARIANTS),
-            "variant_label": ("variant", [f"with {name}" for name in VARIANTS]),
-            "group": ("variant", list(VARIANTS.values())),
-            "side": ["small", "large"],
-        },
-        attrs={"realizations": 3, "pixels_small": 4096, "pixels_large": 4096, "count": 10},
-    )

@@ -1,7 +1,6 @@
 """Colours and markers, labels, legends."""
 
 import numpy as np
-from figure_inputs.adhesion import inference
 from matplotlib import rc_context, rcParams
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -89,7 +88,7 @@ def test_bars_of_reasonable_length_leave_the_axes_as_they_are():
 
 def test_a_legend_has_no_more_columns_than_fit():
     def columns(letters):
-        figure = drawing.create(4, inference())
+        figure = drawing.blank(4)
         style.legend_above(figure, [Line2D([], [], label="x" * letters) for _ in range(5)])
         (legend,) = figure.legends
         assert letters > 100 or legend.get_window_extent().width <= figure.bbox.width

@@ -3,68 +3,61 @@
 import numpy as np
 import pandas as pd
 import xarray as xr
-from figure_inputs.adhesion import WORK, inference
-from figure_inputs.published_tables import published_constants
 
-from hardcontact.figures.tables import (
-    bounded,
-    computed_rows,
-    labelled,
-    over_sets,
-    published_edge,
-    published_value,
-    value_and_bounds,
+from hardcontact.figures import tables
+
+FITS = xr.Dataset(
+    {
+        "force": ("surface", [1.0, 2.0]),
+        "force_interval": (("surface", "bound"), [[0.8, 1.2], [1.6, np.nan]]),
+        "label": ("surface", ["UNCD", "MCD"]),
+        "basis": ("surface", ["measured", "substitute"]),
+    },
+    {"surface": ["uncd", "mcd"], "bound": ["low", "high"]},
+)
+CONSTANTS = pd.DataFrame(
+    {"value": [0.05, 43.0], "uncertainty": [0.01, np.nan]},
+    index=["work_of_adhesion", "critical_wavelength_small"],
 )
 
 
-def test_bounded_has_value_low_and_high():
-    data = inference()
-    curves = bounded(data, "mean_force")
-    xr.testing.assert_equal(curves["value"], data["mean_force"].rename("value"))
-    assert np.allclose(curves["low"], 0.8 * curves["value"])
-    assert np.allclose(curves["high"], 1.2 * curves["value"])
+def test_values_have_the_ends_of_their_interval():
+    curves = tables.bounded(FITS, "force")
+    assert list(curves["low"]) == [0.8, 1.6] and curves["high"].isnull().values.tolist() == [0, 1]
     assert "bound" not in curves.coords
+    assert tables.value_and_bounds(FITS.sel(surface="uncd"), "force") == {
+        "value": 1.0, "low": 0.8, "high": 1.2,
+    }  # fmt: skip
 
 
 def test_rows_are_those_of_known_values():
     values = xr.Dataset(
         {"value": ("side", [3.0, np.nan]), "low": ("side", [2.0, 1.0])}, {"side": ["a", "b"]}
     )
-    (row,) = computed_rows(values, panel="c", quantity="edge").to_dict("records")
+    (row,) = tables.computed_rows(values, panel="c", quantity="edge").to_dict("records")
     assert row == {
         "side": "a", "value": 3.0, "low": 2.0, "origin": "computed", "panel": "c",
         "quantity": "edge",
     }  # fmt: skip
 
 
-def test_one_number_with_its_bounds():
-    fit = inference().sel(contact_model="plastic")
-    interval = fit["work_of_adhesion_interval"].values
-    assert value_and_bounds(fit, "work_of_adhesion") == {
-        "value": WORK,
-        "low": interval[0],
-        "high": interval[1],
-    }
-
-
 def test_published_values_have_the_ends_of_their_uncertainty():
-    constants = published_constants()
-    work = published_value(constants, "work_of_adhesion")
-    assert np.allclose(list(work.values()), [0.0463, 0.0428, 0.0498])
-    cutoff = published_value(constants, "critical_wavelength_small")
-    assert cutoff["value"] == 43 and np.isnan([cutoff["low"], cutoff["high"]]).all()
-    assert published_edge(constants, "small") == 43 and published_edge(constants, "large") == 1800
+    work = tables.published_value(CONSTANTS, "work_of_adhesion")
+    assert np.allclose(list(work.values()), [0.05, 0.04, 0.06])
+    assert tables.published_edge(CONSTANTS, "small") == 43
+    (row,) = tables.published_rows(CONSTANTS, {"work_of_adhesion": "J/m2"}, "b").to_dict("records")
+    assert row["origin"] == "published" and row["low"] == 0.04 and row["unit"] == "J/m2"
 
 
 def test_rows_get_the_label_of_their_surface():
     rows = pd.DataFrame({"group": ["mcd", "pooled"]})
-    table = labelled([rows], inference(), ["group", "label", "basis"], "group")
+    table = tables.labelled([rows], FITS, ["group", "label", "basis"], "group")
     assert table.iloc[0].tolist() == ["mcd", "MCD", "substitute"]
     assert table.loc[1, "group"] == "pooled" and table.loc[1, ["label", "basis"]].isna().all()
 
 
 def test_sets_are_summed_up_by_values_of_their_own():
     values = xr.DataArray(np.arange(100.0), dims="set")
-    summary = over_sets(values[::-1])
+    summary = tables.over_sets(values[::-1])
     numbers = {str(name): number.item() for name, number in summary.items()}
     assert numbers == {"value": 49.0, "low": 4.0, "high": 94.0}

@@ -13,7 +13,7 @@ from repository import ROOT, copy_repository, run_snakemake, snakemake
 from rocrate.rocrate import ROCrate
 from scan_files import cut
 
-from hardcontact.figures.catalogue import FIGURES
+from hardcontact.figures.listing import FIGURES
 from hardcontact.records import crate
 from hardcontact.records.origin import digest, pinned_versions
 

@@ -4,7 +4,6 @@ import json
 import re
 
 import pandas as pd
-import pytest
 from browser import needs_browser, shown
 from html_page import Page
 from jsonschema import Draft202012Validator
@@ -15,7 +14,7 @@ from hardcontact.answer.paper_answer import ANSWERS
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.config.configuration import PAGES
-from hardcontact.figures.catalogue import FIGURES, OF_INSIGHT, OF_PAPER
+from hardcontact.figures.listing import FIGURES, OF_INSIGHT, OF_PAPER
 from hardcontact.records import dataset
 
 
@@ -29,17 +28,6 @@ def test_claims(results):
     replicated = published.set_index("id").loc[claims.id, "replicated"] == "yes"
     assert list(claims.frequency.notna()) == list(replicated)
     assert claims.frequency.dropna().between(0, 1).all()
-
-
-SIGNATURES = {"pdf": b"%PDF-", "png": b"\x89PNG", "svg": b"<?xml"}
-
-
-@pytest.mark.parametrize("name", FIGURES)
-def test_figure(results, name):
-    for suffix, signature in SIGNATURES.items():
-        assert (results / f"figures/{name}.{suffix}").read_bytes().startswith(signature)
-    table = pd.read_csv(results / f"figures/{name}.csv")
-    assert len(table) and not table.columns.str.contains("Unnamed").any()
 
 
 def not_told(texts, page):

@@ -1,6 +1,6 @@
 # The page on what decides the band: question, numbers and figure of each part.
 
-from hardcontact.figures.catalogue import OF_INSIGHT
+from hardcontact.figures.listing import OF_INSIGHT, describe
 
 OF_INSIGHT_PAGE = [
     "base.html",
@@ -15,10 +15,10 @@ OF_INSIGHT_PAGE = [
 rule answer_insight:
     """Write the page on what decides the band."""
     input:
-        datasets=[PATTERNS.dataset(figure.datasets[0]) for figure in OF_INSIGHT.values()],
+        datasets=[PATTERNS.dataset(describe(name).inputs[0]) for name in OF_INSIGHT],
         band=PATTERNS.dataset("band"),
         figures=[PATTERNS.figure(name, "svg") for name in OF_INSIGHT],
-        captions=[f"workflow/report/{name}.rst" for name in OF_INSIGHT],
+        captions=[f"workflow/hardcontact/figures/{name}.py" for name in OF_INSIGHT],
         templates=[f"workflow/report/templates/{name}" for name in OF_INSIGHT_PAGE],
         published_constants=PUBLISHED["published_constants"],
         validation="resources/validation/prediction.csv",

@@ -1,24 +1,27 @@
 # Figures: drawn from the final datasets and published tables alone, by the study and by redraw.smk.
 
-from hardcontact.figures.catalogue import FIGURES, OF_PAPER
+from hardcontact.answer.captions import caption
+from hardcontact.figures.listing import FIGURES, OF_PAPER, describe
 
-for name, figure in FIGURES.items():
+for name in FIGURES:
 
     rule:
         """Draw a figure, and write the table that it is drawn from."""
         name:
             f"draw_{name}"
         input:
-            **{dataset: PATTERNS.dataset(dataset) for dataset in figure.datasets},
-            **{table: PUBLISHED[table] for table in figure.published},
+            **{
+                source: PUBLISHED.get(source, PATTERNS.dataset(source))
+                for source in describe(name).inputs
+            },
             code=code_inputs("draw_figure.py", f"hardcontact.figures.{name}"),
         output:
             pdf=PATTERNS.figure(name, "pdf"),
             png=report(
                 PATTERNS.figure(name, "png"),
-                caption=f"../report/{name}.rst",
-                category=figure.chapter,
-                labels={"figure": figure.label},
+                caption="../report/figure.rst",
+                category=describe(name).chapter,
+                labels={"figure": describe(name).title},
             ),
             svg=PATTERNS.figure(name, "svg"),
             csv=PATTERNS.figure(name, "csv"),
@@ -28,8 +31,16 @@ for name, figure in FIGURES.items():
             PATTERNS.benchmark(f"draw_{name}")
         params:
             canonical=canonical({"figure": name}),
+            caption="\n\n".join(caption(name, config)),
         script:
             "../scripts/draw_figure.py"
+
+    rule:
+        """Make one figure, from nothing if need be."""
+        name:
+            name
+        input:
+            getattr(rules, f"draw_{name}").output,
 
 
 rule figures:

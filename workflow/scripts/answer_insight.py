@@ -11,11 +11,9 @@ from hardcontact.records.job import job
 
 with job(snakemake) as this:
     datasets, figures = {}, {}
-    files = zip(this.input.datasets, this.input.figures, this.input.captions, strict=True)
-    for dataset, figure, template in files:
+    for dataset, figure in zip(this.input.datasets, this.input.figures, strict=True):
         name = Path(figure).stem
-        svg = Path(figure).read_bytes()
-        figures[name] = svg, caption(Path(template).read_text("utf-8"), this.parameters)
+        figures[name] = Path(figure).read_bytes(), caption(name, this.parameters)
         datasets[name] = read(dataset)
     constants = published.constants(this.input.published_constants)
     band, pixels = read(this.input.band), this.parameters["scan"]["pixels"]

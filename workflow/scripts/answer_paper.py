@@ -27,10 +27,7 @@ with job(snakemake) as this:
         published.table1(this.input.published_table1),
     )
     figures = {path.stem: path.read_bytes() for path in map(Path, this.input.figures)}
-    captions = {
-        path.stem: caption(path.read_text("utf-8"), this.parameters)
-        for path in map(Path, this.input.captions)
-    }
+    captions = {name: caption(name, this.parameters) for name in figures}
     citation = yaml.safe_load(Path(this.input.citation).read_text("utf-8"))
     this.write_text(paper_page(answer, figures, captions, citation), "page")
     head = paper_head(this.parameters, citation["version"])

@@ -1,6 +1,6 @@
 """The page on what decides the band: a question, its numbers and a figure for each part.
 
-A new part takes a figure in `catalogue.OF_INSIGHT`, with its module and caption, the rule that
+A new part takes a figure in `figures.listing.OF_INSIGHT`, with its module, the rule that
 makes the dataset of that figure, an entry in `PARTS`, and its question and its words among the
 templates, in ``insight.html`` and ``insight/<figure>.html``.
 """
@@ -16,7 +16,6 @@ from hardcontact.answer import insight_force_facts as force_facts
 from hardcontact.answer.captions import Caption
 from hardcontact.answer.facts import percent, surfaces
 from hardcontact.answer.templates import rendered
-from hardcontact.figures.catalogue import OF_INSIGHT
 from hardcontact.numbers.number import Number
 
 #: What returns the numbers of each part, by its figure, from the dataset of that figure and the
@@ -57,7 +56,6 @@ def insight_page(
         coarse=pixels < constants["value"]["scan_pixels"],
         parts={name: PARTS[name](datasets[name], band) for name in figures},
         figures=figures,
-        catalogue=OF_INSIGHT,
         band=facts.band_facts(band, constants),
         validated=[
             {"quantity": name, "regime": regime, "error": error, "surfaces": Number("n", count)}

@@ -16,7 +16,7 @@ from hardcontact.answer.report_pages import claim_facts
 from hardcontact.answer.table1 import table1_rows
 from hardcontact.answer.templates import rendered
 from hardcontact.claims.verdicts import summary, with_open_ends
-from hardcontact.figures.catalogue import OF_PAPER
+from hardcontact.figures.listing import OF_PAPER, describe
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import POOLED
 
@@ -212,7 +212,7 @@ def paper_page(
 ) -> str:
     """Return the page, HTML.
 
-    Figures are SVG and captions by their names in the catalogue; the citation is CITATION.cff.
+    Figures are SVG and captions by the names of the figures; the citation is CITATION.cff.
     """
     return rendered(
         "paper.html",
@@ -220,10 +220,9 @@ def paper_page(
         numbers=answer.numbers,
         main=[name for name in MAIN_FINDINGS if name in set(answer.claims["id"])],
         chapters=[
-            (heading, [name for name, _ in members])
-            for heading, members in groupby(OF_PAPER.items(), key=lambda pair: pair[1].chapter)
+            (heading, list(names))
+            for heading, names in groupby(OF_PAPER, key=lambda name: describe(name).chapter)
         ],
-        catalogue=OF_PAPER,
         figures=figures,
         captions=captions,
         citation=citation,

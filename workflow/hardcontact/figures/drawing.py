@@ -1,6 +1,7 @@
 """Drawing of a figure: its sheet, and the files that it is written to: PDF, PNG, SVG, its table."""
 
 import importlib
+import inspect
 import re
 from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
@@ -18,7 +19,6 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 from matplotlib.lines import Line2D
 
 from hardcontact.figures import style
-from hardcontact.figures.catalogue import FIGURES
 from hardcontact.records import dataset, published
 from hardcontact.records.whole_file import whole_file
 
@@ -36,16 +36,19 @@ READERS = {
 
 
 def draw_figure(name: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> None:
-    """Draw a figure of the catalogue, named by a key of `FIGURES`.
+    """Draw a figure, named as its module.
 
     Inputs are the paths of the datasets and published tables that it is drawn from, outputs those
     of its "pdf", "png", "svg" and "csv".
     """
     module = importlib.import_module(f"hardcontact.figures.{name}")
-    figure = FIGURES[name]
-    drawn_from = {key: READERS.get(key, dataset.read)(inputs[key]) for key in figure.inputs}
+    drawn_from = {
+        key: READERS.get(key, dataset.read)(inputs[key])
+        for key in inspect.signature(module.draw).parameters
+    }
     with style.print_style():
-        save(module.draw(**drawn_from), module.table(**drawn_from), figure.title, outputs)
+        table, figure = module.draw(**drawn_from)
+        save(figure, table, module.TITLE, outputs)
 
 
 def save(figure: Figure, table: pd.DataFrame, title: str, outputs: Mapping[str, str]) -> None:

@@ -12,6 +12,18 @@ from matplotlib.lines import Line2D
 from hardcontact.figures import drawing, style, tables
 from hardcontact.records.published import rows_met
 
+TITLE = "Fig. 1: surface topography"
+CHAPTER = "1. Surfaces"
+CAPTION = """\
+One levelled scan of each substrate, in the order of the study, then the sphere as scanned and
+with its spherical shape subtracted. Colours: height in nm about the mean of each map, each on
+its own scale. Above: rms height of the map shown and, in brackets, mean ± standard deviation
+over all scans of the surface.
+
+The frame has the colour of the surface in all figures. A dagger marks rms heights that
+substitutes are made to have, equal to Table 1: they test nothing. Drawn from topography.nc.
+"""
+
 MAPS_IN_A_ROW = 3
 AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"
@@ -21,7 +33,7 @@ NOTE = (
 )
 
 
-def table(topography: xr.Dataset) -> pd.DataFrame:
+def _table(topography: xr.Dataset) -> pd.DataFrame:
     """Return rms height and height range of each map drawn, beside the mean over all scans.
 
     One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
@@ -42,7 +54,7 @@ def table(topography: xr.Dataset) -> pd.DataFrame:
     return pd.DataFrame(rows).assign(unit="nm")
 
 
-def draw(topography: xr.Dataset) -> Figure:
+def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature."""
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
@@ -63,7 +75,7 @@ def draw(topography: xr.Dataset) -> Figure:
         axes.set_axis_off()
     note = Line2D([], [], ls="none", label=NOTE)
     figure.legend(handles=[note], loc="outside upper left", handlelength=0, handletextpad=0)
-    return figure
+    return _table(topography), figure
 
 
 def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:

@@ -18,6 +18,22 @@ from hardcontact.figures import drawing, style, tables
 from hardcontact.numbers.printing import print_formatted
 from hardcontact.numbers.statistics import lognormal_shape
 
+TITLE = "Fig. 3: distribution of the pull-off forces"
+CHAPTER = "3. Adhesion"
+CAPTION = """\
+Forces computed with plastic contact for all scans and positions, at the published range ρ and
+work of adhesion W (filled) and at the fitted ones (outlined). Solid black: the log-normal
+distribution that follows from the published mean and median. Dashed, below: the log-normal
+fitted to the computed forces. Grey: forces the experiment could not resolve.
+
+Above the lower panels stands the shape s of the log-normal, published, s = sqrt(2
+ln(mean/median)), and of the fit, with its {{ inference.confidence | percent }} interval over
+scans; forces below the floor count as censored. The measured forces themselves are not public.
+Above, on linear axes, the published distribution is shown over the same bins as the computed
+ones; below, both axes are logarithmic. Drawn from adhesion.nc and inference.nc, published
+values from parameters.csv and pull_off.csv of resources/paper.
+"""
+
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 LINEAR_BINS = 24
 BINS_PER_DECADE = 8
@@ -41,7 +57,7 @@ COLUMNS = [
 Pairs = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
 
 
-def table(
+def _table(
     adhesion: xr.Dataset,
     inference: xr.Dataset,
     published_constants: pd.DataFrame,
@@ -70,7 +86,7 @@ def draw(
     inference: xr.Dataset,
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
-) -> Figure:
+) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
 
     Forces are taken at the published pair of range and work of adhesion, and at the fitted one.
@@ -97,7 +113,7 @@ def draw(
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
     style.legend_above(figure, _legend_handles(published_constants, fit, floor), 3)
-    return figure
+    return _table(adhesion, inference, published_constants, published_pull_off), figure
 
 
 def _forces_at_pairs(

@@ -11,6 +11,30 @@ from matplotlib.lines import Line2D
 from hardcontact.figures import drawing, fig4_error, style, tables
 from hardcontact.numbers.printing import print_share
 
+TITLE = "Fig. 4: range and work of adhesion"
+CHAPTER = "3. Adhesion"
+CAPTION = """\
+(a) Adhesive pressure of one contact, and its force against separation. (b) Mean force relative
+to that on the reference substrate, and (c) mean force at the published work of adhesion W,
+against the range ρ. (d) Mean relative error of the forces at the best W for each ρ. (e) The
+same error over ρ and W.
+
+Contact is plastic, in (d) also rigid. (a) is at the published ρ and W. In (b) and (c) symbols
+are computed, bars their {{ inference.confidence | percent }} interval over scans, and bands
+hold 90 % of many equally good sets of substitute scans; bars that go on for more than a decade
+beyond all values end at the frame. Horizontal lines: published means, in (c) dotted medians.
+Cross at the foot of (b): the ρ that fits all published ratios best, with its
+{{ inference.confidence | percent }} interval. Open symbols in (c): at the best fit of ρ and W.
+In (d): star and rings, least and other minima with plastic contact; vertical line, and brackets
+in the title, the {{ inference.confidence | percent }} interval of the least one over scans;
+grey dots, best fit of each set of substitutes, whose spread is the interval that the verdicts
+take. In (e): white dots, fits to samples of what the mean forces may be, given the scatter of
+the scans; black, published result with its uncertainty; white line, where the error is small
+enough anywhere, the region below the paper's threshold. Dashed in (b) to (e): the published
+range. Drawn from contact.nc, inference.nc and sets.nc, published values from parameters.csv and
+pull_off.csv of resources/paper.
+"""
+
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
 MEGAPASCAL = 1e6
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
@@ -28,7 +52,7 @@ SHOWN = {  # panel, unit
 Curves = dict[tuple[str, str], xr.Dataset]  # by quantity, and by what the values are over
 
 
-def table(
+def _table(
     contact: xr.Dataset,
     inference: xr.Dataset,
     sets: xr.Dataset,
@@ -60,7 +84,7 @@ def draw(
     sets: xr.Dataset,
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
-) -> Figure:
+) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit."""
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     work = float(published_constants["value"]["work_of_adhesion"])
@@ -82,7 +106,7 @@ def draw(
         style.label_logarithmic(axes.xaxis, at=(1, 3))
     key.set_axis_off()
     key.legend(handles=_legend_handles(fit, published_constants), loc="center")
-    return figure
+    return _table(contact, inference, sets, published_constants, published_pull_off), figure
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:

@@ -57,7 +57,8 @@ def error_rows(
         )
         for panel, quantity, unit, values in shown
     ]
-    return pd.concat([*computed, tables.published_rows(published_constants, UNITS, "e")])
+    rows = pd.concat([*computed, tables.published_rows(published_constants, UNITS, "e")])
+    return rows.dropna(subset=["value", "low", "high"], how="all")
 
 
 def draw_least_error(axes: Axes, inference: xr.Dataset, sets: xr.Dataset, model: str) -> None:

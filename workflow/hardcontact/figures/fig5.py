@@ -9,6 +9,23 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "Fig. 5: indents in the sphere"
+CHAPTER = "2. Contact"
+CAPTION = """\
+(a) How far one plastic contact presses the sphere in; (b, c) height of the sphere along its red
+and blue lines before and after: indents point downwards. (d-f) Share of contacts whose deepest
+point, root of the largest indent's area, and longer side of that indent do not exceed a length.
+Dashed: published, 2 nm and 50 nm.
+
+The contact of (a) is that whose depth at the largest preload is the median of all, at the
+published preload of 20 µN or the nearest one computed, around its deepest point. Distributions
+(d-f) are over all contacts, for every computed preload. The paper does not say which of (e) and
+(f) its edge length is, so it stands in both. Preload and hardness alone fix the whole area in
+contact, up to whole pixels, so (e) cannot exceed its square root. The paper's images of a
+sphere, with indents 2 to 10 nm deep and 150 to 300 nm wide, show the sum of 400 contacts and
+are not computed here. Drawn from indent.nc and resources/paper/parameters.csv.
+"""
+
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them
 BEFORE = "0.5"
 DEPTHS = mpl.colormaps["Purples"]  # preloads have its colours too, as black is for published values
@@ -22,7 +39,7 @@ SHARES = np.linspace(0, 1, 101)  # steps of the distributions
 COLUMNS = [*tables.ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 
 
-def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+def _table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the line scans and the distributions of Fig. 5, one row a point, values in nm.
 
     Line scans (panels b, c): height of the sphere before and after against `position` in nm.
@@ -37,7 +54,7 @@ def table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame
     return pd.concat([*lines, *sizes], ignore_index=True).assign(**of_all)[COLUMNS]
 
 
-def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
     published = published_constants["value"]
     shown = indent.sel(preload=published[PRELOAD], method="nearest")
@@ -52,7 +69,7 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     _draw_sizes(sizes[0], indent, published)
     handles, labels = figure.axes[-1].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
-    return figure
+    return _table(indent, published_constants), figure
 
 
 def _deepest(shown: xr.Dataset) -> dict[str, float]:

@@ -11,6 +11,25 @@ from hardcontact.figures import drawing, style, tables
 from hardcontact.numbers.printing import print_share
 from hardcontact.scales.critical_band import POOLED
 
+TITLE = "The asperities that carry the force"
+CHAPTER = "5. Asperities"
+CAPTION = """\
+The pixels that carry most of the pull-off force form patches. Against the range of adhesion ρ,
+with plastic contact: (a) share of the whole force on the largest patch, (b) on the two largest,
+(c) number of patches, (d) diameter of the circle that holds as much of the force. Symbols:
+median over contacts; bands: between quartiles.
+
+"Most" is 90 % by default; pixels that touch at an edge or a corner belong to one patch;
+contacts are a sample on all scans; the circle of (d) is about the centre of force. Dotted: half
+of the force; the paper says that on MCD and NCD most of it comes from just one or two
+asperities. Black lines in (d): the same diameter for a smooth sphere on a smooth plane (solid),
+and the radius √(2Rρ) (dash-dotted) of the disk that the paper compares with the long critical
+wavelength; it is a radius, and the circle of the rough surfaces a diameter. Grey line and band:
+the computed critical wavelength of all substrates, which belongs to the range that Fig. 6 is
+computed at, with its {{ inference.confidence | percent }} interval; dashed: published, 1.8 µm.
+Drawn from asperities.nc, band.nc and resources/paper/parameters.csv.
+"""
+
 MICROMETRE = 1000  # nm
 QUARTILES = {"low": 0.25, "value": 0.5, "high": 0.75}
 
@@ -33,7 +52,7 @@ SMOOTH: dict[str, style.Look] = {
 }
 
 
-def table(
+def _table(
     asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
 ) -> pd.DataFrame:
     """Return the curves against the range of adhesion `rho` (nm) and the lengths beside them.
@@ -58,7 +77,9 @@ def table(
     return tables.tidy([*curves, *smooth, critical], asperities, "rho")
 
 
-def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(
+    asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataFrame
+) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide."""
     figure = drawing.create(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)
@@ -80,7 +101,7 @@ def draw(asperities: xr.Dataset, band: xr.Dataset, published_constants: pd.DataF
     entries = style.legend_entries((grid[0, 0], grid[1, 1]))
     entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=0.25, lw=0)
     figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=4)
-    return figure
+    return _table(asperities, band, published_constants), figure
 
 
 def _quartiles(asperities: xr.Dataset, name: str) -> xr.Dataset:

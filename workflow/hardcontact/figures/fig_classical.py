@@ -13,6 +13,32 @@ from matplotlib.ticker import FixedLocator
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "Classical models of rough adhesion, and the effective work of adhesion"
+CHAPTER = "4. Classical models"
+CAPTION = """\
+(a) Mean pull-off forces, published, computed, and of classical models from the roughness of
+Table 1, of AFM scans alone (filled) or all scales (open). (b) Least mean relative error of each
+model, its work of adhesion fitted. (c) Effective work of adhesion of a smooth sphere over the
+printed one. (d) Force over πRW against the Tabor parameter µ.
+
+Computed forces are of plastic contact at the published range and work of adhesion, models at
+the published work. Bars: of published forces their rounding, of computed ones the
+{{ inference.confidence | percent }} interval over scans, of models the central
+{{ inference.confidence | percent }} of forces that the printed uncertainties of Table 1 allow;
+bars too long for a panel end at its frame. Horizontal lines repeat the published forces;
+symbols in the grey strip of (a): the model has no force at all. (b) Fitted to the published
+forces of all surfaces (black) or to the computed ones (grey); grey strip: below the paper's
+threshold. (c) The printed work stands below; µ is what the pull-off force is converted with: as
+printed, as it follows from the printed inputs, and that of the effective work itself; grey:
+rounding of the printed value. (d) By the fit of Carpick and others (dashed) and by the exact
+Maugis-Dugdale pair (solid). Vertical lines: µ as printed (dashed) and from the printed inputs
+(dotted). Symbols: what the printed forces and works imply, within their rounding, side by side
+at the printed µ; on polished UNCD, the one surface certain enough, it is less than the lines
+give there. What each model calls roughness and what its formula was checked against stand in
+the table beside the figure, with tests of power laws between roughness and effective work.
+Drawn from classical.nc and resources/paper/parameters.csv.
+"""
+
 VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all
 LONGEST_BAR = 3  # panel c shows bars up to this many times the highest value
 METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
@@ -45,7 +71,7 @@ QUANTITIES = {  # panel, origin; empty: not drawn
 }
 
 
-def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+def _table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return the numbers of all panels, and further tests of the models.
 
     Forces in N, works of adhesion in J/m2, all else 1, with the ends of its interval where it has
@@ -54,10 +80,11 @@ def table(classical: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFr
     """
     rows = pd.concat(_rows(classical, name) for name in QUANTITIES)
     described = classical[["model_roughness", "model_verified"]].to_dataframe()
+    rows = rows.dropna(subset=["value", "low", "high"], how="all")
     return tables.labelled([rows.join(described, on="model")], classical, COLUMNS)
 
 
-def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) forces at the published work, (b) errors, (c) effective works, (d) transition."""
     work = published_constants["value"]["work_of_adhesion"]
     figure = drawing.create(6.0, classical)
@@ -73,7 +100,7 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     _draw_works(works, classical)
     _draw_transition(transition, classical)
     style.legend_above(figure, _legend_handles(classical), 6)
-    return figure
+    return _table(classical, published_constants), figure
 
 
 def _rows(classical: xr.Dataset, name: str) -> pd.DataFrame:

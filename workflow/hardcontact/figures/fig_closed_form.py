@@ -8,12 +8,29 @@ from matplotlib.lines import Line2D
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "The pull-off force in closed form"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Forces computed on the largest random surfaces (symbols), the closed form (solid) and its
+first term alone (dotted). (b) Closed form over computed force. (c) (σ/ρ)/(m/σ): above one
+single peaks decide, below one many points do.
+
+For a random surface whose heights are normally distributed the mean pull-off force follows from
+the power spectrum alone: exp(σ²/2ρ² − m/ρ) Φ(m/σ − σ/ρ) of the force on a smooth surface for
+all points that do not touch, where σ is the rms height, ρ the range of adhesion and m the
+height of closest approach, and the forces of the summits that touch and of the plastic contact
+area. Bars in (a): {{ inference.confidence | percent }} intervals over the surfaces. In (b) the
+closest approach is that which the spectrum lets expect (solid) or that computed (dashed); grey:
+within a factor of two. Where (σ/ρ)/(m/σ) exceeds one, the attraction comes from heights that
+only single peaks reach. Drawn from closed_form.nc.
+"""
+
 FORCE = "pull-off force (µN)"
 #: Where closest approach comes from, as it is printed.
 SOURCES = {"spectrum": "of the spectrum alone", "contacts": "with computed approaches"}
 
 
-def table(closed_form: xr.Dataset) -> pd.DataFrame:
+def _table(closed_form: xr.Dataset) -> pd.DataFrame:
     """Return forces, their errors and the freezing, one row a point.
 
     Panel a: `computed_force` with its interval, `predicted_force` and its first term alone in N; b:
@@ -33,7 +50,7 @@ def table(closed_form: xr.Dataset) -> pd.DataFrame:
     return tables.tidy([rows, edges], closed_form, "map_size", "source", "rho")
 
 
-def draw(closed_form: xr.Dataset) -> Figure:
+def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing."""
     figure = drawing.create(3.3, closed_form)
     forces, errors, freezing = figure.subplots(1, 3)
@@ -59,7 +76,7 @@ def draw(closed_form: xr.Dataset) -> Figure:
         Line2D([], [], color="0.3", ls=":", label="its first term alone"),
     ]
     style.legend_above(figure, handles)
-    return figure
+    return _table(closed_form), figure
 
 
 def _draw_forces(axes: Axes, of_surface: xr.Dataset, look: style.Look) -> None:

@@ -9,6 +9,23 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "Elastic contact"
+CHAPTER = "2. Contact"
+CAPTION = """\
+(a) Pressure of one elastic contact on each substrate at the preload, around its peak; from blue
+to red at the hardness. (b) Share of the contact area whose pressure exceeds the hardness. (c)
+Peak pressure beside the hardness (solid) and a smooth sphere's (dashed). (d) Change of the
+pull-off force from rigid to elastic bodies.
+
+All stands at the pixels of the scans; shorter waves have higher slopes and pressures. Grey in
+(a): no contact; pressures beyond the scale have its end colours. Published: in (b), grey, "in
+most of the contact area"; in (c) 135 MPa for the smooth sphere by Hertz; in (d) "virtually
+indistinguishable", and no numbers. Forces of (d) are computed in the same window for both, at
+the published range and work of adhesion. In (b-d) each dot is one contact, those of a scan
+stand in one column, and the bar is the median over all contacts of a substrate. Drawn from
+elastic.nc.
+"""
+
 GIGAPASCAL = 1e9
 PRESSURES = "RdBu_r"  # white at the hardness
 TICKS = np.array([0.1, 0.3, 1, 3, 10])  # of the pressure, over the hardness
@@ -26,7 +43,7 @@ QUANTITIES = {  # panel, unit
 }
 
 
-def table(elastic: xr.Dataset) -> pd.DataFrame:
+def _table(elastic: xr.Dataset) -> pd.DataFrame:
     """Return what panels b to d are drawn from, one row a number; the maps stay in elastic.nc.
 
     Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
@@ -52,7 +69,7 @@ def table(elastic: xr.Dataset) -> pd.DataFrame:
     return tables.tidy(rows, elastic, "scan", "contact")
 
 
-def draw(elastic: xr.Dataset) -> Figure:
+def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
     contacts = _contacts(elastic)
     figure = drawing.create(4.6, elastic)
@@ -66,7 +83,7 @@ def draw(elastic: xr.Dataset) -> Figure:
     _draw_forces(forces, contacts["elastic_over_rigid"])
     for axes in (shares, peaks, forces):
         axes.set_xticks(range(elastic.sizes["surface"]), elastic["label"].values, **style.TILTED)
-    return figure
+    return _table(elastic), figure
 
 
 def _contacts(elastic: xr.Dataset) -> xr.Dataset:

@@ -6,10 +6,21 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "Which waves make contacts yield"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+Mean pressure of elastic contact over the hardness, E* h'/(1.67 H), with the rms slope h' of all
+waves of a surface down to a shortest one; from 1 (line) on contacts yield.
+
+The bearing area, preload over hardness, takes every contact as plastic. A surface whose curve
+is below 1 at the pixels of its scans yields with shorter waves, where the curve passes 1; below
+1 nm these are waves of a few atoms. Drawn from elastic_limit.nc.
+"""
+
 MIN_INDEX = 0.01  # that is drawn
 
 
-def table(elastic_limit: xr.Dataset) -> pd.DataFrame:
+def _table(elastic_limit: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
     ``slope_index`` of every surface by the shortest wavelength in nm.
@@ -24,7 +35,7 @@ def _drawn_indices(elastic_limit: xr.Dataset) -> xr.Dataset:
     return elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
 
 
-def draw(elastic_limit: xr.Dataset) -> Figure:
+def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw one curve for each surface; from 1 (line) on contacts yield."""
     figure = drawing.create(3.0, elastic_limit)
     axes = figure.subplots()
@@ -36,4 +47,4 @@ def draw(elastic_limit: xr.Dataset) -> Figure:
     axes.set_ylabel("E*h'/(1.67 H)")
     axes.legend(loc="lower left")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
-    return figure
+    return _table(elastic_limit), figure

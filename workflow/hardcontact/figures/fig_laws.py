@@ -12,6 +12,24 @@ from matplotlib.lines import Line2D
 from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.interaction_laws import LAWS, pressure
 
+TITLE = "Other laws of attraction"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) The laws, each with the range and the work of adhesion that come nearest to the forces of
+Eq. 1 at the published pair. (b) Mean relative error against the range. (c) Forces over that on
+the reference surface, fitted to the measured ones (grey). (d, e) Short and long edge of the
+critical band.
+
+The force of any law that decays steadily is a mixture of the forces of exponential laws (Eq. 1
+of the paper), so each law has the force of every contact without another sum; its range is work
+of adhesion over attraction at contact. Errors in (b) are those at the best work of adhesion, to
+the forces of Eq. 1 and, pale, to the measured ones; line: 0.1. Edges are those of each surface
+and of their mean, at the range that comes nearest to Eq. 1 (full) and at an atomic spacing
+(open); where a symbol is missing, no cutoff changes the force by the tolerance of the band, so
+that the edge lies beyond the last cutoff. Symbols of (c-e): as in (a). Bars:
+{{ inference.confidence | percent }} intervals over scans and their masters. Drawn from laws.nc.
+"""
+
 # Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.
 COLOURS = (style.PUBLISHED, "#332288", "#882255", "#999933")
 DASHES = ("-", "--", "-.", ":")
@@ -27,7 +45,7 @@ TARGETS = {"Eq. 1": 1.0, "published": 0.4}  # opacity
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2", "fit_error": "1"}
 
 
-def table(laws: xr.Dataset) -> pd.DataFrame:
+def _table(laws: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
     By law and case its range (nm), work (J/m2) and error (panel a), the error of every length at
@@ -51,7 +69,7 @@ def table(laws: xr.Dataset) -> pd.DataFrame:
     return tables.tidy(by_group, laws, "law", "case", "side", "length", surfaces="group")
 
 
-def draw(laws: xr.Dataset) -> Figure:
+def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) pressures, (b) errors of fits, (c) ratios of forces, (d, e) edges of the band."""
     figure, ((pressures, errors, ratios), edges) = drawing.create_rows(
         5.2, laws, (1, (1, 1, 1)), (1, (1, 1))
@@ -62,7 +80,7 @@ def draw(laws: xr.Dataset) -> Figure:
     for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
-    return figure
+    return _table(laws), figure
 
 
 def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:

@@ -17,6 +17,30 @@ from matplotlib.patches import Patch
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "How far the results depend on choices"
+CHAPTER = "7. Robustness"
+CAPTION = """\
+(a) Range of adhesion, (b) work of adhesion, (c) short and (d) long critical wavelength of all
+substrates, each computed again with one choice changed, with fewer contacts and pixels than the
+study. Compare with the top row and its dotted line: the study's own choices at this smaller
+size. Diamond: the study itself. Dashed: published.
+
+Contact is plastic. The choices: what curvature in Table 1 means to the substitutes; how the
+heights of {{ robustness.heights.surface }} are distributed (the study: Gaussian; skewness
+otherwise, with blunt tops, the rms height of each scan kept); a tip of an AFM that has imaged
+{{ reference_surface }}; a rough sphere in Fig. 6; the preload; the hardness. The skewed heights
+are made by a construction that was fitted to one public AFM scan of UNCD; no skewness is known
+of the other surfaces, and none was chosen by its effect here. Variants have the first scan of
+the sphere alone. Small open circles: the other local minima of the error along the range of
+adhesion, which a fit may jump to. Dots and diamonds with {{ inference.confidence | percent }}
+interval, from Student's t on logarithms over scans (a, b) or over realizations (c, d); an
+interval that ends at the largest or smallest range computed is open there. Grey: the published
+uncertainty where one is given. "Not affected": the choice concerns Fig. 6 alone; "never
+reached": the force stays within the band at all cutoffs. Drawn from robustness.nc (which also
+has the least error and the mean force of each surface at the published range and work),
+inference.nc, band.nc and resources/paper/parameters.csv.
+"""
+
 BASELINE = "baseline"
 FULL = "the study itself"
 CONTACT_MODEL, GROUP = "plastic", "pooled"  # what the variants are computed with and for
@@ -59,7 +83,7 @@ QUANTITIES = {  # by the name of the published constant
 }
 
 
-def table(
+def _table(
     robustness: xr.Dataset,
     inference: xr.Dataset,
     band: xr.Dataset,
@@ -93,12 +117,12 @@ def draw(
     inference: xr.Dataset,
     band: xr.Dataset,
     published_constants: pd.DataFrame,
-) -> Figure:
+) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
     The study itself, above them, has more contacts, pixels and realizations.
     """
-    rows = table(robustness, inference, band, published_constants)
+    rows = _table(robustness, inference, band, published_constants)
     heights = _heights(robustness)
     figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
     row = figure.subplots(1, len(QUANTITIES), sharey=True)
@@ -107,7 +131,7 @@ def draw(
     row[0].set_yticks(heights, robustness["variant_label"].values)
     row[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
     style.legend_above(figure, _legend_handles(robustness), 2)
-    return figure
+    return rows, figure
 
 
 def _result(data: xr.Dataset, name: str) -> dict[str, float]:

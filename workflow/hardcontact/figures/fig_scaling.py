@@ -13,6 +13,26 @@ from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.closed_form import TRANSITION
 from hardcontact.insight.edge_scaling import FORMULA
 
+TITLE = "Scaling of the band: surface, attraction or contact?"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Short edge of the critical band against the range of adhesion ρ, (b) long edge against the
+reach √(2Rρ) of the attraction along the surface, (c) computed edges over those of the formulas
+on random surfaces that were designed for this, (d) all surfaces among the regimes.
+
+In (a) and (b) symbols are computed edges of spheres of several radii R, with their
+{{ inference.confidence | percent }} intervals over realizations, lines the formulas, one a
+sphere; dashed: the published edges. An edge is the cutoff beyond which the pull-off force, mean
+over contacts and realizations, changes by more than the tolerance of Fig. 6; where no cutoff
+changes it so much, no edge is shown. In (c) are the surfaces that were held back; open: the
+edge is a bound, the last cutoff; grey: within a factor of two. In (d) σ is the rms height, m
+the height of closest approach over the mean plane, ρ the range; line: σ/ρ = m/σ, where many
+points (left) give way to single peaks, with the transition in grey. Marks: the surfaces at the
+sphere, range and load of the paper; crosses: two chromium nitride coatings there, from
+published spectra; pale: the designed surfaces. λ_r is the wavelength whose octave holds most of
+the variance of heights. Drawn from scaling.nc and resources/paper/parameters.csv.
+"""
+
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
 PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
@@ -23,7 +43,7 @@ NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
 BETWEEN = ("side", "radius", "area", "rho", "reach", "length", "designed", "prediction")  # columns
 
 
-def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+def _table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
     Edges (nm) of all combinations, computed and by the formula, with the published ones (panel a:
@@ -51,7 +71,7 @@ def table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFram
     return tables.tidy(frames, scaling, *BETWEEN)
 
 
-def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
+def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw edges against (a) the range and (b) the reach, (c) errors, (d) a map of the regimes.
 
     Sections go through the contact area nearest to the paper's.
@@ -70,7 +90,7 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> Figure:
     _draw_errors(errors, scaling)
     _draw_regimes(regimes, scaling)
     style.legend_above(figure, style.surface_handles(scaling, ls="none"))
-    return figure
+    return _table(scaling, published_constants), figure
 
 
 def _draw_edges(axes: Axes, cases: xr.Dataset, side: str, along: str) -> None:

@@ -10,12 +10,33 @@ from matplotlib.figure import Figure
 
 from hardcontact.figures import drawing, style, tables
 
+TITLE = "How large a scan must be"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Mean force on mirrored windows over that on the random surfaces they were cut out of,
+against the side of the window; lines: the rule. (b) The same by the rule and computed. (c) Side
+of a scan on which the force is too large by a factor. (d) Long edge of the band, from mirrored
+windows (filled) and from whole surfaces (hollow).
+
+All of it was computed once, with the settings of the paper (resources/validation). Windows are
+cut out of large random surfaces, levelled, mirrored and brought into contact as the paper does
+with its scans. The rule is a power law of 2√(2Rσ) over the side of the scan, of the roll-off
+over it, and of σ/ρ, σ the rms height, R the radius of the sphere and ρ the range of adhesion.
+It was fitted to random self-affine surfaces, not to these; bars in (a): 95 % intervals over
+realizations. (b) shows all ranges; grey: the random surfaces, each from a rule fitted without
+it. The long edge is the wavelength above which removing roughness changes the mean force by 10
+%; bars, 95 % intervals between the cutoffs that were computed, drawn to the shortest cutoff or
+to the longest wave of the surface where they are open; an open edge stands at its bound, with
+an arrow; grey, the longest wave of a mirrored window. In (a) and (d) the surfaces of one size
+stand beside each other. Dashed: the scans of the paper. Drawn from scan_size.nc.
+"""
+
 BETWEEN = ("trial", "scan_size", "rho", "predicted", "mirrored", "status")  # columns
 ARROW = 1.6  # length of an arrow, as a factor of the bound
 OF_SCAN: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 
 
-def table(scan_size: xr.Dataset) -> pd.DataFrame:
+def _table(scan_size: xr.Dataset) -> pd.DataFrame:
     """Return what the figure is drawn from, one row a number.
 
     Measured and predicted excess on surfaces (panel a, again in b) and on random surfaces (b), and
@@ -56,7 +77,7 @@ def _edges(scan_size: xr.Dataset) -> xr.Dataset:
     )
 
 
-def draw(scan_size: xr.Dataset) -> Figure:
+def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the excess against the scan, (b) the rule, (c) sizes needed, (d) long edges."""
     figure = drawing.create(5.4, scan_size)
     (sizes, rule), (needed, edges) = figure.subplots(2, 2)
@@ -77,7 +98,7 @@ def draw(scan_size: xr.Dataset) -> Figure:
     for axes in (sizes, rule, needed, edges):
         style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.legend_above(figure, style.surface_handles(scan_size, ls="none"))
-    return figure
+    return _table(scan_size), figure
 
 
 def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> None:

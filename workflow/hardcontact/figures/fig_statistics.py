@@ -11,6 +11,28 @@ from matplotlib.ticker import NullLocator
 from hardcontact.figures import drawing, style, tables
 from hardcontact.insight.force_scatter import CHANCE, LEAST_LEVEL, held_back
 
+TITLE = "How pull-off forces scatter"
+CHAPTER = "8. What decides the band"
+CAPTION = """\
+(a) Standard deviation of ln F over 400 independent places of designed surfaces, computed,
+against that of the law. (b) Distances of Kolmogorov and Smirnov between computed forces and
+three distributions, by the modulus k = ρm/σ². (c) Quantiles of computed forces over those of
+the law. (d) The four coatings.
+
+Forces in (a) to (c) are those of rigid and plastic contact of a smooth sphere. Nothing is
+fitted but the mean of each surface; the log-normal is fitted to each. Filled: surfaces that
+were not looked at while the law was made; only these are in (b) and (c). Crosses: skewed
+heights (skewness ±0.6), on which the law, which is one of Gaussian surfaces, fails. Grey in
+(a): contacts below two rms heights above the mean plane, left out of (b) and (c). Dotted in
+(b): the distance that one in twenty samples of 400 from the law itself exceeds. Bands in (c):
+nine tenths of the surfaces. (d) shows the law at the range of adhesion ρ of {{ scales.range }}
+in plastic contact, over places and over places and scans, whose rms heights are taken to differ
+by the uncertainties of Table 1; crosses: what mean and median of the latter tell, √(2
+ln(mean/median)), as of the published forces; and the computed values of the study with
+{{ inference.confidence | percent }} intervals, an arrow where they leave the frame. Drawn from
+statistics.nc.
+"""
+
 #: Distributions by their names in the dataset, as they are drawn and printed.
 DISTANCES: dict[str, tuple[style.Look, str]] = {
     "law": ({"color": "black", "marker": "o"}, "law"),
@@ -30,7 +52,7 @@ SPREADS: dict[str, tuple[style.Look, str]] = {
 ROOM = 1.6
 
 
-def table(statistics: xr.Dataset) -> pd.DataFrame:
+def _table(statistics: xr.Dataset) -> pd.DataFrame:
     """Return what the panels are drawn from, one row a number.
 
     Panels a and b: of each designed case `designed_spread`, `designed_predicted_spread` and the
@@ -54,7 +76,7 @@ def table(statistics: xr.Dataset) -> pd.DataFrame:
     return tables.tidy(rows, statistics, "case", "part", "share")
 
 
-def draw(statistics: xr.Dataset) -> Figure:
+def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) spreads, (b) distances, (c) quantiles of designed surfaces, (d) the coatings."""
     figure = drawing.create(5.4, statistics)
     (spreads, distances), (quantiles, coatings) = figure.subplots(2, 2)
@@ -63,7 +85,7 @@ def draw(statistics: xr.Dataset) -> Figure:
     _draw_distances(distances, tested)
     _draw_quantiles(quantiles, tested)
     _draw_coatings(coatings, statistics.sel(rho=statistics.attrs["reference_rho"]))
-    return figure
+    return _table(statistics), figure
 
 
 def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:

@@ -39,7 +39,7 @@ MILLIJOULE = 1e-3
 Look = dict[str, Any]  # of an artist, as matplotlib takes it
 
 #: How artificial wavelengths are shaded in every figure.
-ARTIFICIAL: Look = {"facecolor": "#F7E9CF", "edgecolor": "#D9B97C", "hatch": "///", "lw": 0.0}
+ARTIFICIAL: Look = {"facecolor": "#FBF4E6", "edgecolor": "#EADBBB", "hatch": "//", "lw": 0.0}
 #: What a cutoff of each side of the band does, above its panel.
 REMOVED = {
     "small": "roughness below the cutoff removed",

@@ -1,0 +1,49 @@
+"""The list of figures agrees with the modules, and rules can read it without heavy imports."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from jinja2 import UndefinedError
+from repository import PAPER, ROOT
+
+from hardcontact import figures
+from hardcontact.answer.captions import caption
+from hardcontact.config.patterns import PUBLISHED
+from hardcontact.figures.listing import FIGURES, OF_INSIGHT, describe
+
+#: Modules that are no figure, but for what begins with the name of the figure that it belongs to.
+SHARED = {"__init__", "drawing", "listing", "style", "tables"}
+
+
+def test_each_module_is_a_figure_or_shared():
+    modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
+    assert modules - SHARED - {"fig4_error"} == set(FIGURES)
+
+
+def test_published_tables_are_there():
+    named = {source for name in FIGURES for source in describe(name).inputs} & set(PUBLISHED)
+    assert named and all((ROOT / PUBLISHED[name]).is_file() for name in named)
+
+
+def test_figures_of_the_chapter_begin_with_their_own_dataset():
+    for name in OF_INSIGHT:
+        assert describe(name).inputs[0] == name.removeprefix("fig_")
+
+
+def test_a_caption_names_the_values_of_the_study():
+    changed = PAPER | {"inference": PAPER["inference"] | {"confidence": 0.8}}
+    assert "its 80 % interval" in caption("fig6", changed).more
+    with pytest.raises(UndefinedError, match="confidence"):
+        caption("fig6", PAPER | {"inference": {}})
+
+
+def test_figures_are_described_without_heavy_packages():
+    code = (
+        "import sys; from hardcontact.figures.listing import FIGURES, describe;"
+        "from hardcontact.answer.captions import caption; [describe(name) for name in FIGURES];"
+        "print({'matplotlib', 'PIL', 'scipy'} & set(sys.modules))"
+    )
+    run = subprocess.run([sys.executable, "-c", code], cwd=ROOT / "workflow", capture_output=True)
+    assert run.stdout.split() == [b"set()"], run.stderr

@@ -1,0 +1,217 @@
+"""Every figure of the quick study: drawn without warnings, legible, with the datasets' numbers."""
+
+import importlib
+from functools import cache
+from itertools import combinations, pairwise
+
+import numpy as np
+import pytest
+from matplotlib.colors import same_color
+from matplotlib.lines import Line2D
+from matplotlib.text import Text
+from paper_numbers import LABELS, SUBSTRATES
+from repository import PAPER, ROOT
+
+from hardcontact.answer.captions import caption
+from hardcontact.config.patterns import PUBLISHED
+from hardcontact.figures import drawing, style
+from hardcontact.figures.listing import FIGURES, describe
+from hardcontact.records import dataset
+
+#: Figures with values of the paper, and the words by which their captions name these.
+PUBLISHED_IN = {
+    "fig3": "published mean and median", "fig4": "published range", "fig5": "2 nm and 50 nm",
+    "fig6": "43 nm and 1.8 µm", "fig_sets": "46.3 mJ/m² and 5.6 nm",
+    "fig_asperities": "published, 1.8 µm", "fig_classical": "published forces",
+    "fig_elastic": "most of the contact area", "fig_robustness": "Dashed: published",
+    "fig_scaling": "the published edges", "fig_laws": "measured ones",
+    "fig_statistics": "published forces",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module", params=FIGURES)
+def name(request):
+    return request.param
+
+
+@pytest.fixture(scope="module")
+def drawn(results):
+    """Return what draws a figure of the finished study, each once: its table and its drawing."""
+
+    @cache
+    def draw(name):
+        module = importlib.import_module(f"hardcontact.figures.{name}")
+        inputs = {
+            source: drawing.READERS[source](ROOT / PUBLISHED[source])
+            if source in PUBLISHED
+            else dataset.read(results / f"{source}.nc")
+            for source in describe(name).inputs
+        }
+        before = {key: data.copy(deep=True) for key, data in inputs.items()}
+        with style.print_style():
+            table, figure = module.draw(**inputs)
+            style.freeze_layout(figure)
+            figure.draw_without_rendering()
+        for key, data in inputs.items():
+            assert getattr(data, "identical", data.equals)(before[key]), key
+        return table, figure
+
+    return draw
+
+
+def texts(figure):
+    """Return the texts that are seen, and the boxes (pixels) that they fill, a pixel smaller."""
+    shown = [text for text in figure.findobj(Text) if text.get_visible() and text.get_text()]
+    unseen = {text for axes in figure.axes for text in unseen_tick_labels(axes)}
+    return [(text, text.get_window_extent().padded(-1)) for text in shown if text not in unseen]
+
+
+def unseen_tick_labels(axes):
+    """Return the labels of ticks that lie beyond the limits of the axes, or of axes without any."""
+    for axis in (axes.xaxis, axes.yaxis):
+        low, high = sorted(axis.get_view_interval())
+        ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+        seen = {
+            tick.label1 for tick in ticks if low <= tick.get_loc() * (1 + 1e-9) <= high * (1 + 2e-9)
+        }
+        labels = set(axis.findobj(Text)) - {axis.label}
+        yield from labels - seen if axes.axison else axis.findobj(Text)
+
+
+def test_no_text_is_small_leaves_the_figure_or_covers_another(drawn, name):
+    _, figure = drawn(name)
+    width, height = figure.get_size_inches()
+    assert width == drawing.WIDTH and 2 < height < 9
+    boxes = texts(figure)
+    assert min(text.get_fontsize() for text, _ in boxes) >= 0.99 * 7
+    sheet = figure.bbox
+    beyond = [
+        text.get_text()
+        for text, box in boxes
+        if box.x0 < sheet.x0 or box.x1 > sheet.x1 or box.y0 < sheet.y0 or box.y1 > sheet.y1
+    ]
+    assert beyond == []
+    covered = [
+        (first.get_text(), second.get_text())
+        for (first, box), (second, other) in combinations(boxes, 2)
+        # The boxes of tilted names of an axis overlap, where the names do not.
+        if box.overlaps(other) and not (first.get_rotation() % 90 and second.get_rotation() % 90)
+    ]
+    assert covered == []
+
+
+def test_table_has_finite_values_with_units(drawn, name):
+    table, _ = drawn(name)
+    assert set(table["origin"]) <= {"computed", "published", "given"}
+    assert table["unit"].notna().all() and not table.duplicated().any()
+    ends = [column for column in ("value", "low", "high") if column in table]
+    assert not np.isinf(table[ends].astype(float)).any(axis=None)
+    known = table[ends].notna().any(axis=1)
+    beyond = table["beyond"].fillna("") != "" if "beyond" in table else False
+    unbounded = (name == "fig_robustness") & table["value"].isna()  # variants without an effect
+    assert (known | beyond | unbounded).all()
+    if {"surface", "basis"} <= set(table):
+        assert table.loc[table["surface"].notna(), "basis"].eq("substitute").all()
+
+
+def test_substitutes_are_named_and_panels_lettered_in_order(drawn, name):
+    _, figure = drawn(name)
+    assert any(text.get_text().startswith("substitute surfaces: ") for text in figure.texts)
+    start = r"$\mathbf{"
+    titles = [axes.get_title(loc="left") for axes in figure.axes]
+    letters = sorted({title[len(start)] for title in titles if title.startswith(start)})
+    assert all(ord(after) == ord(before) + 1 for before, after in pairwise(letters))
+    assert letters[:1] == ["a"] or len(figure.axes) == 1
+
+
+def test_a_surface_has_one_colour(drawn, name):
+    _, figure = drawn(name)
+    colours = dict(zip(LABELS, style.colours(SUBSTRATES).values(), strict=True))
+    lines = [line for line in figure.findobj(Line2D) if line.get_label() in colours]
+    assert all(same_color(line.get_color(), colours[line.get_label()]) for line in lines)
+    if not lines:
+        assert name in {
+            "fig1",
+            "fig3",
+            "fig5",
+            "fig_elastic",
+            "fig_laws",
+            "fig_robustness",
+            "fig_statistics",
+        }
+
+
+def test_caption_is_short_and_names_what_is_published(drawn, name):
+    title, short, more = caption(name, PAPER)
+    assert 10 < len(title) < 80 and 20 < len(short.split()) <= 65 and more
+    assert not any(mark in " ".join((title, short, more)) for mark in ("{", "}", "**", "``", "\n"))
+    has_published = (drawn(name)[0]["origin"] == "published").any()
+    assert has_published == (name in PUBLISHED_IN)
+    if has_published:
+        assert PUBLISHED_IN[name] in f"{short} {more}"
+
+
+def test_the_files_hold_the_same_table(drawn, results, name):
+    table, _ = drawn(name)
+    folder = results / "figures"
+    written = table.to_csv(index=False, float_format="%.8g", lineterminator="\n")
+    assert (folder / f"{name}.csv").read_text() == written
+    for kind, start in (("pdf", b"%PDF-"), ("png", b"\x89PNG"), ("svg", b"<?xml")):
+        assert (folder / f"{name}.{kind}").read_bytes().startswith(start)
+
+
+RUMPF = {"model": "rumpf_height", "metrics": "afm", "surface": "uncd"}
+PLASTIC = {"contact_model": "plastic"}
+#: A figure, what tells rows of its table, and their values in a dataset.
+NUMBERS = [
+    ("fig1", {"surface": "mcd", "quantity": "rms_height_mean"},
+     "topography", lambda data: data.rms_height_mean.sel(surface="mcd")),
+    ("fig3", {"surface": "uncd", "quantity": "mean_force", "pair": "fitted"},
+     "inference", lambda data: data.force_mean.sel(surface="uncd", pair="fitted", **PLASTIC)),
+    ("fig4", {"surface": "ncd", "quantity": "ratio", "origin": "computed", "over": "scans"},
+     "inference", lambda data: data.ratio.sel(surface="ncd", **PLASTIC)),
+    ("fig5", {"quantity": "depth", "origin": "computed", "share": 1.0},
+     "indent", lambda data: data.depth.groupby("preload").max(...)),
+    ("fig6", {"group": "uncd", "side": "large", "quantity": "ratio"},
+     "band", lambda data: data.scale_ratio.sel(surface="uncd", side="large")),
+    ("fig_asperities", {"surface": "mcd", "quantity": "patches"},
+     "asperities", lambda data: data.patches.sel(surface="mcd").median(["scan", "contact"])),
+    ("fig_classical", {"quantity": "pull_off_force", **RUMPF},
+     "classical", lambda data: data.pull_off_force.sel(RUMPF)),
+    ("fig_closed_form", {"surface": "uncd", "quantity": "whole_freezing"},
+     "closed_form", lambda data: data.whole_freezing.sel(surface="uncd")),
+    ("fig_elastic", {"surface": "ncd", "quantity": "peak_pressure_median"},
+     "elastic", lambda data: data.peak_pressure.sel(surface="ncd").median(["scan", "contact"])),
+    ("fig_elastic_limit", {"surface": "mcd", "quantity": "slope_index"},
+     "elastic_limit", lambda data: data.slope_index.where(data.slope_index > 0.01)[-1]),
+    ("fig_laws", {"group": "uncd", "quantity": "ratio", "origin": "computed", "case": "fitted"},
+     "laws", lambda data: data.ratio.sel(surface="uncd", case="fitted")),
+    ("fig_robustness", {"variant": "baseline", "quantity": "range_of_adhesion"},
+     "robustness", lambda data: data.range_of_adhesion.sel(variant="baseline")),
+    ("fig_scaling", {"quantity": "edge", "origin": "computed", "surface": "ncd", "side": "small"},
+     "scaling", lambda data: data.edge.sel(surface="ncd", side="small")),
+    ("fig_scan_size", {"quantity": "size_needed", "surface": "mcd"},
+     "scan_size", lambda data: data.size_needed.sel(surface="mcd")),
+    ("fig_sets", {"quantity": "range_of_adhesion", "origin": "computed"},
+     "sets", lambda data: data.range_of_adhesion.sel(PLASTIC)),
+    ("fig_statistics", {"quantity": "designed_spread"},
+     "statistics", lambda data: data.designed_spread),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("name", "where", "source", "values"),
+    NUMBERS,
+    ids=lambda value: str(value) if value in FIGURES else "",
+)
+def test_numbers_are_those_of_the_dataset(drawn, results, name, where, source, values):
+    table, _ = drawn(name)
+    chosen = np.logical_and.reduce([table[column] == value for column, value in where.items()])
+    expected = np.asarray(values(dataset.read(results / f"{source}.nc"))).ravel()
+    expected = np.sort(expected[np.isfinite(expected)])
+    assert expected.size
+    np.testing.assert_allclose(np.sort(table[chosen]["value"].dropna()), expected, rtol=1e-7)
+
+
+def test_every_figure_has_a_number_compared():
+    assert {name for name, *_ in NUMBERS} == set(FIGURES)
