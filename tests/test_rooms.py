@@ -14,14 +14,12 @@ ROOMS = re.findall(r"`(\w+)`", hardcontact.__doc__)
 
 
 def imported(path):
-    """Return the rooms that a module imports from, wherever in the module."""
+    """Yield the names that a module imports, wherever in the module."""
     for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-        names = []
         if isinstance(node, ast.ImportFrom):
-            names = [f"{node.module}.{alias.name}" for alias in node.names]
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
         elif isinstance(node, ast.Import):
-            names = [alias.name for alias in node.names]
-        yield from (name.split(".")[1] for name in names if name.startswith("hardcontact."))
+            yield from (alias.name for alias in node.names)
 
 
 def test_the_docstring_names_every_room():
@@ -34,4 +32,14 @@ def test_a_room_imports_from_those_before_it(room):
     modules = list((LIBRARY / room).glob("*.py")) or [LIBRARY / f"{room}.py"]
     before = set(ROOMS[: ROOMS.index(room) + 1])
     for path in modules:
-        assert set(imported(path)) <= before, path
+        names = [name.split(".") for name in imported(path)]
+        assert {name[1] for name in names if name[0] == "hardcontact"} <= before, path
+
+
+def test_one_module_alone_knows_snakemake():
+    paths = [
+        path.relative_to(LIBRARY).as_posix()
+        for path in LIBRARY.rglob("*.py")
+        if any(name.partition(".")[0] == "snakemake" for name in imported(path))
+    ]
+    assert paths == ["config/start.py"]

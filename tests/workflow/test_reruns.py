@@ -178,9 +178,16 @@ def test_the_modules_that_a_script_loads_are_inputs_of_its_jobs(graph):
         assert found == {frozenset(forked(load, *program))}, program
 
 
-def test_no_script_reads_the_configuration():
-    for path in (ROOT / "workflow/scripts").glob("*.py"):
-        assert not re.search(r"snakemake\.config|config\[|\.yaml['\"]", path.read_text()), path
+def test_every_rule_keeps_logs_and_benchmarks(graph, finished):
+    for kind, suffix in (("logs", "log"), ("benchmarks", "tsv")):
+        kept = {
+            path.relative_to(folder).with_suffix("").parts[0]
+            for folder in (finished / "results").glob(f"*/{kind}")
+            for path in folder.rglob(f"*.{suffix}")
+        }
+        rules = {next((name for name in LOOPED if rule.startswith(name)), rule)
+                 for rule in graph.rule.values()}  # fmt: skip
+        assert rules <= kept, kind
 
 
 # Nothing changed
