@@ -65,11 +65,13 @@ def test_the_band_is_computed_of_each_and_of_all_and_published():
 
 def test_edges_that_change_with_a_length_are_counted():
     data = scaling()
+    interval = data["exponent_interval"]
+    interval[:] = [-0.1, 0.1]
     assert scaling_facts(data)["verdict"] == "not_seen"
-    of_ncd = {"surface": "ncd"}
-    data["dependence"].loc[{"side": "large", "length": "radius", **of_ncd}] = "undecided"
-    assert scaling_facts(data)["verdict"] == "open"
-    data["dependence"].loc[{"side": "small", "length": "rho", **of_ncd}] = "partly"
+    for ends in ([-0.1, 1.2], [np.nan, np.nan]):
+        interval.loc[{"side": "large", "length": "radius", "surface": "ncd"}] = ends
+        assert scaling_facts(data)["verdict"] == "open"
+    interval.loc[{"side": "small", "length": "rho", "surface": "ncd"}] = [0.2, 0.6]
     facts = scaling_facts(data)
     assert facts["verdict"] == "changes"
     assert facts["counts"] == {"small": [0, 1, 0], "large": [0, 0, 0]}

@@ -7,10 +7,8 @@ from figure_inputs.building import bounded, named
 from hardcontact.insight.edge_scaling import (
     CLOSED_FORM,
     COMPUTED,
-    CONTACT,
     FORMULA,
     LENGTHS,
-    RANGE,
 )
 
 RADII, AREAS, RANGES = [5e3, 250e3, 1e6], [50.0, 400.0, 3200.0], [1.4, 5.6, 11.2]
@@ -34,26 +32,19 @@ def scaling() -> xr.Dataset:
         area=AREAS,
         rho=RANGES,
         length=list(LENGTHS),
-        cause=[CONTACT, RANGE],
         origin=[COMPUTED, FORMULA],
         prediction=[FORMULA, CLOSED_FORM],
         designed=DESIGNED,
     )
-    of_causes = np.array([[[0.0, 0.4, 0.9], [-0.1, 1.1, 0.4]], [[0.0, 0.5, 0.9], [0.0, 1.0, 0.5]]])
     data = data.assign(
         bounded("edge", CASES, edge, unit="nm")
         | bounded("exponent", ("side", "surface", "length"), exponent)
-        | bounded("cause_exponent", ("origin", "cause", "length"), of_causes)
     )
     return data.assign(
-        dependence=(("side", "surface", "length"), np.full(exponent.shape, "independent", "<U12")),
         formula_edge=(CASES, formula),
         local_exponent=(("origin", "length", *CASES), local),
         local_bound=(("length", *CASES), np.zeros(local.shape[1:], "int8")),
-        cause_steps=(("cause", "length"), np.arange(6).reshape(2, 3)),
-        cause_bounds=(("cause", "length"), np.ones((2, 3), int)),
         reach=np.sqrt(2 * data["radius"] * data["rho"]),
-        contact_area=(("side", "area"), [AREAS, AREAS]),
         over_range=("surface", [0.6, 3.2, 20.0, 23.0]),
         approach_level=("surface", [2.5, 3.2, 3.0, 3.0]),
         contact_over_rolloff=("surface", [0.03, 0.02, 0.01, 0.01]),

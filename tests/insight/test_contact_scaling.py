@@ -3,19 +3,29 @@
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 import xarray as xr
+from known_spectra import rough
 from scipy.special import erf
 
-from hardcontact.contact.contact import Contact
-from hardcontact.insight import edge_scaling as scaling
-from hardcontact.numbers.statistics import Sampling
+from hardcontact.contact.contact import Contact as ContactArray
+from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.insight.edge_scaling import (
+    CLOSED_FORM,
+    COMPUTED,
+    FORMULA,
+    among_regimes,
+    designed_edges,
+    edge_scaling,
+    local_exponents,
+)
+from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off, scaled_pull_off
 from hardcontact.surfaces.height_map import HeightMap
-from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
 
 CONTACTS = [
-    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
+    ContactArray(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
     for preload in (2.5e-6, 20e-6)
 ]
 FILTERS, COMBINATIONS = Filters("small", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
@@ -90,70 +100,101 @@ def curves(*exponents, scatter=0.0):
             "ratio": ratio.where(ratio["side"] == "large", 1.0),
             "unfiltered_wavelength": (("surface", "side"), [[5.0, 3e4]]),
             "contact_area": (("side", "area"), [AREAS, AREAS]),
-            "rms_height": ("surface", [17.0], {"units": "nm"}),
-            "roll_off": ("surface", [1000.0], {"units": "nm"}),
             "label": ("surface", ["A"]),
             "basis": ("surface", ["substitute"]),
         }
     ), edge
 
 
-@pytest.mark.parametrize(
-    ("exponents", "follows"),
-    [
-        ((1.0, 1.0, 0.0), ["proportional", "proportional", "independent"]),
-        ((0.0, 0.2, 0.9), ["independent", "partly", "partly"]),
-        ((0.0, 0.0, -0.8), ["independent", "independent", "falling"]),
-    ],
-)
-def test_exponents_are_those_of_a_known_power_law(exponents, follows):
+def edges(data, samples):
+    """Return the edges and exponents of ratios on a surface of which the spectrum is any."""
+    contact = Contact(250e3, 5.6, 1.0, 400.0)
+    return edge_scaling(data, {"a": rough(30.0)}, contact, 0.1, Sampling(1, samples, 0.95))
+
+
+@pytest.mark.parametrize("exponents", [(1.0, 1.0, 0.0), (0.0, 0.2, 0.9), (0.0, 0.0, -0.8)])
+def test_exponents_are_those_of_a_known_power_law(exponents):
     data, edge = curves(*exponents, scatter=0.02)
-    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 50, 0.95)).sel(side="large", surface="a")
+    computed = edges(data, 50).sel(side="large", surface="a")
     np.testing.assert_allclose(computed["edge"], edge.transpose("radius", "area", "rho"), rtol=0.03)
     np.testing.assert_allclose(computed["exponent"], exponents, atol=0.02)
-    ends = computed["exponent_interval"]
-    assert (ends[:, 0] <= computed["exponent"]).all() and (computed["exponent"] <= ends[:, 1]).all()
-    assert computed["dependence"].values.tolist() == follows
+    low, high = bounds(computed, "exponent")
+    assert (low <= computed["exponent"]).all() and (computed["exponent"] <= high).all()
 
 
 def test_open_edges_are_left_out_and_few_give_no_exponent():
     data, _ = curves(1.0, 1.0, 0.0)
-    computed = scaling.edge_scaling(data, 0.1, Sampling(1, 0, 0.95)).sel(side="small", surface="a")
-    assert computed["edge"].isnull().all()
-    assert computed["exponent"].isnull().all() and computed["edge_bound"].item() == CUTOFFS[-1]
-    assert set(computed["dependence"].values.ravel().tolist()) == {"undecided"}
+    computed = edges(data, 0).sel(side="small", surface="a")
+    assert computed["edge"].isnull().all() and computed["exponent"].isnull().all()
+    # Nothing is known between two open edges.
+    assert computed["local_exponent"].sel(origin=COMPUTED).isnull().all()
 
 
-def test_dependence_is_what_intervals_say():
-    cases = {
-        (0.1, 1.2): scaling.PROPORTIONAL,
-        (-0.2, 0.9): scaling.INDEPENDENT,
-        (0.27, 0.42): scaling.PARTLY,
-        (1.1, 1.4): scaling.STEEPER,
-        (-0.7, -0.1): scaling.FALLING,
-        (-0.1, 1.1): scaling.UNDECIDED,
-        (np.nan, np.nan): scaling.UNDECIDED,
-    }
-    low, high = zip(*cases, strict=True)
-    assert scaling.dependence(low, high).tolist() == list(cases.values())
-    assert set(cases.values()) == set(scaling.DEPENDENCE)
+SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
 
 
-def test_roll_off_is_where_an_octave_holds_most_of_the_heights():
-    density = np.maximum(WAVEVECTORS * 900 / (2 * np.pi), 1.0) ** -3.6
-    spectrum = Spectrum(WAVEVECTORS, density)
-    master_of = xr.Dataset(
-        {
-            "pull_off_force": ("cutoff_wavelength", [2.0]),
-            "unfiltered_pull_off_force": 1.0,
-            "unfiltered_wavelength": 10.0,
-            "contact_area": ("area", [400.0]),
-        },
-        {"cutoff_wavelength": [50.0], "area": [400.0]},
+def known_edges(opened=()):
+    """Return edges that are products of powers of all lengths, those of places without one open."""
+    edge = xr.concat([power_law(0.25, 0.5, 0.75), 30 * power_law(0.25, 0.5, 0.75)], "side")
+    edge = edge.assign_coords(side=["small", "large"]).transpose("side", "radius", "area", "rho")
+    for place in opened:
+        edge.loc[place] = np.nan
+    last = xr.DataArray([1000.0, 10.0], {"side": edge["side"]})
+    contact_area = xr.DataArray([AREAS, AREAS], {"side": edge["side"], "area": AREAS})
+    return edge, last, 2 * edge.fillna(1.0), contact_area
+
+
+def test_local_exponents_are_those_of_a_power_law():
+    local = local_exponents(*known_edges())["local_exponent"]
+    for length, expected in {"radius": 0.25, "rho": 0.5, "contact": 0.75}.items():
+        for origin in (COMPUTED, FORMULA):
+            values = local.sel(length=length, origin=origin)
+            assert np.nanmin(values) == pytest.approx(expected) == np.nanmax(values)
+    assert local.sel(length="contact").isel(area=0).isnull().all()
+
+
+def test_exponents_of_open_edges_are_bounds():
+    place = {"radius": 1e5, "rho": 5.6}
+    opened = [{"side": side, "area": 400.0} | place for side in ("small", "large")]
+    edge, *others = known_edges(opened)
+    local = local_exponents(edge, *others).sel(place).sel(length="contact")
+    # A short edge beyond the last cutoff rises at least, an open long one at most so much.
+    assert local["local_bound"].sel(side="small").values.tolist() == [0, 1, -1]
+    assert local["local_bound"].sel(side="large").values.tolist() == [0, -1, 1]
+    start = edge.sel(place).sel(side="small", area=50.0).item()
+    rise = local["local_exponent"].sel(side="small", origin=COMPUTED, area=400.0).item()
+    assert rise == pytest.approx(2 * np.log(1000.0 / start) / np.log(8.0))
+
+
+def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
+    contact = Contact(250e3, 5.6, 1.0, 400.0)
+    place, form = (
+        among_regimes(SPECTRA, contact).sel(surface="b"),
+        closed_form(SPECTRA["b"], contact),
     )
-    named = {"labels": {"a": "A"}, "basis": {"a": "measured"}}
-    stacked = scaling.stacked_scaling({("a", 1, "small"): master_of}, {"a": spectrum}, named)
+    assert place["over_range"].item() == pytest.approx(form.rms_height / 5.6)
+    level = form.closest_approach / form.rms_height
+    assert place["approach_level"].item() == pytest.approx(level)
     # The table has forty points a decade.
-    assert stacked["roll_off"].item() == pytest.approx(900, rel=0.06)
-    assert stacked["ratio"].item() == 2.0
-    assert stacked["label"].item() == "A" and stacked["basis"].item() == "measured"
+    roll_off = 20.0 / place["contact_over_rolloff"].item()
+    assert roll_off == pytest.approx(2500, rel=0.5)
+
+
+def test_designed_surfaces_have_their_errors_and_spectra_without_edges_have_none():
+    computed = pd.DataFrame({
+        "surface": [0, 1], "held_back": [0, 1], "short_edge": [20.0, 30.0], "long_edge": [1e3, 2e3],
+        "short_edge_is": ["found", "at most"], "long_edge_is": ["at least", "found"],
+        "predicted_short_edge": [10.0, 10.0], "predicted_long_edge": [1e3, 1e3],
+    })  # fmt: skip
+    formulas = pd.DataFrame({
+        "surface": ["0", "1", "crn"], "over_range": [1.0, 5.0, 9.0], "level": [3.0, 2.0, 1.0],
+        "contact_over_rolloff": 0.01, "short_edge": [40.0, 30.0, 50.0], "long_edge": 1e3,
+    })  # fmt: skip
+    found = designed_edges(computed, formulas)
+    errors = found["designed_error"]
+    assert errors.sel(prediction=FORMULA, side="small").values.tolist()[:2] == [0.5, 1.0]
+    assert errors.sel(prediction=CLOSED_FORM, side="large").values.tolist()[:2] == [1.0, 2.0]
+    assert errors.sel(designed="crn").isnull().all()
+    assert found["designed_bound"].values.tolist() == [[0, -1, 0], [1, 0, 0]]
+    assert found["held_back"].values.tolist() == [0, 1, 0]
+    assert found["designed_level"].values.tolist() == [3.0, 2.0, 1.0]

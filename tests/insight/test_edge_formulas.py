@@ -8,6 +8,7 @@ import pandas as pd
 import pytest
 from known_spectra import rough, rounded
 from repository import ROOT
+from scipy import special
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
@@ -35,14 +36,19 @@ def test_level_is_the_inverse_of_the_height_above_it():
         assert formulas.height_above(level) == pytest.approx(mean, rel=0.02)
 
 
+def level_of_gap(gap):
+    """Return the level t at which a flattened surface leaves a mean gap, in rms heights."""
+    levels = np.linspace(-12, 6, 2000)
+    return np.interp(gap, formulas.height_above(-levels), levels)
+
+
 def test_the_mean_gap_is_that_of_a_flattened_surface():
-    heights = generator(1, "flattened").standard_normal(400_000)
+    heights, places = generator(1, "flattened").standard_normal(400_000), [100, 200, 250]
     waves = rough_waves(rough(4.0), 250e3)
-    known = formulas.scales(waves, 250e3, 400.0)
-    for place in (100, 200, 250):
-        sigma, level = np.sqrt(known.variance[place]), known.level[place]
-        gap = sigma * np.maximum(level - heights, 0).mean()
-        assert known.gap[place] == pytest.approx(gap, rel=0.02, abs=1e-3 * sigma)
+    _, variance, gap = formulas.gaps_on_summits(waves, 250e3, 400.0)
+    for sigma, mean_gap in zip(np.sqrt(variance[places]), gap[places], strict=True):
+        flattened = sigma * np.maximum(level_of_gap(mean_gap / sigma) - heights, 0).mean()
+        assert mean_gap == pytest.approx(flattened, rel=0.02, abs=1e-3 * sigma)
 
 
 def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
@@ -94,28 +100,24 @@ def test_mean_curvature_of_summits_is_that_of_random_surfaces():
 
 
 @pytest.mark.parametrize("area", [30.0, 300.0, 6000.0])
-def test_exponents_of_the_short_edge_are_its_derivatives(area):
-    spectrum = rough(60.0, 20e3, HURST, shortest=0.5)
-    contact, step = Contact(5e9, 1.0, 1.0, area), 0.4
-    edge = formulas.formula_edges(spectrum, contact, 0.1)
-    by_range, by_area = formulas.short_edge_exponents(edge.level, HURST)
-    assert HURST / 2 * by_range + by_area == pytest.approx(1)
-    for name, expected in (("rho", by_range), ("area", by_area)):
-        ends = [
+def test_exponents_of_the_short_edge_are_those_of_the_theory(area):
+    """Against sqrt(rho) 2/(H + 2e), against sqrt(A) 2e/(H + 2e), e = (h - t) Phi/(t + L)."""
+    spectrum, contact = rough(60.0, 20e3, HURST, shortest=0.5), Contact(5e9, 1.0, 1.0, area)
+    edge, step = formulas.formula_edges(spectrum, contact, 0.1).short, 0.4
+    waves = rough_waves(spectrum, contact.radius)
+    wavelength, variance, gap = formulas.gaps_on_summits(waves, contact.radius, area)
+    level = np.interp(np.log(edge), np.log(wavelength), level_of_gap(gap / np.sqrt(variance)))
+    flattened = (formulas.hazard(level) - level) * special.ndtr(level)
+    e = flattened / formulas.height_above(-level)
+    for name, expected in (("rho", 2 / (HURST + 2 * e)), ("area", 2 * e / (HURST + 2 * e))):
+        short = [
             formulas.formula_edges(
                 spectrum, replace(contact, **{name: getattr(contact, name) * factor}), 0.1
             ).short
             for factor in (np.exp(-step), np.exp(step))
         ]
         # Of d ln sqrt(x), twice that of ln x.
-        assert np.log(ends[1] / ends[0]) / step == pytest.approx(expected, abs=0.07)
-
-
-def test_contact_or_range_sets_the_short_edge_in_their_limits():
-    assert formulas.short_edge_exponents(-8.0, HURST) == pytest.approx((0, 1), abs=0.04)
-    assert formulas.short_edge_exponents(8.0, HURST) == pytest.approx((2 / HURST, 0), abs=0.1)
-    equal = 2 / (HURST + 2)
-    assert formulas.short_edge_exponents(0.0, HURST) == pytest.approx((equal, equal))
+        assert np.log(short[1] / short[0]) / step == pytest.approx(expected, abs=0.07)
 
 
 def test_the_table_has_the_edges_of_the_formulas_and_they_hold_out_of_sample():

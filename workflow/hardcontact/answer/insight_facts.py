@@ -29,9 +29,7 @@ from hardcontact.insight.edge_scaling import (
     CLOSED_FORM,
     COMPUTED,
     FORMULA,
-    INDEPENDENT,
     LENGTHS,
-    UNDECIDED,
 )
 from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import is_boundless
@@ -71,8 +69,10 @@ def _band_edges(of_group: xr.Dataset) -> Cells:
 
 def scaling_facts(scaling: xr.Dataset) -> dict[str, Any]:
     """Return local exponents of both edges, and how far the formulas are off."""
-    changes = ~scaling["dependence"].isin([INDEPENDENT, UNDECIDED])
-    undecided = (scaling["dependence"] == UNDECIDED).any()
+    low, high = bounds(scaling, "exponent")
+    changes = (low > 0) | (high < 0)
+    # An interval that holds 1 as well as 0 does not decide.
+    undecided = (~((low <= 0) & (high < 1)) & ~changes).any()
     return {
         "verdict": "changes" if changes.any() else "open" if undecided else "not_seen",
         "counts": {
