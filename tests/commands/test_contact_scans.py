@@ -3,7 +3,7 @@
 from own_entries import entry, probe
 from refusals import assert_says, refusal
 
-from hardcontact.commands.proposed_contact import contact_scans, draw_sizes
+from hardcontact.commands.contact_scans import contact_scans, draw_sizes
 from hardcontact.surfaces.reliable_band import ReliableBand
 
 RADIUS, RHO = 250e3, 5.6

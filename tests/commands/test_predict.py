@@ -13,7 +13,7 @@ from random_scans import PIXEL
 from refusals import assert_says, refusal
 
 from hardcontact.commands import new
-from hardcontact.commands.predict import LIKELY, predict, predict_arguments
+from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
 from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.prediction import coordinates, nearest_errors, rough_part
@@ -23,6 +23,8 @@ from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import CALIBRATION, isotropic_from_profile
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
 
+#: How an interval is told.
+LIKELY = "of ten surfaces like this nine lie between"
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 
 

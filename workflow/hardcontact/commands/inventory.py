@@ -4,7 +4,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from pathlib import PurePath
-from typing import NamedTuple
 
 import numpy as np
 
@@ -20,37 +19,35 @@ from hardcontact.surfaces.spectrum import Floats
 
 #: The use of scans that only enter the spectrum of their surface.
 SPECTRUM = "spectrum"
-#: How undefined pixels are filled, so that what a file holds can be told.
+#: How undefined pixels are filled, so that the file can be described.
 FILLING = "harmonic"
+#: Columns of the table that is printed.
+COLUMNS = (
+    "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms", "peak to valley",
+    "tip radius", "reliable", "used for",
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
 class Entry:
-    """One topography: what its file says of it, and what was measured on it.
-
-    Pixels are along an edge of a map, or points of a line scan. Heights in nm are levelled, of the
-    sphere less its paraboloid, but `relief` is the largest difference levelled or not. The density
-    (bins,) is C_iso in nm⁴. A tip radius (nm) that nothing states is None; `tip_given` says that
-    the user gave it, as the file does not state it. Undefined pixels were filled, and notes say
-    in words what was done in reading.
-    """
+    """One topography: what its file says of it, and what was measured on it; lengths in nm."""
 
     source: Source
     dataset: str
     channel: str
     file_unit: str
     kind: str
-    pixels: int
+    pixels: int  #: along an edge of a map, or points of a line scan
     pixel_size: float
-    rms_height: float
-    peak_to_valley: float
-    relief: float
+    rms_height: float  #: levelled, of the sphere without its paraboloid
+    peak_to_valley: float  #: the same
+    relief: float  #: the largest difference in height, levelled or not
     tip_radius: float | None
-    tip_given: bool
+    tip_given: bool  #: by the user, as the file does not state it
     band: ReliableBand
-    density: Floats
-    undefined: int
-    notes: tuple[str, ...]
+    density: Floats  #: C_iso (bins,) in nm⁴
+    undefined: int  #: pixels, which were filled
+    notes: tuple[str, ...]  #: what was done in reading
 
     @property
     def undefined_share(self) -> float:
@@ -68,84 +65,87 @@ class Entry:
         return Grid(self.pixels, self.pixel_size, self.size, self.relief)
 
     @property
+    def is_blind(self) -> bool:
+        """Whether no wavelength is reliable."""
+        return self.band.shortest > self.band.longest
+
+    @property
     def name(self) -> str:
         """The file, without its folder, and of a container the data file in it."""
         file = PurePath(self.source.path).name
         return f"{file}/{self.dataset}" if self.dataset else file
 
 
-class Found(NamedTuple):
-    """What files hold: entries in their order, and what cannot be used, a line each.
-
-    Unreadable are members of containers beside others that can be used; problems are whole files.
-    """
-
-    entries: list[Entry]
-    unreadable: list[str]
-    problems: list[str]
-
-
 def inventory(
-    sources: Sequence[Source],
-    tip_radius: float | None,
-    channel: str = "",
-    unit: str = "none",
-) -> Found:
-    """Read all topographies of files, containers with all of theirs.
+    sources: Sequence[Source], tip_radius: float | None, channel: str = "", unit: str = "none"
+) -> tuple[list[Entry], list[str], list[str]]:
+    """Read all topographies of files, of containers all members.
 
-    A tip radius (nm) is that of scans whose files do not state it, None if it is not known; so is
-    the unit of length, "none" if it is not. A channel is read of every file that is no container. A
-    member of a container that cannot be used stops nothing: it cannot be taken out by hand.
+    Returns the entries, a line for each member of a container that cannot be used beside others
+    that can, and a line for each problem. Tip radius (nm) and unit are of files that do not state
+    them; the channel is of files that are no containers.
     """
-    found = Found([], [], [])
+    entries: list[Entry] = []
+    unreadable: list[str] = []
+    problems: list[str] = []
     for source in sources:
-        entries, refusals = [], []
+        file_entries = []
+        faults = []
         try:
             for dataset in list_measurements(source.file):
                 try:
-                    entries.append(_entry(source, dataset or channel, tip_radius, unit))
+                    file_entries.append(_entry(source, dataset or channel, tip_radius, unit))
                 except ValueError as error:
                     file = f"{source.file}: "
-                    refusals += [
+                    faults += [
                         f"{file}{dataset}: {line.removeprefix(file)}" if dataset else line
                         for line in str(error).splitlines()
                     ]
         except ValueError as error:
-            refusals += str(error).splitlines()
-        found.entries.extend(entries)
-        (found.unreadable if entries else found.problems).extend(refusals)
-    found.problems.extend(_twins(found.entries))
-    return found
+            faults += str(error).splitlines()
+        entries += file_entries
+        # A member that cannot be used stops nothing: the user cannot take it out.
+        (unreadable if file_entries else problems).extend(faults)
+    # A scan that counts twice makes intervals too narrow. Formats round differently: twins have the
+    # same pixels, and size and roughness that agree within 1e-4.
+    for first, second in combinations(entries, 2):
+        alike = all(
+            getattr(first, name) == getattr(second, name) for name in ("kind", "pixels")
+        ) and np.allclose(
+            (first.size, first.rms_height, first.peak_to_valley),
+            (second.size, second.rms_height, second.peak_to_valley),
+            rtol=1e-4,
+            atol=0,
+        )
+        if alike and first.source.surface == second.source.surface:
+            problems.append(
+                f"{second.name}: expected each scan once, found that of {first.name} again"
+            )
+    return entries, unreadable, problems
 
 
-def _twins(entries: Sequence[Entry]) -> Iterator[str]:
-    """Yield a line for each topography that stands among those of its surface before.
-
-    A scan that counts twice makes intervals too narrow. Formats round differently: twins have the
-    same pixels, and size and roughness that agree within 1e-4.
-    """
-    for one, other in combinations(entries, 2):
-        pair = (one, other)
-        alike = len({(scan.source.surface, scan.kind, scan.pixels) for scan in pair}) == 1
-        first, second = ((scan.size, scan.rms_height, scan.peak_to_valley) for scan in pair)
-        if alike and np.allclose(first, second, rtol=1e-4, atol=0):
-            yield f"{other.name}: expected each scan once, found that of {one.name} again"
+def by_surface(entries: Sequence[Entry]) -> dict[str, list[Entry]]:
+    """Return the entries of each surface, in their order."""
+    surfaces: dict[str, list[Entry]] = {}
+    for entry in entries:
+        surfaces.setdefault(entry.source.surface, []).append(entry)
+    return surfaces
 
 
 def contradicting(entries: Sequence[Entry]) -> Iterator[str]:
     """Yield a line for each surface whose scans contradict each other."""
-    for surface in dict.fromkeys(entry.source.surface for entry in entries):
-        scans = [entry for entry in entries if entry.source.surface == surface]
-        found = contradictions(
+    for scans in by_surface(entries).values():
+        differences = contradictions(
             np.array([scan.density for scan in scans]),
             [scan.band.bins for scan in scans],
             [scan.kind for scan in scans],
             [scan.size for scan in scans],
         )
-        yield from told_contradictions(found, [scan.name for scan in scans])
+        yield from told_contradictions(differences, [scan.name for scan in scans])
 
 
 def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) -> Entry:
+    """Return the entry of one topography; raise ValueError if it cannot be used."""
     measurement = read_measurement(source.file, dataset, FILLING, unit)
     relief = np.ptp(measurement.heights)
     if relief == 0:
@@ -179,45 +179,36 @@ def _entry(source: Source, dataset: str, tip_radius: float | None, unit: str) ->
 
 
 def printed_table(entries: Sequence[Entry], uses: Sequence[str]) -> str:
-    """Return a table of what was found, and used for what, as text with the notes below it.
-
-    Notes say what was done in reading, and what ends the reliable wavelengths other than pixels.
-    """
-    columns = (
-        "", "surface", "file", "channel", "kind", "size", "pixels", "unit", "rms",
-        "peak to valley", "tip radius", "reliable", "used for",
-    )  # fmt: skip
-    cells = [_cells(entry, use) for entry, use in zip(entries, uses, strict=True)]
-    rows = [columns, *((str(number), *row) for number, row in enumerate(cells, 1))]
+    """Return a table of what was found and what it is used for, with notes on reading below."""
+    rows = [COLUMNS]
+    notes = []
+    for number, (entry, use) in enumerate(zip(entries, uses, strict=True), 1):
+        is_map, tip, band = entry.kind == "map", entry.tip_radius, entry.band
+        rows.append(
+            (
+                str(number),
+                entry.source.label,
+                entry.name,
+                entry.channel,
+                "height map" if is_map else "line scan",
+                print_length(entry.size),
+                f"{entry.pixels} x {entry.pixels}" if is_map else str(entry.pixels),
+                entry.file_unit,
+                print_length(entry.rms_height),
+                print_length(entry.peak_to_valley),
+                "unknown" if tip is None else print_length(tip),
+                "none"
+                if entry.is_blind
+                else f"{print_length(band.shortest)} to {print_length(band.longest)}",
+                use,
+            )
+        )
+        notes += [f"{number}: {note}" for note in entry.notes]
+        if band.limited_by != "pixels":
+            limit = LIMITS[band.limited_by]
+            notes.append(f"{number}: shorter wavelengths are not reliable: {limit}")
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = ["  ".join(map(str.ljust, row, widths)).rstrip() for row in rows]
-    for number, entry in enumerate(entries, 1):
-        lines += [f"{number}: {note}" for note in entry.notes]
-        if entry.band.limited_by != "pixels":
-            limit = LIMITS[entry.band.limited_by]
-            lines.append(f"{number}: what is shorter is not reliable: {limit}")
-    return "\n".join(lines)
-
-
-def _cells(entry: Entry, use: str) -> tuple[str, ...]:
-    edge = f"{entry.pixels} x {entry.pixels}" if entry.kind == "map" else str(entry.pixels)
-    tip = "unknown" if entry.tip_radius is None else print_length(entry.tip_radius)
-    shortest, longest = entry.band.shortest, entry.band.longest
-    reliable = f"{print_length(shortest)} to {print_length(longest)}"
-    return (
-        entry.source.label,
-        entry.name,
-        entry.channel,
-        "height map" if entry.kind == "map" else "line scan",
-        print_length(entry.size),
-        edge,
-        entry.file_unit,
-        print_length(entry.rms_height),
-        print_length(entry.peak_to_valley),
-        tip,
-        reliable if shortest <= longest else "none",
-        use,
-    )
+    return "\n".join([*("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows), *notes])
 
 
 def table_rows(
@@ -225,24 +216,22 @@ def table_rows(
 ) -> list[dict[str, str]]:
     """Return the rows of the table of surfaces by column; scans that make contacts come first.
 
-    Surface by surface in the order of the entries. The tip radius is a quantity that the user gave
-    for scans whose files state none, or nothing.
+    The tip radius is the quantity that the user gave for files that state none, or empty.
     """
     in_contact = {id(entry) for entry in contact}
-    rows = []
-    for surface in dict.fromkeys(entry.source.surface for entry in entries):
-        of_it = [entry for entry in entries if entry.source.surface == surface]
-        of_it.sort(key=lambda entry: id(entry) not in in_contact)
-        for number, entry in enumerate(of_it, 1):
-            row = {
-                "surface": surface,
-                "label": entry.source.label,
-                "scan": str(number),
-                "source": "measured",
-                "path": entry.source.path,
-                "dataset": entry.dataset,
-                "use": CONTACT if id(entry) in in_contact else SPECTRUM,
-                "tip_radius": tip_radius if entry.tip_given else "",
-            }
-            rows.append(row)
-    return rows
+    return [
+        {
+            "surface": surface,
+            "label": entry.source.label,
+            "scan": str(number),
+            "source": "measured",
+            "path": entry.source.path,
+            "dataset": entry.dataset,
+            "use": CONTACT if id(entry) in in_contact else SPECTRUM,
+            "tip_radius": tip_radius if entry.tip_given else "",
+        }
+        for surface, scans in by_surface(entries).items()
+        for number, entry in enumerate(
+            sorted(scans, key=lambda scan: id(scan) not in in_contact), 1
+        )
+    ]

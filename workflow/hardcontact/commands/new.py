@@ -1,7 +1,7 @@
 """The command `hardcontact new`: from files of scans to a study of own surfaces.
 
-It reads the files, tells what they hold, chooses what is computed and writes an overlay and a table
-of surfaces. All problems are told at once, a line each, and then nothing is written.
+It reads the files, prints what they hold, chooses what to compute and writes an overlay and a table
+of surfaces. It prints one line per problem, all at once, and then writes nothing.
 """
 
 import sys
@@ -18,7 +18,7 @@ import yaml
 from hardcontact.commands.inventory import (
     SPECTRUM,
     Entry,
-    Found,
+    by_surface,
     inventory,
     printed_table,
     table_rows,
@@ -39,10 +39,9 @@ from hardcontact.commands.request import (
 )
 from hardcontact.config.configuration import read_yaml
 from hardcontact.config.faults import refuse_all, refuse_lines, validated
-from hardcontact.config.grids import Grid
 from hardcontact.config.limits import check_grids
 from hardcontact.config.model import NONE, SMOOTH, configuration
-from hardcontact.config.selection import CONTACT, LABEL, SurfaceRow
+from hardcontact.config.selection import CONTACT, SurfaceRow
 from hardcontact.config.tables import measured_forces
 from hardcontact.contact.contact import Contact
 from hardcontact.records.whole_file import whole_file
@@ -79,76 +78,65 @@ def main() -> int:
 def new_study(arguments: Namespace) -> str:
     """Write the files of a study of own surfaces; return what was found, chosen and written.
 
-    All problems are a ValueError, a line each; then nothing is written.
+    Raises ValueError with a line for each problem; then nothing is written.
     """
     refuse_another_clone(Path.cwd())
-    given, option_faults = options(arguments)
-    files, file_faults = sources(arguments, given["radius"].number)
-    tip = given["tip"].text if "tip" in given else ""
-    radius = given["tip"].number if tip else None
-    found = inventory(files, radius, arguments.channel, arguments.unit)
-    faults = [*option_faults, *file_faults, *found.problems]
-    surfaces = list(dict.fromkeys(file.surface for file in files if file.surface != SPHERE))
+    quantities, faults = options(arguments)
+    files, file_faults = sources(arguments, quantities["radius"].number)
+    tip = quantities.get("tip")
+    tip_text = tip.text if tip else ""
+    entries, unreadable, problems = inventory(
+        files, tip.number if tip else None, arguments.channel, arguments.unit
+    )
+    faults += [*file_faults, *problems]
     checks: list[Callable[[], Any]] = [
-        partial(refuse_lines, [*name_faults(arguments.name, arguments.overwrite), *faults]),
-        *_checks(arguments, table_rows(found.entries, [], tip), surfaces),
+        partial(refuse_lines, [*name_faults(arguments), *faults]),
+        *_checks(arguments, table_rows(entries, [], tip_text), [file.surface for file in files]),
     ]
-    if not faults:  # Else problems would be told that are none once these are mended.
-        checks.append(partial(_plan, arguments, given, found.entries))
+    if not faults:  # Otherwise problems would be reported that vanish once these are mended.
+        checks.append(partial(_plan, arguments, quantities, entries))
     *_, (proposal, choices, quick) = refuse_all(checks)
     overlay, table = f"config/{arguments.name}.yaml", f"config/{arguments.name}.tsv"
     run = f"snakemake --configfile {overlay}"
     head = ["Written by `hardcontact new`; config/README.md explains every key.", run]
-    text = table_text(table_rows(found.entries, proposal.contact, tip))
-    write_files({ROOT / overlay: overlay_text(head, choices, quick), ROOT / table: text})
-    told = [
-        *_told(found, proposal, choices),
+    rows = table_rows(entries, proposal.contact, tip_text)
+    write_files(
+        {ROOT / overlay: overlay_text(head, choices, quick), ROOT / table: table_text(rows)}
+    )
+    report = [
+        *_report_lines(entries, unreadable, proposal, choices),
         f"\nWritten: {overlay}, {table}. Now run, in {ROOT}:",
         f"{run} --config effort=quick   # a first answer",
         run,
     ]
-    return "\n".join(told)
+    return "\n".join(report)
 
 
 def _checks(
     arguments: Namespace, rows: Sequence[Mapping[str, str]], surfaces: Sequence[str]
 ) -> Iterator[Callable[[], object]]:
-    """Yield the checks of labels, which figures must have, of cells of the table, of own forces."""
-    labels = [("--surface", text) for text, *_ in arguments.surface]
-    if arguments.files and not list(name_faults(arguments.name, True)):
-        labels.append(("NAME", arguments.name))  # The name of a study is one if files follow it.
-    for option, text in labels:
-        yield partial(_check_label, option, text)
+    """Yield the checks of cells of the table and of own forces."""
     for row in rows:  # The label of a surface is refused by itself, not with each of its files.
-        labelled = {**row, "label": row["surface"]}
-        yield partial(validated, SurfaceRow, labelled, f"{row['path']!r}: ")
+        cells = {**row, "label": row["surface"]}
+        yield partial(validated, SurfaceRow, cells, f"{row['path']!r}: ")
     if arguments.forces is not None:
-        yield partial(measured_forces, arguments.forces, surfaces, "--forces")
-
-
-def _check_label(option: str, text: str) -> None:
-    try:
-        LABEL.check(text)
-    except ValueError as error:
-        raise ValueError(f"{option}: label: {error}") from None
+        substrates = [surface for surface in dict.fromkeys(surfaces) if surface != SPHERE]
+        yield partial(measured_forces, arguments.forces, substrates, "--forces")
 
 
 def _plan(
-    arguments: Namespace, given: Mapping[str, Option], entries: Sequence[Entry]
+    arguments: Namespace, quantities: Mapping[str, Option], entries: Sequence[Entry]
 ) -> tuple[Proposal, list[Choice], list[Choice]]:
-    """Return what is computed, all keys of the overlay and those that count at quick effort.
+    """Return the proposal, all keys of the overlay and those that count at quick effort.
 
-    What the study would refuse of these scans at either effort is refused.
+    Raises ValueError if the study would refuse these scans at either effort.
     """
     probe = Contact(
-        radius=given["radius"].number,
-        preload=given["preload"].number,
-        hardness=given["hardness"].number,
-        range=given["range"].number,
+        **{name: quantities[name].number for name in ("radius", "preload", "hardness", "range")}
     )
     sphere = SPHERE if arguments.sphere else None
-    proposal = propose(entries, sphere, probe, given["range"].given)
-    choices = [*_named_choices(arguments, given), *proposal.choices]
+    proposal = propose(entries, sphere, probe, quantities["range"].given)
+    choices = [*_named_choices(arguments, quantities), *proposal.choices]
     order = list(nested(choices, {}))
     choices.sort(key=lambda choice: order.index(choice.key.split(".")[0]))
     quick_name = arguments.name + QUICK_NAME
@@ -158,22 +146,21 @@ def _plan(
         Choice("store", f"results/store-{quick_name}", ""),
         *proposal.quick,
     ]
-    grids: dict[str, Grid] = {}
-    for entry in proposal.contact:
-        first = grids.setdefault(entry.source.surface, entry.grid)
-        relief = max(first.relief, entry.relief)
-        grids[entry.source.surface] = first._replace(relief=relief)
-    base = read_yaml("config/config.yaml")
+    grids = {
+        surface: scans[0].grid._replace(relief=max(scan.relief for scan in scans))
+        for surface, scans in by_surface(proposal.contact).items()
+    }
+    paper = read_yaml("config/config.yaml")
     for keys in (choices, [*choices, *quick]):
-        # What is wrong with keys that follow from the name is told of the name.
+        # Faults of keys that follow from the name are those of the name.
         others = [choice for choice in keys if choice.key not in ("study", "store")]
-        check_grids(configuration(nested(others, base)), grids)
+        check_grids(configuration(nested(others, paper)), grids)
     refuse_unreliable(entries)
     return proposal, choices, quick
 
 
-def _named_choices(arguments: Namespace, given: Mapping[str, Option]) -> Iterator[Choice]:
-    """Yield the keys that do not depend on what is in the scans."""
+def _named_choices(arguments: Namespace, quantities: Mapping[str, Option]) -> Iterator[Choice]:
+    """Yield the keys that do not depend on the scans."""
     name = arguments.name
     yield Choice("study", name, f"results go to results/{name}/")
     yield Choice("store", f"results/store-{name}", "intermediates")
@@ -187,45 +174,49 @@ def _named_choices(arguments: Namespace, given: Mapping[str, Option]) -> Iterato
     yield Choice("sphere.surface", surface, reason)
     for option, (key, meaning) in QUANTITIES.items():
         if option != "range":  # which the scans may not permit
-            source = "as given" if given[option].given else f"the paper's; --{option} changes it"
-            yield Choice(key, given[option].text, f"{meaning}: {source}")
+            quantity = quantities[option]
+            origin = "as given" if quantity.given else f"the paper's; --{option} changes it"
+            yield Choice(key, quantity.text, f"{meaning}: {origin}")
 
 
-def _told(found: Found, proposal: Proposal, choices: Sequence[Choice]) -> Iterator[str]:
-    """Yield the lines that tell what was found and chosen."""
+def _report_lines(
+    entries: Sequence[Entry], unreadable: list[str], proposal: Proposal, choices: Sequence[Choice]
+) -> Iterator[str]:
+    """Yield the lines that say what was found and chosen."""
     contact = {id(entry) for entry in proposal.contact}
-    uses = [CONTACT if id(entry) in contact else SPECTRUM for entry in found.entries]
     yield "Found:"
-    yield printed_table(found.entries, uses)
-    labels = {entry.source.surface: entry.source.label for entry in found.entries}
-    spelled = [f"{name} is {label}" for name, label in labels.items() if name != label]
-    if spelled:
-        yield f"\nIn tables, own forces and paths: {', '.join(spelled)}"
-    if found.unreadable:
+    yield printed_table(
+        entries, [CONTACT if id(entry) in contact else SPECTRUM for entry in entries]
+    )
+    labels = {entry.source.surface: entry.source.label for entry in entries}
+    renamed = [f"{surface} is {label}" for surface, label in labels.items() if surface != label]
+    if renamed:
+        yield f"\nIn tables, own forces and paths: {', '.join(renamed)}"
+    if unreadable:
         yield "\nLeft out:"
-        yield from found.unreadable
+        yield from unreadable
     yield "\nContacts are made on:"
     yield from proposal.reasons
     yield "\nChosen:"
     for key, value, reason in choices:
-        shown = (
-            f"{len(value)} values, {value[0]} to {value[-1]}" if isinstance(value, list) else value
-        )
-        yield f"{key}: {shown}" + (f" ({reason})" if reason else "")
+        if isinstance(value, list):
+            value = f"{len(value)} values, {value[0]} to {value[-1]}"
+        yield f"{key}: {value}" + (f" ({reason})" if reason else "")
     if proposal.cautions:
         yield "\nTake care:"
         yield from (f"- {caution}" for caution in proposal.cautions)
 
 
 def nested(choices: Sequence[Choice], base: Mapping[str, Any]) -> dict[str, Any]:
-    """Return a configuration with the values of choices, the last of several, for its own."""
+    """Return a copy of a configuration with the values of choices, of several the last."""
     config = dict(base)
     for key, value, _ in choices:
-        *branch, last = key.split(".")
-        place = config
-        for part in branch:
-            place[part] = place = dict(place.get(part, {}))
-        place[last] = value
+        *sections, name = key.split(".")
+        section = config
+        for part in sections:
+            section[part] = dict(section.get(part, {}))
+            section = section[part]
+        section[name] = value
     return config
 
 
@@ -235,9 +226,9 @@ def overlay_text(head: Sequence[str], choices: Sequence[Choice], quick: Sequence
     Below the lines of a head stand the keys of the study, and those that count with `effort:
     quick`. Choices of one section follow each other.
     """
-    of_quick = [choice._replace(key=f"quick.{choice.key}") for choice in quick]
+    quick_keys = [choice._replace(key=f"quick.{choice.key}") for choice in quick]
     lines = [*(f"# {line}" for line in head), "", *_keys(choices)]
-    lines += ["", "# With --config effort=quick these replace those above.", *_keys(of_quick)]
+    lines += ["", "# With --config effort=quick these replace those above.", *_keys(quick_keys)]
     return "\n".join(lines) + "\n"
 
 
@@ -245,12 +236,12 @@ def _keys(choices: Sequence[Choice]) -> Iterator[str]:
     """Yield the lines of choices below those of their sections."""
     above: list[str] = []
     for key, value, reason in choices:
-        *branch, name = key.split(".")
-        for depth, section in enumerate(branch):
-            if above[: depth + 1] != branch[: depth + 1]:
+        *sections, name = key.split(".")
+        for depth, section in enumerate(sections):
+            if above[: depth + 1] != sections[: depth + 1]:
                 yield f"{depth * '  '}{section}:"
-        above = branch
-        yield from _commented(len(branch) * "  ", name, value, reason)
+        above = sections
+        yield from _commented(len(sections) * "  ", name, value, reason)
 
 
 def _commented(indent: str, name: str, value: object, reason: str) -> list[str]:

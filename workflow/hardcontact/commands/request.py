@@ -9,7 +9,7 @@ from typing import NamedTuple, get_args
 
 from hardcontact.config.configuration import at, read_yaml
 from hardcontact.config.model import STUDY_NAME, ScanKeys, quantity
-from hardcontact.config.selection import TIP_RADIUS
+from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.records.code import LIBRARY
 
 #: The top folder, whose paths studies are named relative to.
@@ -18,7 +18,7 @@ ROOT = LIBRARY.parents[1]
 SPHERE = "sphere"
 #: Names of studies whose files or results are the project's own.
 TAKEN = ("config", "paper", "quick", "surfaces")
-#: What a study of the quick effort is called beside another.
+#: What is added to the name of a study at quick effort.
 QUICK_NAME = "-quick"
 #: Options that are quantities: the key of the configuration, and their meaning.
 QUANTITIES = {
@@ -44,7 +44,7 @@ Several surfaces, each with its label and its files:
 
 
 class Option(NamedTuple):
-    """A quantity as it is written and in the unit of the study; given, or else the paper's."""
+    """A quantity as it is written and as a number; from the user, or else the paper's."""
 
     text: str
     number: float
@@ -53,20 +53,17 @@ class Option(NamedTuple):
 
 
 class Source(NamedTuple):
-    """A file of a surface: its id and its name, where it is read, as it stands in the table.
-
-    The radius of the sphere, in nm, is known of its own files alone.
-    """
+    """A file of a surface: the surface's id and label, where to read it, its path in the table."""
 
     surface: str
     label: str
     file: str
     path: str
-    sphere_radius: float | None = None
+    sphere_radius: float | None = None  #: in nm, of scans of the sphere
 
 
 def parsed(arguments: Sequence[str]) -> Namespace:
-    """Return a command line, less the program's name, taken apart; a wrong one ends the program."""
+    """Return the parsed command line, without the program's name; a wrong one ends the program."""
     parser = ArgumentParser(
         "hardcontact", description=DESCRIPTION, formatter_class=RawDescriptionHelpFormatter
     )
@@ -87,37 +84,29 @@ def parsed(arguments: Sequence[str]) -> Namespace:
         "--sphere", nargs="+", default=[], metavar="FILE",
         help="scans of the sphere where it touches; without them it is smooth",
     )  # fmt: skip
-    add_quantities(parser)
-    add_reading(parser)
+    add_shared(parser)
     parser.add_argument(
-        "--channel",
-        default="",
-        metavar="NAME",
+        "--channel", default="", metavar="NAME",
         help="of all files but containers, or its number (the first of heights)",
-    )
+    )  # fmt: skip
     parser.add_argument("--forces", metavar="CSV", help="own pull-off forces, with their units")
     parser.add_argument(
-        "--overwrite",
-        action="store_true",
+        "--overwrite", action="store_true",
         help="replace the files of a study of this name, and with the next run its results",
-    )
+    )  # fmt: skip
     return parser.parse_intermixed_args(arguments)
 
 
-def add_reading(parser: ArgumentParser) -> None:
-    """Add to a command line what files of scans may not state."""
+def add_shared(parser: ArgumentParser) -> None:
+    """Add what both commands have: QUANTITIES, and what files of scans may not state."""
+    paper = read_yaml("config/config.yaml")
+    for name, (key, meaning) in QUANTITIES.items():
+        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {at(paper, key)})")
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument(
         "--unit", choices=get_args(ScanKeys.model_fields["unit"].annotation), default="none",
         help="unit of length, for the files that do not state it",
     )  # fmt: skip
-
-
-def add_quantities(parser: ArgumentParser) -> None:
-    """Add QUANTITIES to a command line."""
-    paper = read_yaml("config/config.yaml")
-    for name, (key, meaning) in QUANTITIES.items():
-        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {at(paper, key)})")
 
 
 def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
@@ -126,27 +115,25 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
     Tip and modulus are there only if they are given; a faulty quantity has the paper's value.
     """
     paper = read_yaml("config/config.yaml")
-    usual = {name: at(paper, key) for name, (key, _) in QUANTITIES.items()}
     accepted = {name: quantity(key) for name, (key, _) in QUANTITIES.items()}
     accepted |= {"tip": TIP_RADIUS, "modulus": accepted["hardness"]}
     quantities, faults = {}, []
     for name, bounds in accepted.items():
         text = getattr(arguments, name, None)
-        if text is not None:
-            try:
-                bounds.number(text)
-            except ValueError as error:
-                faults.append(f"--{name}: {error}")
-                text = None
-        used = usual.get(name) if text is None else text.strip()
-        if used is not None:
-            number = bounds.number(used)
-            quantities[name] = Option(used, number, bounds.unit, text is not None)
+        try:
+            if text is not None:
+                quantities[name] = Option(text.strip(), bounds.number(text), bounds.unit, True)
+        except ValueError as error:
+            faults.append(f"--{name}: {error}")
+        if name in QUANTITIES and name not in quantities:
+            usual = at(paper, QUANTITIES[name][0])
+            quantities[name] = Option(usual, bounds.number(usual), bounds.unit, False)
     return quantities, faults
 
 
-def name_faults(name: str, overwrite: bool) -> Iterator[str]:
-    """Yield what is wrong with the name of a study, whose files may be overwritten, a line each."""
+def name_faults(arguments: Namespace) -> Iterator[str]:
+    """Yield what is wrong with the name of a study, a line each."""
+    name = arguments.name
     try:
         # The quick study beside it must have a name, too.
         STUDY_NAME.check(f"{name}{QUICK_NAME}")
@@ -154,15 +141,25 @@ def name_faults(name: str, overwrite: bool) -> Iterator[str]:
         expected = STUDY_NAME.expects.replace("100", str(100 - len(QUICK_NAME)))
         yield f"NAME: expected {expected}, no blanks, found {name!r}"
         return
+    if arguments.files:
+        yield from _label_faults("NAME", name)
     if name.endswith(QUICK_NAME):
         yield f"NAME: expected another end than {QUICK_NAME}, that of a first answer, found {name}"
     elif name in TAKEN:
         yield f"NAME: expected one of your own, found {name}, which is the project's"
-    elif not overwrite:
+    elif not arguments.overwrite:
         results = (f"results/{name}", f"results/{name}{QUICK_NAME}")  # of these or of other inputs
         for file in (f"config/{name}.yaml", f"config/{name}.tsv", *results):
             if os.path.lexists(ROOT / file):
                 yield f"{file}: expected none, found one: take another name, or --overwrite"
+
+
+def _label_faults(option: str, label: str) -> Iterator[str]:
+    """Yield that figures cannot have a label, if so."""
+    try:
+        LABEL.check(label)
+    except ValueError as error:
+        yield f"{option}: label: {error}"
 
 
 def refuse_another_clone(here: Path) -> None:
@@ -177,33 +174,37 @@ def refuse_another_clone(here: Path) -> None:
 def sources(arguments: Namespace, radius: float) -> tuple[list[Source], list[str]]:
     """Return the files of all surfaces, the sphere's last, and a line for each fault of theirs.
 
-    The radius of the sphere is in nm; labels may be at fault, too.
+    The radius of the sphere is in nm.
     """
-    given: list[tuple[str, list[str], float | None]] = []
-    given += [(arguments.name, arguments.files, None)] if arguments.files else []
-    given += [(label, files, None) for label, *files in arguments.surface]
-    found, faults = [], [] if given else ["FILE: expected files of scans, found none"]
-    given += [(SPHERE, arguments.sphere, radius)] if arguments.sphere else []
-    labels: dict[str, str] = {}
-    for label, files, of_sphere in given:
-        surface = surface_id(label)
+    surfaces = [(arguments.name, arguments.files)] if arguments.files else []
+    surfaces += [(label, files) for label, *files in arguments.surface]
+    faults = [] if surfaces else ["FILE: expected files of scans, found none"]
+    for label, *files in arguments.surface:
+        faults += _label_faults("--surface", label)
         if not files:
             faults.append(f"--surface {label}: expected files of scans, found none")
+    surfaces += [(SPHERE, arguments.sphere)] if arguments.sphere else []
+    files_of_all: list[Source] = []
+    labels: dict[str, str] = {}
+    for label, files in surfaces:
+        surface = surface_id(label)
         if surface in labels:
-            other = labels[surface]
             faults.append(
-                f"--surface {other}: expected a label of its own, small and capital letters and "
-                f"signs alike, found also {label}"
+                f"--surface {labels[surface]}: expected a label of its own, small and capital "
+                f"letters and signs alike, found also {label}"
             )
         labels.setdefault(surface, label)
-        found += [Source(surface, label, file, path_from_root(file), of_sphere) for file in files]
-    paths = [source.path for source in found]
+        sphere_radius = radius if files is arguments.sphere else None
+        files_of_all += [
+            Source(surface, label, file, path_from_root(file), sphere_radius) for file in files
+        ]
+    paths = [source.path for source in files_of_all]
     faults += [
         f"{path}: expected each file once, found it {paths.count(path)} times"
         for path in dict.fromkeys(paths)
         if paths.count(path) > 1
     ]
-    return found, faults
+    return files_of_all, faults
 
 
 def surface_id(label: str) -> str:
@@ -215,7 +216,7 @@ def surface_id(label: str) -> str:
 
 def path_from_root(file: str) -> str:
     """Return a path as studies have it: from the top folder; one to elsewhere stays absolute."""
-    whole = os.path.abspath(file)
-    if os.path.isabs(file) and not Path(whole).is_relative_to(ROOT):
-        return whole
-    return os.path.relpath(whole, ROOT)
+    absolute = os.path.abspath(file)
+    if os.path.isabs(file) and not Path(absolute).is_relative_to(ROOT):
+        return absolute
+    return os.path.relpath(absolute, ROOT)
