@@ -155,6 +155,7 @@ def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:
     environment.filters |= {"length": print_length, "quantity": print_quantity}
     environment.tests["known"] = math.isfinite
     meanings = {name: meaning for name, (_, meaning) in QUANTITIES.items()}
-    return environment.get_template("prediction.txt").render(
+    report = environment.get_template("prediction.txt").render(
         numbers=numbers, texts=texts, meanings=meanings, change_that_matters=CHANGE
     )
+    return report.rstrip()

@@ -1,7 +1,7 @@
 """The user's own spectrum: a table of a power spectral density, or scans of a surface.
 
-A table has its units and is turned into C_iso; every fault of it is one line: the file and its
-line, what was expected, what was found. Of scans the wavelengths count at which they are reliable.
+A table has its units and is turned into C_iso. Of scans the wavelengths count at which they are
+reliable.
 """
 
 import math
@@ -36,13 +36,10 @@ UNITS = {
     "c_iso": (r"(\D+?)(?:\^|\*\*)?[4⁴]", "a length to the power of 4, such as nm4"),
     "c_1d": (r"(\D+?)(?:\^|\*\*)?[3³]", "a length to the power of 3, such as nm3"),
 }
+#: The fewest wavelengths with roughness that a table must have.
 FEWEST = 5
 #: Independent waves that each bin of a profile's density is taken to have when it is converted.
 WAVES_OF_A_BIN = 20.0
-#: What a joined spectrum says of each measurement, as notes tell it.
-OF_MEASUREMENT = (
-    "path", "dataset", "shortest_reliable", "longest_reliable", "limited_by", "notes",
-)  # fmt: skip
 
 
 class OwnSpectrum(NamedTuple):
@@ -50,7 +47,7 @@ class OwnSpectrum(NamedTuple):
 
     spectrum: Spectrum
     notes: tuple[str, ...]
-    joined: xr.Dataset | None  #: Of scans, as by `joined_spectrum`; None of a table.
+    joined: xr.Dataset | None  #: Of scans, as by `joined_spectrum`; None for a table.
 
 
 def own_spectrum(
@@ -65,11 +62,10 @@ def own_spectrum(
 ) -> OwnSpectrum:
     """Read a table of a spectrum, or measure the spectrum of scans of one surface.
 
-    The files are one table, as `table_spectrum` reads it, or height maps, line scans and
-    containers, joined as `joined_spectrum` does; of these the dataset is the only member of a
-    container that counts, or empty. The radius of the tip, in nm, is of files that state none; they
-    are read as by `read_measurement` and levelled as by `flattened`. The spectrum of scans ends
-    where they are reliable. Faults are a ValueError, a line each.
+    The files are one table, as of `table_spectrum`, or scans, which are read by `read_measurement`,
+    levelled by `flattened` and joined by `joined_spectrum`. A dataset is the only member of a
+    container that counts; the radius of the tip (nm) is of files that state none. The spectrum of
+    scans ends where they are reliable. Raises ValueError with a line for each fault.
     """
     if not files:
         raise ValueError("files: expected a table of a spectrum or scans, found none")
@@ -81,37 +77,36 @@ def own_spectrum(
         zeros = np.count_nonzero(spectrum.density == 0)
         note = f"left out: {zeros} rows of the table with a density of 0, no roughness there"
         return OwnSpectrum(spectrum, (note,) if zeros else (), None)
-    measurements = [
+    scans = [
         flattened(read_measurement(path, member, undefined_pixels, unit), sphere_radius, levelling)
         for path in files
         for member in ([dataset] if dataset else list_measurements(path))
     ]
-    for one in measurements:
-        if np.ptp(one.heights) < LENGTHS[0]:
-            raise ValueError(f"{one.path}: expected a rough surface, found constant height")
+    for scan in scans:
+        if np.ptp(scan.heights) < LENGTHS[0]:
+            raise ValueError(f"{scan.path}: expected a rough surface, found constant height")
     joined = joined_spectrum(
-        measurements, [tip_radius if one.tip_radius is None else None for one in measurements]
+        scans, [tip_radius if scan.tip_radius is None else None for scan in scans]
     )
-    known = np.isfinite(joined.joined.values)
-    reliable = Spectrum(joined.bin_wavevector.values[known], joined.joined.values[known])
-    notes = [
-        f"{path} {member}".strip() + f": reliable {ReliableBand(*band)}" + f"; {read}" * bool(read)
-        for path, member, *band, read in zip(
-            *(joined[name].values for name in OF_MEASUREMENT), strict=True
-        )
-    ]
-    differing = contradictions(
-        *(joined[name].values for name in ("psd", "reliable", "kind", "size"))
-    )
-    names = [f"{one.path} {one.dataset}".strip() for one in measurements]
-    notes += [f"take care: {line}" for line in told_contradictions(differing, names)]
+    measured = np.isfinite(joined.joined.values)
+    reliable = Spectrum(joined.bin_wavevector.values[measured], joined.joined.values[measured])
+    names = [f"{scan.path} {scan.dataset}".strip() for scan in scans]
+    limits = ("shortest_reliable", "longest_reliable", "limited_by")
+    notes = []
+    for name, *band, read in zip(
+        names, *(joined[limit].values for limit in limits), joined.notes.values, strict=True
+    ):
+        notes.append(f"{name}: reliable {ReliableBand(*band)}" + (f"; {read}" if read else ""))
+    columns = (joined[name].values for name in ("psd", "reliable", "kind", "size"))
+    differing = told_contradictions(contradictions(*columns), names)
+    notes += [f"take care: {line}" for line in differing]
     return OwnSpectrum(reliable, tuple(notes), joined)
 
 
 def _is_table(path: Path) -> bool:
     """Return whether a file is a CSV by its name, or by a column of a spectrum in its first line.
 
-    What is wrong with a file that cannot be read is told by the reader of scans.
+    The reader of scans says why a file cannot be read.
     """
     if path.suffix.lower() == ".csv":
         return True
@@ -119,22 +114,20 @@ def _is_table(path: Path) -> bool:
         return False
     try:
         with path.open("rb") as file:
-            first = file.readline(1024).decode("utf-8-sig", "replace")
+            head = file.readline(1024).decode("utf-8-sig", "replace")
     except OSError:
         return False
-    return not {*WAVES, *DENSITIES}.isdisjoint(
-        cell.strip(' "\r\n') for cell in re.split("[,;]", first)
-    )
+    cells = {cell.strip(' "\r\n') for cell in re.split("[,;]", head)}
+    return not cells.isdisjoint({*WAVES, *DENSITIES})
 
 
 def table_spectrum(path: str | Path) -> Spectrum:
     """Read the user's own power spectral density from a CSV with a header.
 
     Columns: `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² = 1/(2 pi) ∫ q C_iso
-    dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); one of the unit of each, named for it with `_unit`,
-    such as rad/nm, nm, nm4, nm3. A c_iso of 0 says no roughness. Returned is C_iso in nm⁴ at its
-    own wavevectors, of profiles by the inverse Abel transform; problems are a ValueError, a line
-    each.
+    dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); and the unit of each, named for it with `_unit`. A
+    density of 0 says no roughness. Returns C_iso in nm⁴ at the table's own wavevectors, of profiles
+    by the inverse Abel transform. Raises ValueError with a line for each problem.
     """
     table = user_table(path, "a table of a power spectral density")
     wave, density = _quantities(table)
@@ -143,10 +136,10 @@ def table_spectrum(path: str | Path) -> Spectrum:
     for line, row in table.rows().items():
         if _faults(row, wave, density):
             continue
-        stated, length = _number(row[wave]), _nanometres(row, wave)
-        wavevector = 2 * math.pi / (stated * length) if wave == "wavelength" else stated / length
+        value, length = float(row[wave]), _nanometres(row, wave)
+        wavevector = 2 * math.pi / (value * length) if wave == "wavelength" else value / length
         power = 4 if density == "c_iso" else 3
-        points.append((wavevector, _number(row[density]) * _nanometres(row, density) ** power))
+        points.append((wavevector, float(row[density]) * _nanometres(row, density) ** power))
         before = lines.setdefault(f"{wavevector:.9g}", line)
         if before != line:
             problems.append(
@@ -156,11 +149,11 @@ def table_spectrum(path: str | Path) -> Spectrum:
     if not problems and rough < FEWEST:
         problems.append(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
     refuse_lines(problems)
-    wavevectors, values = np.array(sorted(points)).T
+    wavevectors, densities = np.array(sorted(points)).T
     if density == "c_1d":
-        waves = np.full(values.shape, WAVES_OF_A_BIN)
-        values = isotropic_from_profile(wavevectors, values, waves)
-    return Spectrum(wavevectors, values)
+        waves = np.full(densities.shape, WAVES_OF_A_BIN)
+        densities = isotropic_from_profile(wavevectors, densities, waves)
+    return Spectrum(wavevectors, densities)
 
 
 def _quantities(table: UserTable) -> tuple[str, str]:
@@ -195,21 +188,15 @@ def _faults(row: Row, wave: str, density: str) -> list[str]:
     """Return what is wrong with the cells of a row."""
     faults = []
     for name in (wave, density):
-        value = _number(row[name])
-        if not (value > 0 or (name == "c_iso" and value == 0)):
-            least = "a number of at least 0" if name == "c_iso" else "a positive number"
-            faults.append(f"{name}: expected {least}, found {found(row[name])}")
+        value = number(row[name])
+        if not (0 < value < math.inf or (name == "c_iso" and value == 0)):
+            accepted = "a number of at least 0" if name == "c_iso" else "a positive number"
+            faults.append(f"{name}: expected {accepted}, found {found(row[name])}")
     for name in (wave, density):
         if math.isnan(_nanometres(row, name)):
             unit = found(row[f"{name}_unit"])
             faults.append(f"{name}_unit: expected {UNITS[name][1]}, found {unit}")
     return faults
-
-
-def _number(text: str) -> float:
-    """Return a finite number; NaN if the text is none."""
-    value = number(text)
-    return value if math.isfinite(value) else math.nan
 
 
 def _nanometres(row: Row, name: str) -> float:
