@@ -24,7 +24,7 @@ PUBLISHED_IN = {
     "fig6": "43 nm and 1.8 µm", "fig_sets": "46.3 mJ/m² and 5.6 nm",
     "fig_asperities": "published, 1.8 µm", "fig_classical": "published forces",
     "fig_elastic": "most of the contact area", "fig_robustness": "Dashed: published",
-    "fig_scaling": "the published edges", "fig_laws": "measured ones",
+    "fig_scaling": "the published edges",
     "fig_statistics": "published forces",
 }  # fmt: skip
 
@@ -184,8 +184,8 @@ NUMBERS = [
      "elastic", lambda data: data.peak_pressure.sel(surface="ncd").median(["scan", "contact"])),
     ("fig_elastic_limit", {"surface": "mcd", "quantity": "slope_index"},
      "elastic_limit", lambda data: data.slope_index.where(data.slope_index > 0.01)[-1]),
-    ("fig_laws", {"group": "uncd", "quantity": "ratio", "origin": "computed", "case": "fitted"},
-     "laws", lambda data: data.ratio.sel(surface="uncd", case="fitted")),
+    ("fig_laws", {"group": "uncd", "quantity": "critical_wavelength", "case": "equivalent"},
+     "laws", lambda data: data.critical_wavelength.sel(group="uncd", case="equivalent")),
     ("fig_robustness", {"variant": "baseline", "quantity": "range_of_adhesion"},
      "robustness", lambda data: data.range_of_adhesion.sel(variant="baseline")),
     ("fig_scaling", {"quantity": "edge", "origin": "computed", "surface": "ncd", "side": "small"},

@@ -109,5 +109,5 @@ def _print_over_scans(of_surface: xr.Dataset) -> str:
     mean, deviation = _over_scans(of_surface)
     met = rows_met(of_surface["calibrated_to_table1"].item())
     mark = tables.BY_CONSTRUCTION if "afm_rms_height" in met else ""
-    scatter = f" ± {deviation:.3g}" if math.isfinite(deviation) else ""
+    scatter = f" ± {deviation:.2g}" if math.isfinite(deviation) else ""
     return f"all: {mean:.3g}{scatter}{mark}"

@@ -57,30 +57,6 @@ COLUMNS = [
 Pairs = dict[str, np.ndarray]  # forces (N) of one surface by pair, "published" and "fitted"
 
 
-def _table(
-    adhesion: xr.Dataset,
-    inference: xr.Dataset,
-    published_constants: pd.DataFrame,
-    published_pull_off: pd.DataFrame,
-) -> pd.DataFrame:
-    """Return the histograms of computed forces and the log-normals, published and computed.
-
-    One row a bin, its edges `force_low` and `force_high` in N and its probability density in 1/N
-    (bins of the linear panels "1", of the logarithmic panels "2"); one row a log-normal shape (1),
-    median (N), mean (N) and fraction below the force floor, with the interval over scans. `pair` is
-    that of range and work of adhesion, "published" or "fitted".
-    """
-    fit = inference.sel(contact_model=CONTACT_MODEL)
-    forces = _forces_at_pairs(adhesion, fit, published_constants)
-    frames = []
-    for surface, published in _published(inference, published_pull_off).items():
-        of_pairs = {pair: forces[pair][surface] for pair in forces}
-        histograms = _histogram_rows(of_pairs, _lognormal(published))
-        of_surface = histograms, _number_rows(published, fit.sel(surface=surface))
-        frames.append(pd.concat(of_surface).assign(surface=surface))
-    return tables.labelled(frames, inference, COLUMNS)
-
-
 def draw(
     adhesion: xr.Dataset,
     inference: xr.Dataset,
@@ -89,14 +65,18 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
 
-    Forces are taken at the published pair of range and work of adhesion, and at the fitted one.
+    Forces are taken at the published pair of range and work of adhesion, and at the fitted one: a
+    `pair`. The table has one row a bin, its edges `force_low` and `force_high` in N and its
+    probability density in 1/N (bins of the linear panels "1", of the logarithmic panels "2"), and
+    one row a log-normal shape (1), median (N), mean (N) and fraction below the force floor.
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     colours, floor = style.colours(inference["surface"].values), inference.attrs["force_floor"]
     forces = _forces_at_pairs(adhesion, fit, published_constants)
     published = _published(inference, published_pull_off)
-    figure = drawing.create(4.8, inference)
+    figure = drawing.create(5.0, inference)
     grid = figure.subplots(2, len(colours), squeeze=False)
+    frames = []
     for letter, (surface, colour), (linear, logarithmic) in zip(
         ascii_lowercase, colours.items(), grid.T, strict=False
     ):
@@ -109,11 +89,15 @@ def draw(
         here = print_formatted(tables.value_and_bounds(at_published, "lognormal_shape"), ".2f")
         shape = f"published $s$ = {published[surface]['lognormal_shape']:.2f}\nhere {here}"
         style.label_panel(logarithmic, f"{letter}_2", shape)
-        logarithmic.set_xlabel("pull-off force (µN)")
+        for axes in (linear, logarithmic):
+            axes.set_xlabel("pull-off force (µN)")
+        histograms = _histogram_rows(of_pairs, fits[0])
+        numbers = _number_rows(published[surface], fit.sel(surface=surface))
+        frames.append(pd.concat([histograms, numbers]).assign(surface=surface))
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
     style.legend_above(figure, _legend_handles(published_constants, fit, floor), 3)
-    return _table(adhesion, inference, published_constants, published_pull_off), figure
+    return tables.labelled(frames, inference, COLUMNS), figure
 
 
 def _forces_at_pairs(

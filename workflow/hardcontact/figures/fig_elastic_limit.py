@@ -44,7 +44,7 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
     axes.set(xscale="log", yscale="log", xlabel="shortest wavelength (nm)")
-    axes.set_ylabel("E*h'/(1.67 H)")
+    axes.set_ylabel("elastic pressure / hardness, E*h'/(1.67 H)")
     axes.legend(loc="lower left")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
     return _table(elastic_limit), figure

@@ -7,6 +7,7 @@ import pandas as pd
 import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
 from hardcontact.figures import drawing, style, tables
@@ -24,7 +25,7 @@ In (a) and (b) symbols are computed edges of spheres of several radii R, with th
 {{ inference.confidence | percent }} intervals over realizations, lines the formulas, one a
 sphere; dashed: the published edges. An edge is the cutoff beyond which the pull-off force, mean
 over contacts and realizations, changes by more than the tolerance of Fig. 6; where no cutoff
-changes it so much, no edge is shown. In (c) are the surfaces that were held back; open: the
+changes it so much, no edge is shown. In (c) are the surfaces that were held out; open: the
 edge is a bound, the last cutoff; grey: within a factor of two. In (d) σ is the rms height, m
 the height of closest approach over the mean plane, ρ the range; line: σ/ρ = m/σ, where many
 points (left) give way to single peaks, with the transition in grey. Marks: the surfaces at the
@@ -35,7 +36,7 @@ the variance of heights. Drawn from scaling.nc and resources/paper/parameters.cs
 
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}
 REACH = "$\\sqrt{2R\\rho}$"
-PUBLISHED = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
+PUBLISHED: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder": 1}
 #: Edges of designed surfaces.
 SIDES = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
 #: Names of published spectra on the map.
@@ -89,7 +90,8 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     long.set(xlabel=f"reach of the attraction {REACH} (nm)")
     _draw_errors(errors, scaling)
     _draw_regimes(regimes, scaling)
-    style.legend_above(figure, style.surface_handles(scaling, ls="none"))
+    published = Line2D([], [], label="published edge", **PUBLISHED)
+    style.legend_above(figure, [*style.surface_handles(scaling, ls="none"), published], 5)
     return _table(scaling, published_constants), figure
 
 
@@ -124,7 +126,7 @@ def _draw_errors(axes: Axes, scaling: xr.Dataset) -> None:
     axes.set(xlabel="modulus $k = \\rho m/\\sigma^2$", ylabel="computed / formula")
     axes.legend(loc="upper right", handletextpad=0.2)
     style.label_logarithmic(axes.xaxis, axes.yaxis)
-    style.label_panel(axes, "c", "designed surfaces, held back")
+    style.label_panel(axes, "c", "designed surfaces, held out")
 
 
 def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
@@ -156,4 +158,4 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     axes.text(0.25, 4.6, "many points", fontsize=7, style="italic", va="top")
     axes.text(280, 4.6, "single peaks", fontsize=7, style="italic", ha="right", va="top")
     style.label_logarithmic(axes.xaxis)
-    style.label_panel(axes, "d", "regimes; area of a mark: $\\sqrt{F/H}/\\lambda_r$")
+    style.label_panel(axes, "d", "regimes; area of a mark: contact over roll-off $\\lambda_r$")

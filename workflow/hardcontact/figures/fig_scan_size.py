@@ -84,17 +84,21 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     at_range = scan_size.sel(rho=scan_size.attrs["rho"], method="nearest")
     _draw_sizes(sizes, at_range)
     style.end_near_values([sizes])
-    style.label_panel(sizes, "a", f"ρ = {at_range['rho']:g} nm")
+    style.label_panel(sizes, "a", f"mirrored windows, ρ = {at_range['rho']:g} nm; lines: rule")
     _draw_rule(rule, scan_size)
-    style.label_panel(rule, "b", "rule and computed")
+    style.label_panel(rule, "b", "force over that on a large surface, all ranges")
     for look, of_surface in style.by_surface(scan_size):
         needed.plot(scan_size["rho"], of_surface["size_needed"] / 1e3, ms=3, lw=0.6, **look)
     needed.axhline(scan_size.attrs["scan_size"] / 1e3, **OF_SCAN)
     needed.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)",
                ylabel="scan needed (µm)")  # fmt: skip
-    style.label_panel(needed, "c", f"for {scan_size.attrs['allowed_excess']:g} times the force")
+    style.label_panel(
+        needed,
+        "c",
+        f"scan on which the force is {scan_size.attrs['allowed_excess']:g} times as large",
+    )
     _draw_edges(edges, scan_size)
-    style.label_panel(edges, "d", f"ρ = {scan_size.attrs['rho']:g} nm")
+    style.label_panel(edges, "d", f"long edge, ρ = {scan_size.attrs['rho']:g} nm")
     for axes in (sizes, rule, needed, edges):
         style.label_logarithmic(axes.xaxis, axes.yaxis)
     style.legend_above(figure, style.surface_handles(scan_size, ls="none"))
@@ -131,7 +135,7 @@ def _draw_rule(axes: Axes, scan_size: xr.Dataset) -> None:
         axes.plot(measured, predicted, ls="none", ms=3, **look)
     ends = [1.0, float(known.max())]
     axes.plot(ends, ends, color="0.5", lw=0.7, zorder=0)
-    axes.set(xscale="log", yscale="log", xlabel="computed", ylabel="rule")
+    axes.set(xscale="log", yscale="log", xlabel="computed", ylabel="by the rule")
 
 
 def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> None:

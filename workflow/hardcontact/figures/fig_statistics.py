@@ -95,8 +95,12 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
         (low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
-        (fair & ~held, "looked at", {"marker": "o", "color": "black", "mfc": "none", "ms": 3}),
-        (fair & held, "held back", {"marker": "o", "color": "black", "ms": 3}),
+        (
+            fair & ~held,
+            "used for the law",
+            {"marker": "o", "color": "black", "mfc": "none", "ms": 3},
+        ),
+        (fair & held, "held out", {"marker": "o", "color": "black", "ms": 3}),
     ]
     for chosen, label, look in groups:
         part = statistics.isel(case=np.flatnonzero(chosen))
