@@ -203,10 +203,14 @@ def test_scripts_give_the_same_numbers(script):
     np.testing.assert_array_equal(whole.density, read_spectrum("spectrum.nc").density)
 
     scales = {"pixels": 256, "cutoffs": [40.0, 80.0, 160.0]}
-    given = {"side": "small", "scales": scales, "rho": 5.6, "contact": LOAD | ARRAY}
-    inputs = {"master": "stitched.nc", "sphere": []}
-    script("compute_filtered_pull_off", given | SPHERE, inputs, made="filtered.nc")
-    forces = dataset.read("filtered.nc").mean(["contact_y", "contact_x"]).isel(load=0)
+    given = {
+        "surface": "own", "realizations": [1], "masters": True, "sides": {"small": scales},
+        "radii": [SPHERE["radius"]], "loads": [LOAD], "ranges": [5.6], **ARRAY,
+    }  # fmt: skip
+    inputs = {"small_masters": ["stitched.nc"], "sphere": []}
+    script("filter_masters", given, inputs, made="filtered.nc")
+    forces = dataset.read("filtered.nc").mean(["contact_y", "contact_x"])
+    forces = forces.squeeze(["realization", "side", "radius", "load", "rho"])
     ratios = hc.force_ratios(scan, {"small": scales["cutoffs"]}, rho=5.6, **SPHERE, **LOAD, **ARRAY)
     np.testing.assert_allclose(
         ratios.ratio.sel(side="small"), forces.pull_off_force / forces.unfiltered_pull_off_force

@@ -1,7 +1,6 @@
 """The datasets of all surfaces: every number in its place, missing ones missing."""
 
 import numpy as np
-import pytest
 import xarray as xr
 from refusals import assert_says, refusal
 
@@ -64,11 +63,6 @@ def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():
     )
     np.testing.assert_array_equal(contacts.pressure.isel(y=0, x=0), [1.0, 3.0])
     assert "contact_y" in contacts.coords
-
-
-def test_a_surface_without_label_is_an_error():
-    with pytest.raises(KeyError):
-        all_surfaces.with_names(xr.Dataset(coords={"surface": ["c"]}), DESCRIBED)
 
 
 def test_forces_at_a_load_that_is_not_there_are_refused():

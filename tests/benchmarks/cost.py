@@ -21,8 +21,8 @@ import pandas as pd
 import yaml
 
 #: Rules of which every realization has jobs of its own.
-MASTERS = ["synthesize_small_scale_master", "synthesize_large_scale_master"]
-FILTERED = ["compute_filtered_pull_off"]
+MASTERS = ["synthesize_masters"]
+FILTERED = ["filter_masters/scales"]
 
 
 def processor(row):
@@ -44,7 +44,9 @@ def jobs(folders):
     for folder in folders:
         for path in sorted(Path(folder, "benchmarks").rglob("*.tsv")):
             row = pd.read_csv(path, sep="\t").iloc[-1]
-            rule = path.relative_to(Path(folder, "benchmarks")).parts[0].removesuffix(".tsv")
+            rule, *parts = path.relative_to(Path(folder, "benchmarks")).with_suffix("").parts
+            if rule == "filter_masters":  # of the study, of sets and robustness, of the chapter
+                rule = f"{rule}/{parts[0]}"
             rows.append(
                 {"rule": rule, "seconds": processor(row), "memory": row.max_rss * 2**20 / 1e6}
             )
@@ -70,7 +72,7 @@ def costs(study):
     each = measured.rule.isin(MASTERS + FILTERED)
     fixed, one = measured.seconds[~each].sum(), measured.seconds[each].sum() / count
     masters = size((store / "masters").rglob("*.nc"))
-    forces = size((store / "scales").rglob("*.nc"))
+    forces = size((store / "filtered/scales").rglob("*.nc"))
     other = size(path for path in Path("results").rglob("*") if path.is_file()) - masters - forces
     memory, largest = measured.memory[each].max(), measured.memory.max()
     print("| study | core time | largest job | disk |\n|---|---|---|---|")

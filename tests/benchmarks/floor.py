@@ -56,23 +56,21 @@ def floors(configuration, store):
     sides = {
         side: len(list((store / "masters").rglob(f"{side}.nc"))) for side in ("small", "large")
     }
-    varied = {
-        side: len(list((store / "scales_of_variants").rglob(f"{side}-*.nc"))) for side in sides
-    }
+    chunks = [path.stem.split("-")[1:3] for path in (store / "filtered/sets").rglob("*.nc")]
+    varied = sum(int(last) - int(first) + 1 for first, last in chunks)
     scales, sets = configuration["scales"], configuration["sets"]
     scan = 2 * configuration["scan"]["pixels"]  # stitched
     of_scans = len(configuration["adhesion"]["ranges"]) * kernels(scan)["exponential"]
     pools = len(list((store / "pool").rglob("*.nc")))
     return {
-        "compute_filtered_pull_off": sum(
+        "filter_masters/scales": sum(
             count * filtered(scales[side]["pixels"], scales[side]["cutoffs"])
             for side, count in sides.items()
         ),
-        "vary_scales": sum(
-            count * (made(sets[side]["pixels"]) + filtered(**sets[side]))
-            for side, count in varied.items()
+        "filter_masters/sets": sum(
+            varied * (made(sets[side]["pixels"]) + filtered(**sets[side])) for side in sides
         ),
-        "synthesize_small_scale_master": sides["small"] * made(scales["small"]["pixels"]),
+        "synthesize_masters": sides["small"] * made(scales["small"]["pixels"]),
         "compute_pool": pools * CHUNK * sets["amplitudes"] * of_scans,
     }
 

@@ -23,7 +23,7 @@ from hardcontact.insight.closed_form_errors import spectrum_of_grid
 from hardcontact.insight.prediction import coordinates
 from hardcontact.numbers.random import generator
 from hardcontact.scales.critical_band import Curve, described_edge, logarithmic_limits
-from hardcontact.scales.filtered_masters import Filters, scaled_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, self_affine, varying_hurst
 from hardcontact.surfaces.synthesis import SIDES, random_surface
 
@@ -118,6 +118,7 @@ def computed(row: dict[str, Any]) -> dict[str, Any]:
         hardness=HARDNESS,
         window=max(wide, 32 * size / pixels),
         count=CONTACTS,
+        range=row["rho"],
     )
     curves: dict[str, list[Any]] = {side: [] for side in SIDES}
     forces = []
@@ -125,9 +126,8 @@ def computed(row: dict[str, Any]) -> dict[str, Any]:
         rng = generator(SEED, row["surface"], realization, "validation")
         surface = random_surface(rng, pixels, size / pixels, spectrum)
         for side in SIDES:
-            found = scaled_pull_off(
-                surface, Filters(side, pixels, cutoffs), [contact], [row["radius"]], [row["rho"]]
-            )
+            found = filtered_pull_off(surface, Filters(side, pixels, cutoffs), [contact])
+            found = found.mean(["contact_y", "contact_x"])
             whole = found["unfiltered_pull_off_force"].item()
             curves[side].append(found["pull_off_force"].values.ravel() / whole)
         forces.append(whole)

@@ -20,7 +20,7 @@ from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, sampled_contacts
 from hardcontact.contact.indents import indents
-from hardcontact.scales.filtered_masters import Filters, filtered_pull_off, scaled_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces import spectrum, synthesis
 from hardcontact.surfaces.height_map import flat_map, level, mirror_stitch
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
@@ -193,8 +193,8 @@ def check_scaled(config, rng, stitched, side):
         for preload in scaling["preloads"]
     ]
     filters = Filters(side, wanted["pixels"], wanted["cutoffs"])
-    forces = scaled_pull_off(master, filters, contacts, scaling["radii"], scaling["ranges"])
-    assert_forces(forces)
+    lengths = {name: scaling[name] for name in ("radii", "ranges")}
+    assert_forces(filtered_pull_off(master, filters, contacts, None, **lengths))
 
 
 @pytest.mark.parametrize("examples", [5, pytest.param(40, marks=pytest.mark.study)])

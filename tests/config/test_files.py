@@ -29,7 +29,7 @@ def test_swept_values_stand_in_paths():
         scales__range="0.5 nm",
     )
     forces = study.paths(PATTERNS.pull_off, study.substrate_scans)
-    forces += study.paths(PATTERNS.filtered_pull_off, study.masters)
+    forces += study.paths(PATTERNS.filtered, study.masters())
     assert all("/R300um/H30GPa-F12uN/rho0.5nm/" in path for path in forces)
     assert study.stitched("ruby", 1).endswith("ruby/study/scan-1-sphere-R300um.nc")
     assert study.stitched("uncd", 1).endswith("uncd/study/scan-1-flat.nc")
@@ -86,12 +86,18 @@ def test_scans_are_conditioned_in_groups_as_large_as_the_study():
             assert study.conditioning("uncd", scan) == path
 
 
-def test_every_master_of_every_realization_is_filtered():
+def test_every_realization_is_filtered():
     study = files(scales__realizations=2)
-    assert study.masters == list(product(SUBSTRATES, [1, 2], ["small", "large"]))
-    forces = study.paths(PATTERNS.filtered_pull_off, study.masters)
-    assert len(set(forces)) == len(study.masters)
-    assert forces[1].endswith("rho5.6nm/polished_uncd/study/realization-1/large.nc")
+    forces = study.paths(PATTERNS.filtered, study.masters())
+    assert len(set(forces)) == 2 * len(SUBSTRATES)
+    assert forces[1] == (
+        "results/store/filtered/scales/R250um/H25GPa-F10uN/rho5.6nm/polished_uncd/study/"
+        "realizations-2-2-smooth-sphere.nc"
+    )
+    sources = study.master_sources(study.masters()[1])
+    assert sources["small_masters"] == [
+        "results/store/masters/polished_uncd/study/realization-2/small.nc"
+    ]
 
 
 def test_scans_are_made_in_the_groups_that_are_conditioned_together():
@@ -113,26 +119,25 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     made = list(product(SUBSTRATES, ["study"])) + list(product(SUBSTRATES, ["laplacian"]))
     made += [("mcd", "skewness-0.5"), ("uncd", "tip-17nm")]
     assert study.varied_surfaces == made
-    assert study.varied_together == {
-        tuple(SUBSTRATES): ["study", "laplacian"],
-        ("mcd",): ["skewness-0.5"],
-        ("uncd",): ["tip-17nm"],
-    }
-    masters = {(name, variant, probe) for name, variant, _, _, probe in study.varied_masters}
-    assert masters == {(*one, "smooth") for one in made} | {
+    files_of = {(row.surface, row.variant, row.probe) for row in study.robustness_masters}
+    assert files_of == {(*one, "smooth") for one in made} | {
         (name, "study", "rough") for name in SUBSTRATES
     }
-    forces = study.paths(PATTERNS.varied_scales, study.varied_masters)
-    assert len(set(forces)) == len(forces) == 2 * 3 * len(masters)
-    assert forces[0].endswith("polished_uncd/study/realization-1/small-smooth.nc")
+    forces = study.paths(PATTERNS.filtered, study.robustness_masters)
+    assert len(set(forces)) == len(forces) == len(files_of)
+    assert forces[0].endswith("polished_uncd/study/realizations-1-5-smooth-sphere.nc")
 
 
-def test_the_masters_of_the_study_are_those_of_the_sets():
-    study = files(robustness__realizations=3, sets__realizations=5)
-    of_study = {
-        one for one in study.varied_masters if (one.variant, one.probe) == ("study", "smooth")
+def test_masters_of_the_study_are_shared_by_sets_and_robustness():
+    study = files(robustness__realizations=3, sets__realizations=12)
+    chunks = [(row.first, row.last) for row in study.set_masters]
+    assert chunks == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
+    shared = {
+        row for row in study.robustness_masters if (row.variant, row.probe) == ("study", "smooth")
     }
-    assert of_study == {one for one in study.set_masters if one.realization <= 3}
+    assert shared == {row for row in study.set_masters if row.first == 1}
+    sources = study.master_sources(study.set_masters[0])
+    assert len(sources["scans"]) == len(sources["spectra"]) == 5
 
 
 def test_what_changes_no_spectrum_has_that_of_the_study():
@@ -151,8 +156,9 @@ def test_the_other_sphere_bears_the_load_of_the_study_alone():
         {"preload": 1e-5, "hardness": 25e9},
         {"preload": 5e-6, "hardness": 25e9},
     ]
-    assert study.loads("smooth") == loads  # the study's own preload is not listed again
-    assert study.loads("rough") == loads[:1]
+    # The study's own preload is not listed again.
+    assert study.contact_grid("sets", "smooth")["loads"] == loads
+    assert study.contact_grid("sets", "rough")["loads"] == loads[:1]
 
 
 def test_pools_are_computed_in_chunks_of_substitutes_alone():
@@ -160,21 +166,58 @@ def test_pools_are_computed_in_chunks_of_substitutes_alone():
     assert [one.surface for one in study.chunks[::3]] == SUBSTRATES[:3]
     assert [(one.first, one.last) for one in study.chunks[:3]] == [(1, 15), (16, 30), (31, 32)]
     assert study.paths(PATTERNS.pool, study.chunks)[1] == (
-        "results/store/pool/R250um/H25GPa-F10uN/polished_uncd/study/scans-16-30.nc"
+        "results/store/pool/R250um/H25GPa-F10uN/rho5.6nm/polished_uncd/study/scans-16-30.nc"
     )
-
-
-def test_sets_and_robustness_share_their_masters():
-    study = files(measured=["mcd"], sets__realizations=4, robustness__realizations=2)
-    masters = [(one.surface, one.realization, one.side) for one in study.set_masters]
-    assert masters == list(product(SUBSTRATES, [1, 2, 3, 4], ["small", "large"]))
-    of_robustness = {one for one in study.varied_masters if one in study.set_masters}
-    assert {one.realization for one in of_robustness} == {1, 2}
 
 
 def test_realizations_of_insight_are_the_first_scans_of_each_substrate():
     study = files([1, 2, 4], insight__realizations=2)
     assert study.realized_scans == list(product(SUBSTRATES, [1, 2]))
     assert len(set(study.paths(PATTERNS.law_scan, study.realized_scans))) == 2 * len(SUBSTRATES)
-    assert study.scaled_masters == list(product(SUBSTRATES, [1, 2], ["small", "large"]))
+    assert [row.surface for row in study.masters("scaling")] == SUBSTRATES
     assert study.repeated_pairs == [(1, 1), (2, 2)]
+
+
+#: Other values of the keys that people sweep.
+SWEPT = {
+    "sphere__radius": "300 um",
+    "contact__preload": "12 uN",
+    "contact__hardness": "30 GPa",
+    "scales__range": "3 nm",
+    "robustness__preloads": ["7 uN"],
+    "insight__scaling__radii": ["5 um", "7 um"],
+    "insight__scaling__preloads": ["1.25 uN", "7 uN"],
+    "insight__scaling__ranges": ["7 nm"],
+}
+
+
+def lists_of_files(study):
+    """Return the files of each list with what they are computed at, by the file."""
+    filtered = [
+        *study.masters(), *study.masters("scaling"), *study.set_masters, *study.robustness_masters,
+    ]  # fmt: skip
+    at_study = (study.contact.radius, study.contact.load, study.contact.range)
+    given = {
+        path: study.contact_grid(row.purpose, row.probe)
+        for row, path in zip(filtered, study.paths(PATTERNS.filtered, filtered), strict=True)
+    }
+    means = [*study.varied_forces, *study.smooth_forces]
+    for row, path in zip(means, study.paths(PATTERNS.mean_forces, means), strict=True):
+        given[path] = study.mean_loads(row.probe), at_study[0], at_study[2]
+    for pattern, rows in (
+        (PATTERNS.pull_off, study.substrate_scans),
+        (PATTERNS.pool, study.chunks),
+        (PATTERNS.law_scan, study.realized_scans),
+    ):
+        given |= dict.fromkeys(study.paths(pattern, rows), at_study)
+    for pattern in (PATTERNS.elastic, PATTERNS.asperities):
+        given |= dict.fromkeys(study.paths(pattern, study.pairs_in_turn), at_study[:2])
+    return given
+
+
+@pytest.mark.parametrize("key", SWEPT)
+def test_files_of_two_values_of_a_swept_key_lie_side_by_side(key):
+    first, second = lists_of_files(files()), lists_of_files(files(**{key: SWEPT[key]}))
+    assert first != second
+    for path in first.keys() & second.keys():
+        assert first[path] == second[path], path

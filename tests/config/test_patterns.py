@@ -30,6 +30,10 @@ VALUES = {
     "radius": ["R250um", "R0.5um"],
     "load": ["H25GPa-F10uN", "H1e-05GPa-F0.1uN"],
     "range": ["rho5.6nm"],
+    "radii": ["R250um", "R5um+R0.5um"],
+    "loads": ["H25GPa-F10uN", "H25GPa-F10uN+H16GPa-F10uN"],
+    "ranges": ["rho5.6nm", "rho1.4nm+rho5.6nm"],
+    "purpose": ["scales", "drawn", "sets", "scaling"],
 }
 
 
@@ -86,15 +90,6 @@ def test_stitched_scans_of_both_bodies_are_stitched_scans():
     sphere = PATTERNS.stitched_sphere.format(sphere_scan=2, radius="R250um")
     assert whole.fullmatch(substrate)["shape"] == "flat"
     assert sphere == "results/store/stitched/ruby/study/scan-2-sphere-R250um.nc"
-
-
-def test_masters_of_both_sides_are_masters():
-    for side in ("small", "large"):
-        for of_both, of_one in (
-            (PATTERNS.master, f"{side}_master"),
-            (PATTERNS.scaled, f"{side}_scaled"),
-        ):
-            assert getattr(PATTERNS, of_one) == of_both.replace("{side}", side)
 
 
 @pytest.mark.parametrize("name", INTERMEDIATES)

@@ -89,20 +89,3 @@ def test_what_a_variant_of_a_surface_is_made_with():
     assert made["tip-17nm"].heights(0.1) == {"skewness": 0.1, "tip_radius": 17.0}
     spectra = [made[name].spectrum for name in ("laplacian", "skewness-1", "tip-17nm")]
     assert spectra == ["laplacian", "study", "study"]
-
-
-def test_parameters_name_the_load():
-    _, other, *_ = variants(configuration(), selection())
-    assert other.parameters() == {
-        "name": "laplacian",
-        "label": "curvature of Table 1: laplacian",
-        "group": "curvature",
-        "variant": {
-            "polished_uncd": "laplacian",
-            "uncd": "laplacian",
-            "ncd": "laplacian",
-            "mcd": "laplacian",
-        },
-        "load": "H25GPa-F10uN",
-        "probe": "smooth",
-    }

@@ -33,13 +33,6 @@ def test_two_peaks_share_the_force():
     assert asperities(attraction, 0.99, 4.0).patches == 3
 
 
-def test_a_flat_is_one_patch_of_all_it_needs():
-    carriers = asperities(np.ones((101, 101)), 0.7, 1.0)
-    assert carriers.patches == 1
-    # A circle of 0.7 of the area of the square, which holds it whole.
-    assert carriers.extent == pytest.approx(2 * 101 * np.sqrt(0.7 / np.pi), rel=0.03)
-
-
 def test_a_summit_at_a_crease_carries_the_force_there():
     """A single peak on a flat, at a corner of the scan, in the middle of an edge, or within it."""
     contact = Contact(radius=RADIUS, preload=1e-6, hardness=25e9)

@@ -7,7 +7,6 @@ from scipy.stats import norm
 
 from hardcontact.contact.bearing_area import (
     all_lowest_gaps,
-    stacked_gaps,
 )
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
@@ -38,15 +37,6 @@ def test_lowest_gaps_are_those_of_the_whole_window(case, contact_pixels, rough):
         np.testing.assert_allclose(gaps, np.sort(whole.ravel())[:contact_pixels], atol=1e-9)
         np.testing.assert_allclose(whole[tuple((offsets + window // 2).T)], gaps, atol=1e-9)
         assert len(np.unique(offsets, axis=0)) == contact_pixels
-
-
-def test_stacked_gaps_stand_in_the_order_of_the_array():
-    bodies = over(periodic_noise(128, 20.0, 1), None, 40.0, 320, 3)
-    contacts = all_lowest_gaps(bodies, 5)
-    stacked = stacked_gaps(contacts, bodies.geometry)
-    assert stacked.shape == (3, 3, 5)
-    for place, one in contacts.items():
-        np.testing.assert_array_equal(stacked[place], one.gaps)
 
 
 @pytest.mark.parametrize("share", [0.001, 0.01, 0.1])

@@ -7,7 +7,6 @@ from periodic_maps import RADIUS, height_map, over, periodic_noise
 from hardcontact.contact import geometry
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import gap_map
-from hardcontact.records import dataset
 
 CONTACT = Contact(radius=RADIUS, preload=1e-5, hardness=25e9, window=3000.0, count=4)
 
@@ -41,26 +40,6 @@ def test_a_period_that_is_no_whole_number_of_pixels_is_stretched_by_half_of_one_
     assert pair.substrate.pixels == round(1500 / 11)
     assert pair.stretch == pytest.approx(abs(136 * 11 / 1500 - 1))
     assert pair.stretch * 1500 <= 11 / 2
-
-
-def test_a_smooth_sphere_leaves_the_substrate_as_it_is():
-    substrate = height_map(heights(50), 30.0)
-    pair = geometry.bodies(substrate, None, CONTACT)
-    assert pair.substrate is substrate and pair.roughness is None and pair.stretch == 0
-
-
-def test_bodies_of_files_are_those_of_their_maps(tmp_path):
-    maps = height_map(20.0 * heights(50), 40.0), height_map(heights(96), 25.0)
-    paths = [str(tmp_path / name) for name in ("substrate.nc", "sphere.nc")]
-    for surface, path in zip(maps, paths, strict=True):
-        dataset.write(surface.dataset(), path)
-    pair = geometry.read_bodies(*paths, CONTACT)
-    expected = geometry.bodies(*maps, CONTACT)
-    assert pair.substrate.pixels == 80 and pair.geometry.pixel_size == 25.0
-    for name in ("substrate", "roughness"):
-        np.testing.assert_allclose(
-            getattr(pair, name).heights, getattr(expected, name).heights, atol=1e-4
-        )
 
 
 def test_more_sampled_contacts_keep_the_fewer_and_none_comes_twice():

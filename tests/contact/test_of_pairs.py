@@ -11,8 +11,8 @@ from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import UNITS, elastic_contacts_of_pair
-from hardcontact.contact.geometry import bodies, sampled_contacts, sphere_height
-from hardcontact.contact.indents import REACH, flattening, indents_of_scans
+from hardcontact.contact.geometry import bodies, sampled_contacts
+from hardcontact.contact.indents import REACH, indents_of_scans
 from hardcontact.contact.smooth_sphere import hertz_contact
 
 CONTACT = Contact(
@@ -36,21 +36,6 @@ def test_indents_of_scans_are_those_of_each_pair():
     assert drawn.max() == np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]
     assert drawn[REACH, REACH] == drawn.max()
     assert indents.sphere_height.shape == (2 * REACH + 1,) * 2
-
-
-def test_the_indents_drawn_lie_in_the_sphere_that_is_drawn():
-    substrate, sphere = (
-        height_map(periodic_noise(128, rms, seed), 8.0) for rms, seed in ((20.0, 1), (0.5, 2))
-    )
-    alone = replace(CONTACT, count=1)
-    indents = indents_of_scans({1: substrate}, {1: sphere}, alone, [40e-6])
-    pair = bodies(substrate, sphere, alone)
-    contact_pixels = replace(CONTACT, preload=40e-6).pixels(8.0)
-    (contact,) = all_lowest_gaps(pair, contact_pixels).values()
-    np.testing.assert_array_equal(indents.indentation[0], flattening(contact, REACH))
-    np.testing.assert_array_equal(
-        indents.sphere_height, sphere_height(pair, contact.offsets[0], REACH)
-    )
 
 
 def test_a_smooth_pair_carries_its_force_in_one_asperity():

@@ -9,6 +9,7 @@ from paper_numbers import SUBSTRATES
 from hardcontact.inference.inference import Pair
 from hardcontact.inference.robustness import Choices, robustness
 from hardcontact.numbers.statistics import Sampling, bounds
+from hardcontact.records.dataset import stack
 
 LOADS = ["H25GPa-F10uN", "H25GPa-F5uN"]
 STUDY = dict.fromkeys(SUBSTRATES, "study")
@@ -20,6 +21,7 @@ CHOICES = Choices(
     probe="smooth",
     error_threshold=0.1,
     tolerance=0.1,
+    realizations=1,
     published_pair=Pair(4.0, 0.05),
     sampling=Sampling(0, 20, 0.9, ("sampling", "robustness")),
 )
@@ -56,6 +58,13 @@ def master_forces(side, change):
     )
 
 
+def realization_forces(change):
+    """Forces of one realization, as a file of masters has them."""
+    sides = {(1, side): master_forces(side, change) for side in CUTOFFS}
+    forces = stack(sides, ["realization", "side"]).expand_dims(radius=[250e3], rho=[5.6])
+    return forces.assign(contact_area=400.0)
+
+
 @pytest.fixture(scope="module")
 def varied():
     adhesion = {
@@ -64,13 +73,12 @@ def varied():
         for variant in ("study", "other")
         if variant == "study" or surface == "mcd"
     }
-    masters = {
-        (surface, variant, 1, side, probe): master_forces(side, 0.2 if probe == "smooth" else 1.0)
+    masters = [
+        ((surface, variant, probe), realization_forces(0.2 if probe == "smooth" else 1.0))
         for surface in SUBSTRATES
         for variant in ("study", "other")
-        for side in CUTOFFS
         for probe in ("smooth", "rough")
-    }
+    ]
     return robustness(adhesion, masters, VARIANTS, TABLE.iloc[::-1], CHOICES)
 
 
@@ -139,4 +147,4 @@ def test_a_load_that_was_not_computed_is_refused():
     unknown = VARIANTS[0] | {"load": "H1GPa-F1uN"}
     adhesion = {(surface, "study"): scan_forces(surface) for surface in SUBSTRATES}
     with pytest.raises(ValueError, match="expected .* H1GPa-F1uN, found .* H25GPa-F10uN, H25GPa"):
-        robustness(adhesion, {}, [unknown], TABLE, CHOICES)
+        robustness(adhesion, [], [unknown], TABLE, CHOICES)

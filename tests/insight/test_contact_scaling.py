@@ -21,7 +21,7 @@ from hardcontact.insight.edge_scaling import (
     local_exponents,
 )
 from hardcontact.numbers.statistics import Sampling, bounds
-from hardcontact.scales.filtered_masters import Filters, filtered_pull_off, scaled_pull_off
+from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 
 CONTACTS = [
@@ -37,8 +37,8 @@ def master(rms):
 
 
 def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
-    computed = scaled_pull_off(master(0.0), FILTERS, CONTACTS, *COMBINATIONS)
-    force = computed["unfiltered_pull_off_force"].values
+    computed = filtered_pull_off(master(0.0), FILTERS, CONTACTS, None, *COMBINATIONS)
+    force = computed["unfiltered_pull_off_force"].mean(["contact_y", "contact_x"]).values
     radius, rho = (np.array(values) for values in COMBINATIONS)
     radius = radius[:, None]
     # 2 pi R W, but for what lies outside the window of 640 nm.
@@ -53,14 +53,14 @@ def test_flat_surface_gives_the_smooth_sphere_at_every_radius_range_and_area():
 
 
 def test_every_combination_is_that_of_single_contacts():
-    computed = scaled_pull_off(master(3.0), FILTERS, CONTACTS, *COMBINATIONS)
+    computed = filtered_pull_off(master(3.0), FILTERS, CONTACTS, None, *COMBINATIONS)
     single = filtered_pull_off(
         master(3.0), FILTERS, [replace(CONTACTS[1], radius=2000.0, range=5.0)]
     )
     for name in ("pull_off_force", "unfiltered_pull_off_force"):
         np.testing.assert_allclose(
-            computed[name].values[..., 1, 1, 1],
-            single[name].mean(("contact_y", "contact_x"))[..., 0],
+            computed[name].isel(radius=1, load=1, rho=1),
+            single[name].isel(radius=0, load=0, rho=0),
         )
     assert computed["area"].values == pytest.approx([100.0, 800.0])
     assert computed["contact_area"].values == pytest.approx([100.0, 800.0])

@@ -35,7 +35,7 @@ def density(wavevector):
 def forces(side, master):
     """Forces (cutoff, contact_y, contact_x) of a master, the unfiltered one first."""
     filters = Filters(side, PIXELS[side], CUTOFFS[side])
-    found = filtered_pull_off(master, filters, [CONTACT]).isel(load=0)
+    found = filtered_pull_off(master, filters, [CONTACT]).isel(radius=0, load=0, rho=0)
     return [found.unfiltered_pull_off_force.values, *found.pull_off_force.values]
 
 

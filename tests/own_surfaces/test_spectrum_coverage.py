@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from hardcontact.adhesion.all_surfaces import at_load, stacked_forces, with_spectrum_shifts
+from hardcontact.adhesion.all_surfaces import stacked_forces, with_spectrum_shifts
 from hardcontact.contact.contact import Contact
 from hardcontact.numbers.random import generator
 from hardcontact.own_surfaces.master_forces import Masters
@@ -36,7 +36,9 @@ def density(rolloff):
 def forces(masters):
     """Forces on large-scale masters, by realization, as scales.nc has them."""
     found = {
-        ("a", number, "large"): at_load(filtered_pull_off(master, FILTERS, [CONTACT]), CONTACT.load)
+        ("a", number, "large"): filtered_pull_off(master, FILTERS, [CONTACT]).isel(
+            radius=0, load=0, rho=0
+        )
         for number, master in enumerate(masters, 1)
     }
     stacked = stacked_forces(found).assign(

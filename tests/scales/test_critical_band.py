@@ -100,9 +100,3 @@ def test_intervals_are_over_realizations():
     near = 10 ** (1 + np.log(1.1) / np.log(expected.values))
     np.testing.assert_allclose([high, low], near, rtol=0.3)
     assert computed.critical_wavelength_interval.attrs["confidence"] == 0.9
-
-
-def test_groups_are_the_surfaces_and_all_of_them():
-    twice = scales([[[SMALL, LARGE]], [[SMALL, LARGE]]])
-    computed = band.critical_band(twice, 0.1, Sampling(0, 5, 0.9))
-    assert computed.group.values.tolist() == ["a", "b", "pooled"]

@@ -80,17 +80,6 @@ def test_an_edge_beyond_what_was_computed_is_open(side, changes, cell, bound, st
     assert found["interval_status"].tolist() == ["open", "open"]
 
 
-def test_an_open_end_of_an_interval_is_no_number():
-    found = edge("large", [0.0, 0.2, 0.3], [0.0, 0.0, 0.2], [0.2, 0.3, 0.4])
-    assert found["interval_status"].tolist() == ["found", "open"]
-    np.testing.assert_allclose(found["edge_interval"], [10, np.nan])
-
-
-def test_an_interval_that_is_open_on_both_sides_is_said_to_be():
-    found = edge("small", [0.0, 0.2, 0.3], [0.0, 0.0, 0.0], [0.2, 0.3, 0.4])
-    assert found["edge"] == pytest.approx(10**1.5) and np.isnan(found["edge_interval"]).all()
-
-
 def test_an_open_edge_has_no_interval_that_is_open_on_both_sides():
     found = edge("small", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
     assert found["edge_bound"] == 10 and np.isnan(found["edge_interval"]).all()

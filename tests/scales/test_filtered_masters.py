@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import stacked_forces, with_transitions
+from hardcontact.adhesion.all_surfaces import stacked_forces
 from hardcontact.scales.filtered_masters import Filters, forces_at_cutoffs
 from hardcontact.surfaces.height_map import HeightMap
 
@@ -83,10 +83,3 @@ def test_ratios_of_masters_are_those_of_means_over_contacts_each_in_its_place():
     assert scales.ratio.sel(surface="a", realization=2).isnull().all()
     assert scales.pull_off_force.dims[-2:] == ("contact_y", "contact_x")
     assert scales.unfiltered_wavelength.sel(surface="a").values.tolist() == [1.2, 2e4]
-
-
-def test_transitions_stand_with_their_side():
-    scales = xr.Dataset(coords={"side": ["large", "small"]})
-    with_both = with_transitions(scales, {"small": 20.0, "large": 1000.0})
-    assert with_both.transition.sel(side="small").item() == 20.0
-    assert with_both.transition.sel(side="large").item() == 1000.0

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 import xarray as xr
-from paper_numbers import SUBSTRATES
 from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 
 from hardcontact.numbers.statistics import Sampling
@@ -20,14 +19,6 @@ from hardcontact.surfaces.height_map import METRICS
 DRAW = Draw(seed=1, number=3)
 NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
 CONTACTS = ["contact_y", "contact_x"]
-
-
-def test_as_many_scans_are_drawn_as_the_study_has():
-    drawn = drawn_scans(make_sources(measured=["mcd"]), DRAW)
-    assert list(drawn) == SUBSTRATES[:3]
-    assert all(one.sizes["scan"] == SCANS for one in drawn.values())
-    numbers = [one["number"].values.tolist() for one in drawn.values()]
-    assert numbers[0] != numbers[1]  # surfaces are drawn independently
 
 
 def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():

@@ -29,7 +29,7 @@ from repository import QUICK, ROOT, copy_repository, environment, run_snakemake
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
 #: The group of jobs of which one is cancelled, and the rule that is then computing.
-CANCELLED = ("cutoffs", "compute_filtered_pull_off")
+CANCELLED = ("cutoffs", "filter_masters")
 #: On one machine files are seen at once and jobs are short.
 HERE = ["--slurm-init-seconds-before-status-checks", "2", "--latency-wait", "5"]
 LIMIT = 1800  # seconds for the whole run

@@ -33,8 +33,7 @@ FORCES = {
     "fit_forces",
 }  # fmt: skip
 MASTERS = {
-    "synthesize_small_scale_master", "synthesize_large_scale_master", "compute_filtered_pull_off",
-    "aggregate_scales", "find_band_edges",
+    "synthesize_masters", "filter_masters", "aggregate_scales", "find_band_edges",
 }  # fmt: skip
 SPECTRA = {"measure_spectrum", "aggregate_spectra"}
 #: What says of every surface how rough it is, and what reads that.
@@ -47,7 +46,7 @@ KEYS = {
     "forces": ("none", set()),
     "scan.levelling": ("lines", SCANS | SPECTRA | FORCES | MASTERS),
     "scan.undefined_pixels": ("harmonic", {"read_scan"} | SCANS | SPECTRA | FORCES | MASTERS),
-    "contact.preload": ("20 uN", FORCES | {"compute_filtered_pull_off", "aggregate_scales",
+    "contact.preload": ("20 uN", FORCES | {"filter_masters", "aggregate_scales",
                                            "find_band_edges"}),
 }  # fmt: skip
 

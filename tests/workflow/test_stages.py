@@ -86,7 +86,7 @@ def test_silence_is_broken(capsys, monkeypatch):
 
 def test_stages_of_the_study_are_named():
     stages = read_stages()
-    assert stage_of("compute_filtered_pull_off", stages).name == "filtered masters"
+    assert stage_of("filter_masters", stages).name == "filtered masters"
     assert stage_of("make_scans_1_2", stages).name == "scans 1 2"
     assert stage_of("unheard_of", stages).name == "unheard of"
 

@@ -248,7 +248,7 @@ def force_ratios(
         found = filtered_pull_off(
             surface, Filters(side, surface.pixels, wavelengths), [contact], rough
         )
-        forces["scan", 0, side] = found.isel(load=0, drop=True)
+        forces["scan", 0, side] = found.isel(radius=0, load=0, rho=0, drop=True)
     ratio = stacked_forces(forces).ratio.isel(surface=0, realization=0, drop=True)
     logarithm = np.log(ratio)
     curves = xr.Dataset(

@@ -2,8 +2,6 @@
 
 from hardcontact.config.configuration import left_out
 from hardcontact.config.model import NONE
-from hardcontact.config.grids import master_megabytes
-from hardcontact.surfaces.synthesis import SIDES
 
 OF_ALL_REALIZATIONS = PATTERNS.drawn_spectrum.replace("/realization-{realization}", "")
 
@@ -59,37 +57,6 @@ rule draw_spectra:
         ),
     script:
         "../scripts/draw_spectra.py"
-
-
-rule vary_spectrum:
-    """Compute the forces of the masters of one realization with a spectrum that is drawn."""
-    input:
-        spectrum=PATTERNS.drawn_spectrum,
-        stitched=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
-        sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
-        code=code_inputs("vary_spectrum.py"),
-    output:
-        expand(PATTERNS.varied_spectrum, side=SIDES, allow_missing=True),
-    log:
-        PATTERNS.log("vary_spectrum", PATTERNS.varied_spectrum.replace("{side}-", "")),
-    benchmark:
-        PATTERNS.benchmark("vary_spectrum", PATTERNS.varied_spectrum.replace("{side}-", ""))
-    resources:
-        mem_mb=max(master_megabytes(STUDY["scales"][side]["pixels"], 3000) for side in SIDES),
-    params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "realization": int(w.realization),
-                "seed": STUDY["seed"],
-                "sides": {side: STUDY["scales"][side] for side in SIDES},
-                "radius": STUDY["sphere"]["radius"],
-                "rho": STUDY["scales"]["range"],
-                "contact": STUDY["contact"],
-            }
-        ),
-    script:
-        "../scripts/vary_spectrum.py"
 
 
 rule find_band_edges:

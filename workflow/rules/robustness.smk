@@ -1,23 +1,22 @@
 # Robustness: the headline numbers under other choices, at the size of the sets.
 
 SIZE = STUDY["sets"]
-PROBE = FILES.variants[0].probe
 
 
-rule vary_adhesion:
-    """Compute the mean forces of the scans of one variant of a surface, on one of the sphere."""
+rule average_pull_off:
+    """Compute the mean forces of all scans of a surface on a smooth sphere or on one of the rough."""
     input:
         substrates=lambda w: [
             FILES.stitched(w.surface, scan, w.variant) for scan in SELECTION.scans(w.surface)
         ],
-        sphere=FILES.first_sphere,
-        code=code_inputs("vary_adhesion.py"),
+        sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
+        code=code_inputs("average_pull_off.py"),
     output:
-        PATTERNS.varied_adhesion,
+        PATTERNS.mean_forces,
     log:
-        PATTERNS.log("vary_adhesion", PATTERNS.varied_adhesion),
+        PATTERNS.log("average_pull_off", PATTERNS.mean_forces),
     benchmark:
-        PATTERNS.benchmark("vary_adhesion", PATTERNS.varied_adhesion)
+        PATTERNS.benchmark("average_pull_off", PATTERNS.mean_forces)
     resources:
         mem_mb=1000,
     params:
@@ -26,67 +25,25 @@ rule vary_adhesion:
                 "surface": w.surface,
                 "scans": SELECTION.scans(w.surface),
                 "sphere_scan": SELECTION.sphere_scans[0],
-                "loads": FILES.loads(PROBE),
-                "array": {"count": SIZE["count"], "window": STUDY["contact"]["window"]},
-                "ranges": RANGES,
                 "radius": STUDY["sphere"]["radius"],
+                "loads": FILES.mean_loads(w.probe),
+                "ranges": RANGES,
+                "array": {
+                    "window": STUDY["contact"]["window"],
+                    # Of the smooth sphere the forces are set beside those of the study.
+                    "count": (SIZE if w.probe == "rough" else STUDY["contact"])["count"],
+                },
             }
         ),
     script:
-        "../scripts/vary_adhesion.py"
-
-
-for surfaces, variants in FILES.varied_together.items():
-
-    rule:
-        """Compute the forces of all masters of one realization, filtered, at every load."""
-        name:
-            f"vary_scales_{variants[0]}"
-        input:
-            scans=lambda w, surfaces=surfaces: [
-                FILES.stitched_of_set_realization(surface, int(w.realization), w.variant)
-                for surface in surfaces
-            ],
-            spectra=lambda w, surfaces=surfaces: [
-                FILES.spectrum(surface, w.variant) for surface in surfaces
-            ],
-            sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
-            code=code_inputs("vary_scales.py"),
-        output:
-            expand(PATTERNS.varied_scales, surface=surfaces, side=SIDES, allow_missing=True),
-        log:
-            PATTERNS.log("vary_scales", PATTERNS.varied_realization),
-        benchmark:
-            PATTERNS.benchmark("vary_scales", PATTERNS.varied_realization)
-        wildcard_constraints:
-            variant=any_of(variants),
-        resources:
-            mem_mb=2000,
-        params:
-            canonical=lambda w, surfaces=surfaces: canonical(
-                {
-                    "surfaces": surfaces,
-                    "realization": int(w.realization),
-                    "seed": STUDY["seed"],
-                    "sides": {side: STUDY["scales"][side] | SIZE[side] for side in SIDES},
-                    "rho": STUDY["scales"]["range"],
-                    "loads": FILES.loads(w.probe),
-                    "array": {"count": SIZE["count"], "window": STUDY["contact"]["window"]},
-                    "radius": STUDY["sphere"]["radius"],
-                }
-            ),
-        script:
-            "../scripts/vary_scales.py"
+        "../scripts/average_pull_off.py"
 
 
 rule aggregate_robustness:
     """Infer adhesion and the critical band again under every variant: robustness.nc."""
     input:
-        adhesion=[
-            FILES.path(PATTERNS.varied_adhesion, surface, variant=variant)
-            for surface, variant in FILES.varied_surfaces
-        ],
-        scales=FILES.paths(PATTERNS.varied_scales, FILES.varied_masters),
+        adhesion=FILES.paths(PATTERNS.mean_forces, FILES.varied_forces),
+        scales=FILES.paths(PATTERNS.filtered, FILES.robustness_masters),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("aggregate_robustness.py"),
@@ -104,9 +61,12 @@ rule aggregate_robustness:
                 **STUDY["inference"],
                 "variants": [variant.parameters() for variant in FILES.variants],
                 "surfaces": FILES.varied_surfaces,
-                "masters": FILES.varied_masters,
+                "masters": [
+                    [row.surface, row.variant, row.probe] for row in FILES.robustness_masters
+                ],
+                "realizations": STUDY["robustness"]["realizations"],
                 "substrates": SELECTION.substrates,
-                "probe": PROBE,
+                "probe": FILES.probe,
                 **{f"pixels_{side}": SIZE[side]["pixels"] for side in SIDES},
                 "count": SIZE["count"],
                 "tolerance": STUDY["scales"]["tolerance"],

@@ -3,21 +3,24 @@
 from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
-VARIED = [] if COMPARED else FILES.measured_masters
+#: What random numbers of masters are for.
+PURPOSE_NAMES = {"sets": "variant", "scaling": "scaling"}
+DRAWN = [] if COMPARED else FILES.masters("drawn")
 
 
-rule synthesize_small_scale_master:
-    """Continue the roughness of a scan below its pixels."""
+rule synthesize_masters:
+    """Continue the roughness of a scan below its pixels and beyond its size."""
     input:
         scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        code=code_inputs("synthesize_small_scale_master.py"),
+        code=code_inputs("synthesize_masters.py"),
     output:
-        PATTERNS.small_master,
+        small=PATTERNS.master.replace("{side}", "small"),
+        large=PATTERNS.master.replace("{side}", "large"),
     log:
-        PATTERNS.log("synthesize_small_scale_master", PATTERNS.small_master),
+        PATTERNS.log("synthesize_masters", PATTERNS.master.replace("/{side}", "")),
     benchmark:
-        PATTERNS.benchmark("synthesize_small_scale_master", PATTERNS.small_master)
+        PATTERNS.benchmark("synthesize_masters", PATTERNS.master.replace("/{side}", ""))
     resources:
         mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
     params:
@@ -26,75 +29,58 @@ rule synthesize_small_scale_master:
                 "surface": w.surface,
                 "realization": int(w.realization),
                 "seed": STUDY["seed"],
-                "pixels": STUDY["scales"]["small"]["pixels"],
-                "transition": STUDY["scales"]["small"]["transition"],
+                "sides": {
+                    "small": {
+                        key: STUDY["scales"]["small"][key] for key in ("pixels", "transition")
+                    },
+                    "large": {
+                        key: STUDY["scales"]["large"][key] for key in ("tiles", "transition")
+                    },
+                },
             }
         ),
     script:
-        "../scripts/synthesize_small_scale_master.py"
+        "../scripts/synthesize_masters.py"
 
 
-rule synthesize_large_scale_master:
-    """Continue the roughness of a scan beyond its size."""
+rule filter_masters:
+    """Compute the forces of masters with all scales, and without those beyond each cutoff."""
     input:
-        scan=lambda w: FILES.stitched_of_realization(w.surface, int(w.realization), w.variant),
-        spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
-        code=code_inputs("synthesize_large_scale_master.py"),
+        unpack(FILES.master_sources),
+        sphere=lambda w: FILES.first_sphere if w.probe == "rough" else [],
+        code=code_inputs("filter_masters.py"),
     output:
-        PATTERNS.large_master,
+        PATTERNS.filtered,
     log:
-        PATTERNS.log("synthesize_large_scale_master", PATTERNS.large_master),
+        PATTERNS.log("filter_masters", PATTERNS.filtered),
     benchmark:
-        PATTERNS.benchmark("synthesize_large_scale_master", PATTERNS.large_master)
+        PATTERNS.benchmark("filter_masters", PATTERNS.filtered)
     resources:
-        mem_mb=2000,
+        mem_mb=lambda w: master_megabytes(
+            max(scales["pixels"] for scales in FILES.filters(w.purpose)["sides"].values()), 3000
+        ),
     params:
         canonical=lambda w: canonical(
             {
                 "surface": w.surface,
-                "realization": int(w.realization),
+                "realizations": list(range(int(w.first), int(w.last) + 1)),
                 "seed": STUDY["seed"],
-                "tiles": STUDY["scales"]["large"]["tiles"],
-                "transition": STUDY["scales"]["large"]["transition"],
+                "masters": w.purpose == "scales",
+                "purpose": PURPOSE_NAMES.get(w.purpose, "master"),
+                "window": STUDY["contact"]["window"],
+                **FILES.filters(w.purpose),
+                **FILES.contact_grid(w.purpose, w.probe),
             }
         ),
     script:
-        "../scripts/synthesize_large_scale_master.py"
-
-
-rule compute_filtered_pull_off:
-    """Compute the forces of one master with all scales, and without those beyond each cutoff."""
-    input:
-        master=PATTERNS.master,
-        sphere=FILES.first_sphere if STUDY["scales"]["sphere_roughness"] else [],
-        code=code_inputs("compute_filtered_pull_off.py"),
-    output:
-        PATTERNS.filtered_pull_off,
-    log:
-        PATTERNS.log("compute_filtered_pull_off", PATTERNS.filtered_pull_off),
-    benchmark:
-        PATTERNS.benchmark("compute_filtered_pull_off", PATTERNS.filtered_pull_off)
-    resources:
-        mem_mb=lambda w: master_megabytes(STUDY["scales"][w.side]["pixels"], 3000),
-    params:
-        canonical=lambda w: canonical(
-            {
-                "side": w.side,
-                "scales": {key: STUDY["scales"][w.side][key] for key in ("pixels", "cutoffs")},
-                "radius": STUDY["sphere"]["radius"],
-                "rho": STUDY["scales"]["range"],
-                "contact": STUDY["contact"],
-            }
-        ),
-    script:
-        "../scripts/compute_filtered_pull_off.py"
+        "../scripts/filter_masters.py"
 
 
 rule aggregate_scales:
     """Gather the forces of all filtered surfaces: scales.nc."""
     input:
-        masters=FILES.paths(PATTERNS.filtered_pull_off, FILES.masters),
-        varied=FILES.paths(PATTERNS.varied_spectrum, VARIED),
+        masters=FILES.paths(PATTERNS.filtered, FILES.masters()),
+        drawn=FILES.paths(PATTERNS.filtered, DRAWN),
         code=code_inputs("aggregate_scales.py"),
     output:
         PATTERNS.dataset("scales"),
@@ -105,8 +91,9 @@ rule aggregate_scales:
     params:
         canonical=canonical(
             {
-                "masters": FILES.masters,
-                "varied": VARIED,
+                "masters": [row.surface for row in FILES.masters()],
+                "drawn": [row.surface for row in DRAWN],
+                "realizations": STUDY["scales"]["realizations"],
                 "load": FILES.contact.load,
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,

@@ -38,43 +38,14 @@ rule compute_pool:
         "../scripts/compute_pool.py"
 
 
-rule compare_sphere:
-    """Compute the forces of the study's scans of a substrate on a smooth sphere."""
-    input:
-        scans=lambda w: [
-            FILES.stitched(w.surface, scan, w.variant) for scan in SELECTION.scans(w.surface)
-        ],
-        code=code_inputs("compare_sphere.py"),
-    output:
-        PATTERNS.smooth_sphere,
-    log:
-        PATTERNS.log("compare_sphere", PATTERNS.smooth_sphere),
-    benchmark:
-        PATTERNS.benchmark("compare_sphere", PATTERNS.smooth_sphere)
-    resources:
-        mem_mb=1000,
-    params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "scans": SELECTION.scans(w.surface),
-                "contact": STUDY["contact"],
-                "ranges": RANGES,
-                "radius": STUDY["sphere"]["radius"],
-            }
-        ),
-    script:
-        "../scripts/compare_sphere.py"
-
-
 rule judge_sets:
     """Draw all sets, and compute of each what the statements of the paper are about: sets.nc."""
     input:
         topography=rules.aggregate_topography.output[0],
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
-        smooth_spheres=[FILES.path(PATTERNS.smooth_sphere, name) for name in SELECTION.pooled],
-        masters=FILES.paths(PATTERNS.varied_scales, FILES.set_masters),
+        smooth_spheres=FILES.paths(PATTERNS.mean_forces, FILES.smooth_forces),
+        masters=FILES.paths(PATTERNS.filtered, FILES.set_masters),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("judge_sets.py"),
@@ -91,7 +62,8 @@ rule judge_sets:
             {
                 "chunks": FILES.chunks,
                 "pooled": SELECTION.pooled,
-                "masters": [[one.surface, one.realization, one.side] for one in FILES.set_masters],
+                "masters": [row.surface for row in FILES.set_masters],
+                "realizations": STUDY["sets"]["realizations"],
                 "load": FILES.contact.load,
                 "statements": replicated_statements("resources/paper/claims.csv"),
                 "settings": {

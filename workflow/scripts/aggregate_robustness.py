@@ -19,6 +19,7 @@ with job(snakemake) as this:
         given["probe"],
         constants["error_threshold"],
         given["tolerance"],
+        given["realizations"],
         Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
         Sampling(
             given["seed"],
@@ -27,9 +28,10 @@ with job(snakemake) as this:
             ("sampling", "robustness"),
         ),
     )
+    masters = zip(given["masters"], this.input.scales, strict=True)
     varied = robustness(
         dataset.read_all(given["surfaces"], this.input.adhesion),
-        dataset.read_all(given["masters"], this.input.scales),
+        [(key, dataset.read(path)) for key, path in masters],
         given["variants"],
         published.pull_off(this.input.published_pull_off),
         choices,

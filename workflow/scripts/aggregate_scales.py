@@ -1,30 +1,32 @@
 """Pull-off forces of every filtered master, and their ratio to the unfiltered one."""
 
 from hardcontact.adhesion.all_surfaces import (
-    at_load,
+    single_masters,
     stacked_forces,
     with_names,
     with_spectrum_shifts,
     with_transitions,
 )
-from hardcontact.records.dataset import read_all
+from hardcontact.records.dataset import read
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    given = this.parameters
-    forces, *varied = (
-        stacked_forces({key: at_load(one, given["load"]) for key, one in parts.items()})
-        for parts in (
-            read_all(given["masters"], this.input.masters),
-            read_all(given["varied"], this.input.varied),
-        )
-        if parts
-    )
-    if varied:
-        forces = with_spectrum_shifts(forces, *varied)
+    params = this.parameters
+
+    stacked = []
+    for surfaces, paths in (
+        (params["masters"], this.input.masters),
+        (params["drawn"], this.input.drawn),
+    ):
+        files = zip([[surface] for surface in surfaces], map(read, paths), strict=True)
+        masters = single_masters(files, params["realizations"], params["load"])
+        stacked += [stacked_forces(masters)] if masters else []
+    forces, *drawn = stacked
+    if drawn:
+        forces = with_spectrum_shifts(forces, *drawn)
     this.write(
-        with_transitions(with_names(forces, given), given["transitions"]).assign_attrs(
-            {name: given[name] for name in ("rho", "sphere_radius")}
+        with_transitions(with_names(forces, params), params["transitions"]).assign_attrs(
+            {name: params[name] for name in ("rho", "sphere_radius")}
         ),
         title="plastic pull-off forces of filtered masters",
     )

@@ -2,7 +2,7 @@
 
 import pandas as pd
 
-from hardcontact.adhesion.all_surfaces import at_load, stacked_forces
+from hardcontact.adhesion.all_surfaces import single_masters, stacked_forces
 from hardcontact.inference.inference import Pair, Published
 from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
@@ -14,12 +14,13 @@ with job(snakemake) as this:
     constants = published.constants(this.input.published_constants)
     limits = {name: constants.value[name] for name in ("error_threshold", "force_floor")}
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
-    masters = read_all(given["masters"], this.input.masters)
+    keys = [[surface] for surface in given["masters"]]
+    masters = zip(keys, map(read, this.input.masters), strict=True)
     sources = gathered_sources(
         {name: read(this.input[name]) for name in ("topography", "adhesion")},
         read_all(given["chunks"], this.input.pools),
         dict(zip(given["pooled"], map(read, this.input.smooth_spheres), strict=True)),
-        stacked_forces({key: at_load(one, given["load"]) for key, one in masters.items()}),
+        stacked_forces(single_masters(masters, given["realizations"], given["load"])),
     )
     paper = Paper(
         pd.DataFrame(given["statements"]),

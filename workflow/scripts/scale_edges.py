@@ -2,11 +2,12 @@
 
 import pandas as pd
 
+from hardcontact.adhesion.all_surfaces import single_masters
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
 from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.edge_scaling import designed_edges, edge_scaling, stacked_scaling
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.records.dataset import read_all
+from hardcontact.records.dataset import read
 from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
@@ -14,8 +15,10 @@ with job(snakemake) as this:
     params = this.parameters
     paths = zip(params["surfaces"], this.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
+    keys = [[surface] for surface in params["masters"]]
+    masters = zip(keys, map(read, this.input.masters), strict=True)
     scaling = stacked_scaling(
-        read_all(params["masters"], this.input.masters),
+        single_masters(masters, params["realizations"]),
         {"labels": params["labels"], "basis": params["basis"]},
     )
     edges = edge_scaling(

@@ -1,6 +1,6 @@
 """Datasets of all surfaces, with their names, stacked from those of single scans and masters."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, TypedDict, TypeVar
 
 import numpy as np
@@ -68,6 +68,29 @@ def at_load(forces: Forces, load: str) -> Forces:
     if load not in known:
         raise ValueError(f"expected forces at the load {load}, found those at {', '.join(known)}")
     return forces.sel(load=load, drop=True)
+
+
+def single_masters(
+    files: Iterable[tuple[Sequence[str], xr.Dataset]], realizations: int, load: str | None = None
+) -> Parts:
+    """Return the forces on each master, by the key of its file, realization and side.
+
+    The files are of `filtered_masters.filtered_pull_off`, over realization and side; realizations
+    beyond the number asked for are left out. Given a load by its name, the forces are at the single
+    radius and range of the file.
+    """
+    masters: dict[tuple[Any, ...], xr.Dataset] = {}
+    for key, file in files:
+        forces = file
+        if load is not None:
+            forces = at_load(file, load).squeeze(["radius", "rho"], drop=True)
+            forces = forces.drop_vars("contact_area")
+        for number in file["realization"].values.tolist():
+            if number <= realizations:
+                for side in file["side"].values.tolist():
+                    master = forces.sel(realization=number, side=side, drop=True)
+                    masters[*key, number, side] = master
+    return masters
 
 
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:

@@ -130,20 +130,37 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     )
 
 
+def plastic_forces(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]) -> Floats:
+    """Return the plastic forces (load, rho, contact, contact) of a pair in N at 1 J/m².
+
+    The contacts differ in their load alone, the ranges of adhesion are in nm.
+    """
+    counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
+    return _forces(bodies, counts, ranges)
+
+
+def _forces(bodies: Bodies, counts: Sequence[int], ranges: Sequence[float]) -> Floats:
+    """Return the forces (count, rho, contact, contact) in N with so many contact pixels."""
+    rhos = np.asarray(ranges, float)
+    _, totals = _gaps_and_totals(bodies, counts, rhos)
+    return pull_off_force(totals, rhos[:, None, None], bodies.geometry.pixel_size, WORK_OF_ADHESION)
+
+
 def mean_pull_off_of_pair(
     bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return the plastic ``pull_off_force`` (load, rho) of a pair, averaged over contacts.
+    """Return forces of a pair averaged over contacts, which differ in their load alone.
 
-    The contacts differ in their load alone.
+    ``pull_off_force`` (load, rho) is that of plastic contact, ``rigid_pull_off_force`` (rho) that
+    of rigid contact.
     """
-    pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
-    counts = [contact.pixels(pixel_size) for contact in contacts]
-    _, totals = _gaps_and_totals(bodies, counts, rhos)
-    means = totals.reshape(*totals.shape[:2], -1).mean(axis=-1)
-    forces = pull_off_force(means, rhos, pixel_size, WORK_OF_ADHESION)
+    counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
+    rigid, *plastic = _forces(bodies, [1, *counts], ranges).mean(axis=(-2, -1))
     return xr.Dataset(
-        {"pull_off_force": (("load", "rho"), forces, FORCE)},
+        {
+            "pull_off_force": (("load", "rho"), np.array(plastic), FORCE),
+            "rigid_pull_off_force": ("rho", rigid, FORCE),
+        },
         load_axis(contacts) | range_axis(ranges),
         {"work_of_adhesion": WORK_OF_ADHESION},
     )

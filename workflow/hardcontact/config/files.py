@@ -2,6 +2,7 @@
 
 from collections import namedtuple
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from functools import cached_property
 from itertools import cycle, product
 from typing import Any, TypeVar
@@ -13,17 +14,19 @@ from hardcontact.numbers.units import token
 from hardcontact.surfaces.synthesis import SIDES
 
 Key = TypeVar("Key")
-#: Scans of a pool in one job: more of them leave the jobs there are as they are.
-CHUNK = 15
+#: Scans of a pool, and realizations of masters of the sets and the chapter, in one job: more of
+#: them leave the jobs there are as they are.
+CHUNK, MASTERS_CHUNK = 15, 5
 
 
 # Rows of lists: their fields are wildcards of patterns.
 Scan = namedtuple("Scan", "surface scan")
 Pair = namedtuple("Pair", "surface scan sphere_scan")
 Chunk = namedtuple("Chunk", "surface first last")
-Master = namedtuple("Master", "surface realization side")
-ScaledMaster = namedtuple("ScaledMaster", "surface scan side")
-VariedMaster = namedtuple("VariedMaster", "surface variant realization side probe")
+MeanForces = namedtuple("MeanForces", "surface variant probe radii loads ranges")
+FilteredMasters = namedtuple(
+    "FilteredMasters", "purpose surface variant probe first last radii loads ranges"
+)
 
 
 def _grouped(pairs: Iterable[tuple[Key, str]]) -> dict[Key, list[str]]:
@@ -51,6 +54,8 @@ class Files:
             "load": self.contact.load,
             "range": f"rho{token(configuration['scales']['range'], 'nm')}",
         }
+        #: The study's sphere of filtered masters.
+        self.probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
         self.surface_variants = surface_variants(configuration)
 
     @cached_property
@@ -213,25 +218,131 @@ class Files:
 
     # Masters
 
-    @property
-    def masters(self) -> list[Master]:
-        """Every master of the study."""
-        realizations = range(1, self._configuration["scales"]["realizations"] + 1)
-        return [Master(*one) for one in product(self._selection.substrates, realizations, SIDES)]
+    def contact_grid(self, purpose: str, probe: str) -> dict[str, list[Any]]:
+        """Return radii (nm), loads (N, Pa) and ranges (nm) that masters are filtered at."""
+        scaling, contact = self._configuration["insight"]["scaling"], self.contact
+        contacts, lengths = [contact], {"radii": [contact.radius], "ranges": [contact.range]}
+        if purpose == "scaling":
+            contacts = [replace(contact, preload=preload) for preload in scaling["preloads"]]
+            lengths = {name: scaling[name] for name in ("radii", "ranges")}
+        elif purpose == "sets":
+            contacts = [variant.contact for variant in self.variants if variant.probe == probe]
+        different = {contact.load: contact for contact in contacts}.values()
+        loads = [{"preload": one.preload, "hardness": one.hardness} for one in different]
+        return {**lengths, "loads": loads}
 
-    @property
-    def measured_masters(self) -> list[Master]:
-        """Every master of a measured surface: its spectrum can be drawn."""
-        basis = self._selection.basis
-        return [one for one in self.masters if basis[one.surface] == "measured"]
+    def filters(self, purpose: str) -> dict[str, Any]:
+        """Return how masters are made and filtered on both sides, and contacts along an edge."""
+        configuration, insight = self._configuration, self._configuration["insight"]
+        section: dict[str, Any] = {
+            "sets": configuration["sets"],
+            "scaling": insight["scaling"] | {"count": insight["count"]},
+        }.get(purpose, configuration["contact"] | configuration["scales"])
+        sides = {side: configuration["scales"][side] | section[side] for side in SIDES}
+        if purpose == "scaling":
+            sides["small"]["pixels"] = insight["small"]["pixels"]
+        keys = ("transition", "pixels", "tiles", "cutoffs")
+        return {
+            "count": section["count"],
+            "sides": {
+                side: {key: scales[key] for key in keys if key in scales}
+                for side, scales in sides.items()
+            },
+        }
 
-    @property
-    def scaled_masters(self) -> list[ScaledMaster]:
-        """Every master at several spheres, ranges and areas."""
-        return [
-            ScaledMaster(scan.surface, scan.scan, side)
-            for scan, side in product(self.realized_scans, SIDES)
+    def _grid_names(self, purpose: str, probe: str) -> dict[str, str]:
+        """Return radii, loads and ranges of a grid as they stand in paths."""
+        grid = self.contact_grid(purpose, probe)
+        return {
+            "radii": "+".join(f"R{token(radius, 'um')}" for radius in grid["radii"]),
+            "loads": "+".join(replace(self.contact, **load).load for load in grid["loads"]),
+            "ranges": "+".join(f"rho{token(rho, 'nm')}" for rho in grid["ranges"]),
+        }
+
+    def _masters_of(
+        self, purpose: str, surface: str, realizations: int, variant: str, probe: str
+    ) -> list[FilteredMasters]:
+        """Return the files of the first realizations of the masters of a surface."""
+        step = 1 if purpose in ("scales", "drawn") else MASTERS_CHUNK
+        names = self._grid_names(purpose, probe)
+        chunks = [
+            (first, min(first + step - 1, realizations))
+            for first in range(1, realizations + 1, step)
         ]
+        return [
+            FilteredMasters(purpose, surface, variant, probe, first, last, **names)
+            for first, last in chunks
+        ]
+
+    def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
+        """Return the masters of the study on its own sphere; drawn spectra are of measured ones."""
+        surfaces, probe = self._selection.substrates, self.probe
+        count = self._configuration["scales"]["realizations"]
+        if purpose == "drawn":
+            surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
+        if purpose == "scaling":
+            count, probe = self._configuration["insight"]["realizations"], "smooth"
+        return [
+            row
+            for surface in surfaces
+            for row in self._masters_of(purpose, surface, count, STUDY_VARIANT, probe)
+        ]
+
+    @property
+    def set_masters(self) -> list[FilteredMasters]:
+        """Every master that the bands of sets are drawn from."""
+        return self._varied_masters(self.variants[:1], "sets")
+
+    @property
+    def robustness_masters(self) -> list[FilteredMasters]:
+        """Every master that some variant asks for."""
+        return self._varied_masters(self.variants, "robustness")
+
+    def _varied_masters(self, variants: Iterable[Variant], section: str) -> list[FilteredMasters]:
+        """Return the masters of variants in as many realizations as sets or robustness have.
+
+        Those of the study itself are shared by both.
+        """
+        counts = {key: self._configuration[key]["realizations"] for key in ("sets", "robustness")}
+        baseline = (STUDY_VARIANT, self.probe)
+        masters = (
+            row
+            for variant in variants
+            for surface, name in variant.variant.items()
+            for row in self._masters_of(
+                "sets",
+                surface,
+                max(counts.values()) if (name, variant.probe) == baseline else counts["robustness"],
+                name,
+                variant.probe,
+            )
+            if row.first <= counts[section]
+        )
+        return list(dict.fromkeys(masters))
+
+    def master_sources(self, row: Any) -> dict[str, list[str]]:
+        """Return the master files of a row of the study; of others scans and spectra."""
+        realizations = range(int(row.first), int(row.last) + 1)
+        surface, variant = row.surface, row.variant
+        if row.purpose == "scales":
+            return {
+                f"{side}_masters": [
+                    self.path(self._patterns.master, surface, realization=realization, side=side)
+                    for realization in realizations
+                ]
+                for side in SIDES
+            }
+        scan_of = self.stitched_of_realization
+        if row.purpose == "sets":
+            scan_of = self.stitched_of_set_realization
+        spectra = [self.spectrum(surface, variant) for _ in realizations]
+        if row.purpose == "drawn":
+            pattern = self._patterns.drawn_spectrum
+            spectra = [self.path(pattern, surface, realization=number) for number in realizations]
+        return {
+            "scans": [scan_of(surface, number, variant) for number in realizations],
+            "spectra": spectra,
+        }
 
     @property
     def varied_surfaces(self) -> list[tuple[str, str]]:
@@ -239,35 +350,26 @@ class Files:
         made = (item for variant in self.variants for item in variant.variant.items())
         return list(dict.fromkeys(made))
 
-    @property
-    def varied_together(self) -> dict[tuple[str, ...], list[str]]:
-        """The surfaces whose masters are filtered together, and the variants they have these of."""
-        of_variants = _grouped((variant, surface) for surface, variant in self.varied_surfaces)
-        return _grouped((tuple(surfaces), variant) for variant, surfaces in of_variants.items())
+    def mean_loads(self, probe: str) -> list[dict[str, float]]:
+        """Return the loads of mean forces: of the study, and of its variants on a rough sphere."""
+        loads: list[dict[str, float]]
+        if probe == "rough":
+            loads = self.contact_grid("sets", self.probe)["loads"]
+        else:
+            loads = self.contact_grid("scales", probe)["loads"]
+        return loads
 
     @property
-    def set_masters(self) -> list[VariedMaster]:
-        """Every master that the bands of sets are drawn from."""
-        return self._varied_masters(self.variants[:1], "sets")
+    def varied_forces(self) -> list[MeanForces]:
+        """The mean forces on the rough sphere of every surface and variant of it."""
+        names = self._grid_names("sets", self.probe)
+        return [MeanForces(*made, "rough", **names) for made in self.varied_surfaces]
 
     @property
-    def varied_masters(self) -> list[VariedMaster]:
-        """Every master that some variant asks for."""
-        return self._varied_masters(self.variants, "robustness")
-
-    def _varied_masters(self, wanted: Iterable[Variant], section: str) -> list[VariedMaster]:
-        """Return each master of these variants once, in as many realizations as a section has."""
-        realizations = range(1, self._configuration[section]["realizations"] + 1)
-        masters = (
-            VariedMaster(surface, name, realization, side, variant.probe)
-            for variant in wanted
-            for surface, name in variant.variant.items()
-            for realization, side in product(realizations, SIDES)
-        )
-        return list(dict.fromkeys(masters))
-
-    def loads(self, probe: str) -> list[dict[str, float]]:
-        """Return preload (N) and hardness (Pa) of the contacts that this sphere comes with."""
-        contacts = [variant.contact for variant in self.variants if variant.probe == probe]
-        different = {contact.load: contact for contact in contacts}.values()
-        return [{"preload": contact.preload, "hardness": contact.hardness} for contact in different]
+    def smooth_forces(self) -> list[MeanForces]:
+        """The mean forces of the study's scans of each substrate with a pool on a smooth sphere."""
+        names = self._grid_names("scales", "smooth")
+        return [
+            MeanForces(surface, STUDY_VARIANT, "smooth", **names)
+            for surface in self._selection.pooled
+        ]

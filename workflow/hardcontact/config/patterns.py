@@ -14,6 +14,10 @@ PUBLISHED = {
 #: Name of the variant of a surface that the study itself is about.
 STUDY_VARIANT = "study"
 
+#: What masters are filtered for: the study, with spectra that are drawn, sets and robustness, and
+#: how the edges of the band scale.
+PURPOSES = ("scales", "drawn", "sets", "scaling")
+
 _SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
 _PAIR = "{radius}/{load}/{surface}/{variant}/scan-{scan}/sphere-scan-{sphere_scan}.nc"
 _REALIZATION = "{surface}/{variant}/realization-{realization}"
@@ -46,34 +50,21 @@ class Patterns:
         self.elastic = f"{store}/elastic/{_PAIR}"
         self.asperities = f"{store}/asperities/{_PAIR}"
 
-        of_surface = "{radius}/{load}/{surface}/{variant}"
-        self.pool = f"{store}/pool/{of_surface}/scans-{{first}}-{{last}}.nc"
-        at_range = of_surface.replace("{surface}", "{range}/{surface}")
+        at_range = "{radius}/{load}/{range}/{surface}/{variant}"
+        self.pool = f"{store}/pool/{at_range}/scans-{{first}}-{{last}}.nc"
         self.pull_off = f"{store}/pull_off/{at_range}/scan-{{scan}}.nc"
-        self.smooth_sphere = f"{store}/smooth_sphere/{of_surface}/forces.nc"
-        of_scan = f"{store}/laws/{of_surface}/scan-{{scan}}"
+        of_scan = f"{store}/laws/{at_range}/scan-{{scan}}"
         self.law_scan, self.law_small, self.law_large = (
             f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
         )
-        # Of all radii, loads and ranges that the edges of the band are scaled by.
-        self.scaled = f"{store}/scaling/{{surface}}/{{variant}}/scan-{{scan}}-{{side}}.nc"
-        self.small_scaled, self.large_scaled = (
-            self.scaled.replace("{side}", side) for side in ("small", "large")
-        )
-
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
-        self.small_master = self.master.replace("{side}", "small")
-        self.large_master = self.master.replace("{side}", "large")
-        loaded = f"{{radius}}/{{load}}/{{range}}/{_REALIZATION}"
-        self.filtered_pull_off = f"{store}/scales/{loaded}/{{side}}.nc"
-        # A spectrum drawn within what measurements leave open, and forces on its masters.
+        # A spectrum drawn within what measurements leave open.
         self.drawn_spectrum = f"{store}/drawn_spectra/{_REALIZATION}.nc"
-        self.varied_spectrum = f"{store}/scales/{loaded}/{{side}}-varied-spectrum.nc"
-
-        self.varied_adhesion = f"{store}/robustness/{of_surface}/forces.nc"
-        self.varied_scales = f"{store}/scales_of_variants/{loaded}/{{side}}-{{probe}}.nc"
-        together = loaded.replace("{surface}/", "")  # all surfaces and sides of one realization
-        self.varied_realization = f"{store}/scales_of_variants/{together}-{{probe}}.nc"
+        # Forces at lists of radii, loads and ranges.
+        grid = "{radii}/{loads}/{ranges}/{surface}/{variant}"
+        self.mean_forces = f"{store}/mean_forces/{grid}/{{probe}}-sphere.nc"
+        realizations = "realizations-{first}-{last}-{probe}-sphere"
+        self.filtered = f"{store}/filtered/{{purpose}}/{grid}/{realizations}.nc"
 
     def dataset(self, name: str) -> str:
         """Return the path of a final dataset."""
@@ -112,8 +103,14 @@ def any_of(names: Iterable[str]) -> str:
     return "|".join(map(re.escape, names)) or "(?!)"
 
 
+def list_of(expression: str) -> str:
+    """Return the regular expression of a list that `joined` writes."""
+    return rf"{expression}(\+{expression})*"
+
+
 def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> dict[str, str]:
     """Return the regular expression that each wildcard must meet, given all names of two kinds."""
+    radius, load, rho = f"R{_NUMBER}um", f"H{_NUMBER}GPa-F{_NUMBER}uN", f"rho{_NUMBER}nm"
     return {
         "surface": any_of(surfaces),
         "variant": any_of(variants),
@@ -121,7 +118,11 @@ def wildcard_constraints(surfaces: Iterable[str], variants: Iterable[str]) -> di
         "shape": f"flat|sphere-R{_NUMBER}um",
         "side": "small|large",
         "probe": "smooth|rough",
-        "radius": f"R{_NUMBER}um",
-        "load": f"H{_NUMBER}GPa-F{_NUMBER}uN",
-        "range": f"rho{_NUMBER}nm",
+        "radius": radius,
+        "load": load,
+        "range": rho,
+        "radii": list_of(radius),
+        "loads": list_of(load),
+        "ranges": list_of(rho),
+        "purpose": "|".join(PURPOSES),
     }

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import at_load, stacked_forces
+from hardcontact.adhesion.all_surfaces import at_load, single_masters, stacked_forces
 from hardcontact.adhesion.force_curves import at_range
 from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
@@ -31,6 +31,10 @@ INFERRED = [
 CRITICAL = ["critical_wavelength", "critical_wavelength_interval"]
 
 
+#: Files of masters, each with its surface, variant and probe.
+Masters = Sequence[tuple[Sequence[str], xr.Dataset]]
+
+
 @dataclass(frozen=True)
 class Choices:
     """What all variants share.
@@ -38,7 +42,8 @@ class Choices:
     The basis of a surface says whether its scans are measured or substitutes; forces are divided by
     those of the reference surface. The probe is the study's sphere of the filtered masters; another
     one leaves range and work as they are. The threshold is of the mean relative error, the
-    tolerance the relative change of the force that ends the critical band, and the published pair
+    tolerance the relative change of the force that ends the critical band. Of the masters so many
+    realizations count, and the published pair
     the range and work of adhesion that mean forces are given at.
     """
 
@@ -48,21 +53,22 @@ class Choices:
     probe: str
     error_threshold: float
     tolerance: float
+    realizations: int
     published_pair: Pair
     sampling: Sampling
 
 
 def robustness(
     adhesion: Mapping[tuple[Any, ...], xr.Dataset],
-    masters: Mapping[tuple[Any, ...], xr.Dataset],
+    masters: Masters,
     variants: Sequence[dict[str, Any]],
     published: pd.DataFrame,
     choices: Choices,
 ) -> xr.Dataset:
     """Return range and work of adhesion and the critical band under every variant.
 
-    Forces pull_off_force (scan, sphere_scan, load, rho), in N, are by surface and variant; masters,
-    of `filtered_pull_off`, by surface, variant, realization, side and probe; published are those of
+    Forces pull_off_force (scan, sphere_scan, load, rho), in N, are by surface and variant; files
+    of masters, as of `single_masters`, by surface, variant and probe; published are those of
     `published.pull_off`. Returned are INFERRED, `mean_force` (variant, surface) in N at the
     published pair, and CRITICAL of all substrates pooled.
     """
@@ -81,7 +87,7 @@ def robustness(
         tolerance=choices.tolerance,
         confidence=choices.sampling.confidence,
         basis=", ".join(f"{name}: {choices.basis[name]}" for name in choices.substrates),
-        realizations=len({realization for _, _, realization, _, _ in masters}),
+        realizations=choices.realizations,
     )
 
 
@@ -111,15 +117,14 @@ def _range_and_work(
     return inferred[INFERRED].assign(mean_force=force.assign_attrs(units="N"))
 
 
-def _band(
-    masters: Mapping[tuple[Any, ...], xr.Dataset], variant: dict[str, Any], choices: Choices
-) -> xr.Dataset:
+def _band(masters: Masters, variant: dict[str, Any], choices: Choices) -> xr.Dataset:
     """Return CRITICAL (side) of all substrates of one variant pooled."""
-    chosen = {
-        (name, realization, side): at_load(master, variant["load"])
-        for (name, made, realization, side, probe), master in masters.items()
-        if (made, probe) == (variant["variant"].get(name), variant["probe"])
-    }
-    curves = stacked_forces(chosen).sel(surface=choices.substrates)
+    files = [
+        ([surface], file)
+        for (surface, made, probe), file in masters
+        if (made, probe) == (variant["variant"].get(surface), variant["probe"])
+    ]
+    curves = stacked_forces(single_masters(files, choices.realizations, variant["load"]))
+    curves = curves.sel(surface=choices.substrates)
     band = critical_band(curves, choices.tolerance, choices.sampling)
     return band[CRITICAL].sel(group="pooled", drop=True)

@@ -34,12 +34,12 @@ ONE, NM = {"units": "1"}, {"units": "nm"}
 def stacked_scaling(masters: Parts, described: Described) -> xr.Dataset:
     """Return the ratios of all masters, with the names of the surfaces.
 
-    The masters are of `scaled_pull_off`, by (surface, realization, side). ``ratio`` (surface,
+    The masters are of `filtered_pull_off`, by (surface, realization, side). ``ratio`` (surface,
     realization, side, cutoff_wavelength, radius, area, rho) is that of filtered to unfiltered
     force, NaN at cutoffs of the other side, beside ``unfiltered_wavelength`` (surface, side) and
     ``contact_area`` (side, area) of touching pixels, in nm².
     """
-    stacked = stacked_forces(masters)
+    stacked = stacked_forces(masters).swap_dims(load="area").drop_vars("load")
     contact_area = stacked["contact_area"].isel(surface=0, realization=0, drop=True)
     return with_names(stacked, described).assign(contact_area=contact_area)
 

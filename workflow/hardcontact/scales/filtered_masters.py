@@ -5,7 +5,7 @@ The side ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those ab
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -17,15 +17,18 @@ from hardcontact.adhesion.pull_off import (
     WORK_OF_ADHESION,
     Axis,
     load_axis,
-    mean_pull_off_of_pair,
-    plastic_totals,
-    pull_off_force,
+    plastic_forces,
+    range_axis,
 )
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
+from hardcontact.numbers.random import generator
+from hardcontact.records import dataset
 from hardcontact.records.job import progress
 from hardcontact.surfaces.filters import filtered_series
-from hardcontact.surfaces.height_map import HeightMap
+from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.spectrum import spectrum_from
+from hardcontact.surfaces.synthesis import synthesized_master
 
 
 class Filters(NamedTuple):
@@ -72,56 +75,60 @@ def filtered_pull_off(
     filters: Filters,
     contacts: Sequence[Contact],
     sphere: HeightMap | None = None,
+    radii: Sequence[float] | None = None,
+    ranges: Sequence[float] | None = None,
 ) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of plastic contact, by load, contact_y and contact_x.
+    """Return `forces_at_cutoffs` of plastic contact at all radii, loads and ranges of adhesion.
 
-    The contacts differ in their load alone. The sphere is its roughness, or None for a smooth
-    sphere. Contacts of the array are numbered.
+    Parameters
+    ----------
+    master : HeightMap
+        Periodic.
+    filters : Filters
+        The cutoffs.
+    contacts : sequence of Contact
+        They differ in their load alone.
+    sphere : HeightMap or None
+        Roughness of the sphere; None for a smooth sphere.
+    radii, ranges : sequence of float or None
+        In nm; None for those of the first contact.
+
+    Returns
+    -------
+    xarray.Dataset
+        Forces at 1 J/m² over cutoff_wavelength, radius, load, rho, contact_y and contact_x, where
+        contacts are numbered. ``contact_area`` (load) is that of the pixels that touch and the
+        coordinate ``area`` (load) the preload over the hardness, both in nm².
     """
-    contact = contacts[0]
+    contact, pixel_size = contacts[0], master.size / filters.pixels
+    spheres = [replace(contact, radius=radius) for radius in radii or [contact.radius]]
+    rhos = list(ranges or [contact.range])
 
     def forces(surface: HeightMap) -> np.ndarray:
-        pair = bodies(surface, sphere, contact)
-        pixel_size = pair.geometry.pixel_size
-        contact_pixels = [load.pixels(pixel_size) for load in contacts]
-        totals = plastic_totals(pair, contact_pixels, contact.range)
-        return pull_off_force(totals, contact.range, pixel_size, WORK_OF_ADHESION)
+        pairs = [bodies(surface, sphere, under_sphere) for under_sphere in spheres]
+        return np.array([plastic_forces(pair, contacts, rhos) for pair in pairs])
 
-    axes = load_axis(contacts)
-    axes |= {axis: ((axis,), np.arange(contact.count), {}) for axis in CONTACT_AXES}
+    nm, places = {"units": "nm"}, np.arange(contact.count)
+    axes: dict[str, Axis] = {"radius": (("radius",), [one.radius for one in spheres], nm)}
+    axes |= load_axis(contacts) | range_axis(rhos)
+    axes |= {axis: ((axis,), places, {}) for axis in CONTACT_AXES}
+    areas = ("load", [load.area for load in contacts], {"units": "nm2"})
+    touching = [load.pixels(pixel_size) * pixel_size**2 for load in contacts]
+    contact_area = ("load", touching, {"units": "nm2", "long_name": "touching pixels"})
     filtered = forces_at_cutoffs(master, filters, forces, axes)
-    return filtered.assign_attrs(rho=contact.range)
+    return filtered.assign(contact_area=contact_area).assign_coords(area=areas)
 
 
-def scaled_pull_off(
-    master: HeightMap,
-    filters: Filters,
-    contacts: Sequence[Contact],
-    radii: Sequence[float],
-    ranges: Sequence[float],
-) -> xr.Dataset:
-    """Return `forces_at_cutoffs` of plastic contact, averaged over contacts, by radius, area, rho.
+def varied_master(
+    side: str, key: tuple[Any, ...], scan: str, spectrum: str, scales: Mapping[str, Any]
+) -> HeightMap:
+    """Return the master of one side of a scan, of their files, with a spectrum that may be drawn.
 
-    The contacts differ in their load alone; the spheres are smooth, radii and ranges in nm. Where a
-    pixel is not small against the contact area, the area is that of the pixels that touch: the
-    smallest whole number of them that carries the preload. ``contact_area`` (area), in nm², is that
-    of the pixels that touch, and the coordinate area the preload over the hardness in nm².
+    The key is that of the random numbers. The heights of the scan are multiplied by the factor of a
+    drawn spectrum. The scales are of `synthesized_master`.
     """
-    spheres = [replace(contacts[0], radius=radius) for radius in radii]
-
-    def forces(surface: HeightMap) -> np.ndarray:
-        pairs = (bodies(surface, None, contact) for contact in spheres)
-        means = (mean_pull_off_of_pair(pair, contacts, ranges)["pull_off_force"] for pair in pairs)
-        return np.array([mean.values for mean in means])
-
-    areas = [contact.area for contact in contacts]
-    axes: dict[str, Axis] = {
-        "radius": (("radius",), np.array(radii), {"units": "nm"}),
-        "area": (("area",), areas, {"units": "nm2", "long_name": "preload over hardness"}),
-        "rho": (("rho",), np.array(ranges), {"units": "nm"}),
-    }
-    pixel_size = master.size / filters.pixels
-    touching = [contact.pixels(pixel_size) * pixel_size**2 for contact in contacts]
-    contact_area = ("area", touching, {"units": "nm2", "long_name": "touching pixels"})
-    filtered = forces_at_cutoffs(master, filters, forces, axes)
-    return filtered.assign(contact_area=contact_area)
+    density, stitched = dataset.read(spectrum), read_height_map(scan)
+    if "height_factor" in density.attrs:
+        heights = stitched.heights * density.attrs["height_factor"]
+        stitched = replace(stitched, heights=heights)
+    return synthesized_master(side, generator(*key), stitched, scales, spectrum_from(density))

@@ -98,7 +98,7 @@ def gathered_sources(
     """Return what sets are made from, of the files of the study and of the pools.
 
     The study gives `topography` and `adhesion`; the chunks of `pool.compute_pool` are by substrate,
-    first and last scan, the smooth ones of `pool.on_smooth_sphere` by substrate, the masters of
+    first and last scan, the smooth ones of `mean_pull_off_of_pair` by substrate, the masters of
     `all_surfaces.stacked_forces` at one load.
     """
     pools: dict[str, list[xr.Dataset]] = {}
@@ -108,7 +108,9 @@ def gathered_sources(
     rough = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
     factor = xr.full_like(rough, np.nan)
     for surface, scans in smooth.items():
-        change = rough.sel(surface=surface, drop=True) / scans["pull_off_force"].mean("scan")
+        plastic = scans["pull_off_force"].squeeze("load", drop=True)
+        by_model = xr.concat([scans["rigid_pull_off_force"], plastic], rough["contact_model"])
+        change = rough.sel(surface=surface, drop=True) / by_model.mean(["scan", "sphere_scan"])
         factor.loc[{"surface": surface}] = change
     return Sources(
         study["topography"],

@@ -5,7 +5,7 @@ heights that span what a set may ask for, and interpolated between them. They ar
 sphere; what its roughness changes is measured on the study's own scans, and applied to all sets.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any, TypedDict
 
@@ -14,7 +14,7 @@ import pandas as pd
 import xarray as xr
 from scipy.interpolate import make_interp_spline
 
-from hardcontact.adhesion.pull_off import FORCE, WORK_OF_ADHESION, pull_off_of_pair
+from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
@@ -139,26 +139,3 @@ def _log_forces(scan: HeightMap, factor: float, settings: PoolSettings) -> Float
     pair = bodies(stitched, None, contact)
     forces = pull_off_of_pair(pair, contact, settings["ranges"])["pull_off_force"].values
     return np.asarray(np.log(forces))
-
-
-def on_smooth_sphere(
-    stitched: Mapping[int, HeightMap],
-    contact: Contact,
-    ranges: Sequence[float],
-) -> xr.Dataset:
-    """Return the mean forces of some scans of one substrate on a smooth sphere.
-
-    The stitched scans are periodic, by number; the ranges of adhesion are in nm.
-    ``pull_off_force`` (scan, contact_model, rho) is averaged over contacts.
-    """
-    pairs = [
-        pull_off_of_pair(bodies(surface, None, contact), contact, ranges)
-        for surface in progress(stitched.values(), len(stitched), "scans on a smooth sphere")
-    ]
-    forces = [pair["pull_off_force"].values.mean(axis=(-2, -1)) for pair in pairs]
-    scans = ("scan", list(stitched), {"long_name": "number of the scan"})
-    return xr.Dataset(
-        {"pull_off_force": (("scan", "contact_model", "rho"), np.array(forces), FORCE)},
-        {"scan": scans} | {name: pairs[0][name] for name in ("contact_model", "rho")},
-        {"work_of_adhesion": WORK_OF_ADHESION},
-    )

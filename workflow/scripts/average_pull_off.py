@@ -1,0 +1,23 @@
+"""Mean rigid and plastic pull-off of the scans of a surface, at several loads."""
+
+from hardcontact.adhesion.pull_off import mean_pull_off_of_pair
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import read_bodies
+from hardcontact.records.dataset import stack
+from hardcontact.records.job import job, progress
+
+with job(snakemake) as this:
+    params = this.parameters
+    contacts = [
+        Contact(radius=params["radius"], **load, **params["array"]) for load in params["loads"]
+    ]
+    paths, forces = zip(params["scans"], this.input.substrates, strict=True), {}
+    for scan, path in progress(paths, len(params["scans"]), "scans"):
+        pair = read_bodies(path, this.input.sphere or None, contacts[0])
+        forces[scan, params["sphere_scan"]] = mean_pull_off_of_pair(
+            pair, contacts, params["ranges"]
+        )
+    this.write(
+        stack(forces, ["scan", "sphere_scan"]),
+        title=f"mean pull-off forces of scans of {params['surface']}",
+    )

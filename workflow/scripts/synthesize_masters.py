@@ -1,0 +1,20 @@
+"""Masters of Fig. 6: a scan with artificial roughness below its pixels, and beyond its size."""
+
+from hardcontact.numbers.random import generator
+from hardcontact.records.job import job
+from hardcontact.surfaces.height_map import read_height_map
+from hardcontact.surfaces.spectrum import read_spectrum
+from hardcontact.surfaces.synthesis import synthesized_master
+
+with job(snakemake) as this:
+    params = this.parameters
+    surface, realization = params["surface"], params["realization"]
+    scan, spectrum = read_height_map(this.input.scan), read_spectrum(this.input.spectrum)
+    for side, scales in params["sides"].items():
+        rng = generator(params["seed"], surface, realization, f"{side}-scale master")
+        master = synthesized_master(side, rng, scan, scales, spectrum)
+        this.write(
+            master.dataset(),
+            title=f"{side}-scale master: realization {realization} of {surface}",
+            output=side,
+        )
