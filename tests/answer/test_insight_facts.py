@@ -25,7 +25,7 @@ from hardcontact.answer.insight_force_facts import (
     statistics_facts,
 )
 from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
-from hardcontact.insight.force_scatter import CHANCE, held_back
+from hardcontact.insight.pull_off_statistics import CHANCE, held_back
 from hardcontact.numbers.number import Number, plain
 
 

@@ -26,8 +26,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
-from hardcontact.insight.force_scatter import SHARES
-from hardcontact.insight.pull_off_statistics import force_statistics
+from hardcontact.insight.pull_off_statistics import SHARES, force_statistics
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap

@@ -1,23 +1,35 @@
-"""The distribution of forces: Weibull's law, gamma functions, sums of Poisson clumps."""
+"""The distribution of forces over places and scans: closed forms, and designed surfaces."""
 
+import sys
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
-from known_spectra import rounded
+from known_spectra import rough, rounded
+from repository import ROOT
 from scipy import special, stats
+
+sys.path.insert(0, str(ROOT / "tests/benchmarks"))
+
+import validate_statistics
 
 from hardcontact.insight.closed_form import Contact, contact_share, smooth_force
 from hardcontact.insight.pull_off_statistics import (
     ForceStatistics,
     field_variation,
+    force_scatter,
     force_statistics,
     number_variance,
+    over_scans,
     summit_variation,
 )
 from hardcontact.insight.summits import LEVELS, banded, closest_approaches, clumps_above
 from hardcontact.numbers.random import generator
+from hardcontact.records import dataset
 
+SPHERE = Contact(250e3, 5.6, 1.0, 400.0)
+TABLE = pd.read_csv(validate_statistics.DATASET.with_suffix(".csv"))
 #: A sphere so flat that its highest summits obey the laws of high levels.
 FLAT = 1e12
 SIGMA = 4.0
@@ -112,7 +124,6 @@ def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
 @pytest.mark.parametrize("modulus", [0.1, 0.3, 0.5])
 def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
     found, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
-    assert found.summits == pytest.approx(1 / (1 - modulus), rel=0.05)
     assert found.spread == pytest.approx(np.log(sums).std(), rel=0.1)
     assert found.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
 
@@ -137,7 +148,7 @@ def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
 
 def test_moments_and_quantiles_are_those_of_the_mixture():
     found = ForceStatistics(
-        1.0, 1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
+        1.0, 1.0, np.array([1.0, 3.0]), np.array([0.3, 0.7]), np.array([0.2, 0.4])
     )
     shares = np.linspace(0, 1, 200001)[1:-1]
     forces = found.quantile(shares)
@@ -152,3 +163,53 @@ def test_without_roughness_all_places_are_alike():
     assert smooth.spread == 0
     assert smooth.quantile(0.3) == pytest.approx(smooth.force)
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9
+
+
+def test_scans_add_the_scatter_of_their_means():
+    places = force_statistics(rough(4.0), SPHERE)
+    assert over_scans(rough(4.0), SPHERE, 0.0).spread == pytest.approx(places.spread)
+    ends = [force_statistics(rough(4.0 + change), SPHERE).force for change in (-0.1, 0.1)]
+    slope = np.log(ends[1] / ends[0]) / 0.2
+    expected = np.hypot(places.spread, slope * 4.0 * 0.05)
+    assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(expected, rel=0.02)
+
+
+def test_scans_far_apart_scatter_as_many_equally_probable_ones():
+    heights = stats.norm.ppf((np.arange(41) + 0.5) / 41, 4.0, 2.0)
+    laws = [force_statistics(rough(max(height, 0.0)), SPHERE) for height in heights]
+    means = np.array([law.force for law in laws])
+    squares = np.mean([law.force**2 * (1 + law.variation**2) for law in laws])
+    expected = np.sqrt(squares) / means.mean()
+    assert np.hypot(1, over_scans(rough(4.0), SPHERE, 0.5).variation) == pytest.approx(
+        expected, rel=0.05
+    )
+
+
+def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_tolerance():
+    scatter = force_scatter(
+        {"a": rough(10.0)}, SPHERE, [5.6], {"a": 0.0}, tolerance=0.1, confidence=0.9
+    )
+    law = force_statistics(rough(10.0), SPHERE)
+    forces = law.quantile(np.linspace(0, 1, 20001)[1:-1])
+    shape = np.sqrt(2 * np.log(forces.mean() / np.median(forces)))
+    assert scatter["total_shape"].item() == pytest.approx(shape, rel=0.01)
+    needed = round(scatter["contacts_needed"].item())
+    samples = law.quantile(generator(1, "contacts").uniform(size=(2000, needed)))
+    within = np.abs(samples.mean(axis=1) / law.force - 1) < 0.1
+    assert needed > 50 and within.mean() == pytest.approx(0.9, abs=0.02)
+
+
+def test_the_table_is_that_of_the_law():
+    stored = dataset.read(validate_statistics.DATASET)
+    for place in (0, 31, 69):
+        rows = list(validate_statistics.compared(stored.isel(surface=place)))
+        known = TABLE[TABLE["surface"] == place].reset_index(drop=True)
+        pd.testing.assert_frame_equal(pd.DataFrame(rows)[list(known)], known, rtol=2e-3, atol=1e-3)
+
+
+def test_forces_are_those_of_the_designed_surfaces():
+    row = validate_statistics.design(52)[51]
+    found = validate_statistics.computed(row)
+    stored = dataset.read(validate_statistics.DATASET).isel(surface=51)
+    for name in ("log_force", "level"):
+        np.testing.assert_allclose(found[name], stored[name], atol=6e-4)

@@ -4,29 +4,35 @@ import pandas as pd
 
 from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.insight.closed_form import Contact, contact_area
-from hardcontact.insight.force_scatter import MEAN_ERROR, force_scatter, with_comparison
+from hardcontact.insight.pull_off_statistics import MEAN_ERROR, force_scatter, with_comparison
 from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
-    given = this.parameters
+    params = this.parameters
     work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
-    spectra = dict(zip(given["surfaces"], map(read_spectrum, this.input.spectra), strict=True))
-    contact = Contact(given["radius"], given["rho"], work, contact_area(**given["load"]))
-    settings = {"tolerance": MEAN_ERROR, "confidence": given["confidence"]}
+    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+    spectra = {surface: read_spectrum(path) for surface, path in paths}
     heights = published.table1(this.input.published_table1)
     heights = heights[heights["quantity"] == "afm_rms_height"].set_index("surface")
-    deviations = (heights["uncertainty"] / heights["value"]).reindex(given["surfaces"]).fillna(0)
-    scatter = force_scatter(spectra, contact, given["ranges"], deviations, settings)
+    deviations = (heights["uncertainty"] / heights["value"]).reindex(params["surfaces"]).fillna(0)
+    scatter = force_scatter(
+        spectra,
+        Contact(params["radius"], params["rho"], work, contact_area(**params["load"])),
+        params["ranges"],
+        deviations,
+        tolerance=MEAN_ERROR,
+        confidence=params["confidence"],
+    )
     compared = with_comparison(
-        scatter.assign(deviation=("surface", deviations, {"units": "1"})),
+        scatter,
         read(this.input.inference),
         published.pull_off(this.input.published_pull_off),
         pd.read_csv(this.input.validation),
     )
     this.write(
-        with_names(compared.assign_attrs(reference_rho=given["rho"]), given),
+        with_names(compared.assign_attrs(reference_rho=params["rho"]), params),
         title="scatter of pull-off forces by the law of their statistics",
     )

@@ -18,8 +18,8 @@ from hardcontact.answer.facts import (
     surfaces,
 )
 from hardcontact.claims.verdicts import verdict
-from hardcontact.insight.force_scatter import CHANCE, held_back
 from hardcontact.insight.interaction_laws import EXPONENTIAL
+from hardcontact.insight.pull_off_statistics import CHANCE, held_back
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import POOLED
 from hardcontact.surfaces.synthesis import SIDES

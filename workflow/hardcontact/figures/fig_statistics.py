@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import NullLocator
 
 from hardcontact.figures import drawing, style, tables
-from hardcontact.insight.force_scatter import CHANCE, LEAST_LEVEL, held_back
+from hardcontact.insight.pull_off_statistics import CHANCE, LEAST_LEVEL, held_back
 
 TITLE = "How pull-off forces scatter"
 CHAPTER = "8. What decides the band"

@@ -187,13 +187,14 @@ def local_exponents(
     """
     opened = edge.isnull()
     edges = xr.concat([edge.fillna(last), formula], "origin")
-    logarithms = edges.copy(data=np.log(edges.values))
+    logarithms: xr.DataArray = xr.apply_ufunc(np.log, edges)
     # An open short edge lies above the last cutoff, an open long one below it.
     beyond = opened * edge["side"].copy(data=np.where(edge["side"] == "small", 1, -1))
     exponents, bounds = [], []
     for axis in LENGTHS.values():
-        length = np.log(contact_area if axis == "area" else edge[axis])
-        computed, by_formula = 2 * logarithms.diff(axis) / length.diff(axis)
+        length = contact_area if axis == "area" else edge[axis]
+        logarithm: xr.DataArray = xr.apply_ufunc(np.log, length)
+        computed, by_formula = 2 * logarithms.diff(axis) / logarithm.diff(axis)
         both_open = opened & opened.shift({axis: 1}, fill_value=False)
         exponents.append(xr.concat([computed.where(~both_open), by_formula], "origin"))
         bounds.append(beyond.diff(axis))

@@ -9,7 +9,7 @@ from hardcontact.adhesion.finite_scan import (
 )
 from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.edge_scaling import among_regimes
-from hardcontact.insight.force_scatter import force_scatter
+from hardcontact.insight.pull_off_statistics import force_scatter
 from hardcontact.insight.summits import draw_size
 from hardcontact.own_surfaces.master_forces import Masters
 from hardcontact.own_surfaces.predicted_force import (
@@ -82,7 +82,8 @@ def own_force(
         contact,
         [contact.rho],
         dict.fromkeys(joined, 0.0),  # the scatter over the places of one scan
-        {"tolerance": tolerance, "confidence": confidence},
+        tolerance=tolerance,
+        confidence=confidence,
     ).squeeze("rho", drop=True)
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
     force = force.merge(among_regimes(joined, contact))
