@@ -17,7 +17,7 @@ from hardcontact.adhesion.traced_contact import traced_contact
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies, gap_map
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
-from hardcontact.surfaces.filters import filtered
+from hardcontact.surfaces.filters import filtered_series
 
 LOAD = Contact(
     radius=RADIUS, preload=10e-6, hardness=25e9, window=4000.0, count=3, range=5.6, work=46.3e-3
@@ -103,7 +103,7 @@ def test_filtered_pull_off_is_the_direct_sum_over_every_filtered_master(sphere, 
     found = found.isel(radius=0, rho=0)
     of_cutoffs = [found["unfiltered_pull_off_force"], *found["pull_off_force"]]
     for cutoff, forces in zip([None, *cutoffs], of_cutoffs, strict=True):
-        surface = filtered(master, side, cutoff, 160)
+        (surface,) = filtered_series(master, side, [cutoff], 160)
         under = bodies(surface, sphere, LOAD)
         pixel_size = under.geometry.pixel_size
         for load in LOADS:

@@ -64,7 +64,7 @@ def above():
 
 @pytest.mark.parametrize("moments", [(1.17, 6.32), (1.0, 4.0), (0.9, 5.9)])
 def test_a_tail_completes_slope_and_curvature(above, moments):
-    tail = spectral_models.power_law_tail(above, *calibration.calibrate_tail(above, moments))
+    tail = spectral_models.power_law_tail(above, *calibration.calibrate_tail(above, *moments))
     found = all_scales_moments(Spectrum(WAVEVECTORS, above + tail))[1:]
     np.testing.assert_allclose(found, moments, rtol=1e-9)
 
@@ -78,7 +78,7 @@ def test_a_tail_completes_slope_and_curvature(above, moments):
 )
 def test_a_tail_refuses_what_it_cannot_add(above, moments, message):
     with pytest.raises(ValueError, match=message):
-        calibration.calibrate_tail(above, moments)
+        calibration.calibrate_tail(above, *moments)
 
 
 def test_table1_is_turned_into_gradient_and_half_laplacian():

@@ -3,12 +3,16 @@
 import numpy as np
 import pytest
 
-from hardcontact.surfaces.filters import filtered, filtered_series, interpolate, lowpass
+from hardcontact.surfaces.filters import filtered_series, interpolate, lowpass
 from hardcontact.surfaces.height_map import HeightMap
 
 
 def periodic(heights, pixel_size=10.0):
     return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
+
+
+def filtered(master, side, cutoff, pixels):
+    return next(filtered_series(master, side, [cutoff], pixels))
 
 
 def noise(pixels, seed=0):

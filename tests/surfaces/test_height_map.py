@@ -1,4 +1,4 @@
-"""The height map on disk: what xarray reads of it, and that it comes back as it was."""
+"""Height maps: planes, spheres, mirrors, metrics with known answers, maps as they are stored."""
 
 import numpy as np
 import pytest
@@ -7,43 +7,116 @@ from refusals import assert_says, refusal
 from scan_files import cut
 
 from hardcontact.records import dataset
-from hardcontact.surfaces.height_map import HeightMap, read_height_map
+from hardcontact.surfaces.height_map import (
+    HeightMap,
+    flat_map,
+    level,
+    level_lines,
+    library_map,
+    metrics,
+    mirror_stitch,
+    read_height_map,
+    table1_variables,
+)
+
+RADIUS = 250e3
 
 
-@pytest.fixture
-def surface():
+def scan_of(heights, pixel_size=10.0):
+    return HeightMap(heights, pixel_size, periodic=False, basis="measured")
+
+
+def test_a_map_comes_back_as_it_was_written(tmp_path):
     heights = np.random.default_rng(0).standard_normal((8, 12))
-    return HeightMap(heights, 2500 / 512, periodic=True, basis="measured")
-
-
-def test_a_map_comes_back_as_it_was_written(tmp_path, surface):
+    surface = HeightMap(heights, 2500 / 512, periodic=True, basis="measured")
     dataset.write(surface.dataset(), tmp_path / "a.nc")
     again = read_height_map(tmp_path / "a.nc")
-    np.testing.assert_array_equal(again.heights, surface.heights.astype(np.float32))
-    assert again.heights.dtype == np.float32
+    np.testing.assert_array_equal(again.heights, heights.astype(np.float32))
     assert (again.pixel_size, again.periodic, again.basis) == (2500 / 512, True, "measured")
-
-
-def test_xarray_reads_what_a_map_is(tmp_path, surface):
-    dataset.write(surface.dataset(), tmp_path / "a.nc")
     stored = xr.load_dataset(tmp_path / "a.nc")
-    again = read_height_map(tmp_path / "a.nc")
     assert stored.heights.dims == ("y", "x") and stored.heights.dtype == np.float32
-    np.testing.assert_array_equal(stored.heights, again.heights)
-    assert stored.heights.attrs["pixel_size"] == again.pixel_size
     assert stored.heights.attrs["units"] == stored.x.attrs["units"] == "nm"
-    assert (bool(stored.attrs["periodic"]), stored.attrs["basis"]) == (True, "measured")
-    # The centres of the pixels.
     np.testing.assert_allclose(stored.x, (np.arange(12) + 0.5) * surface.pixel_size)
-    np.testing.assert_allclose(stored.y, (np.arange(8) + 0.5) * surface.pixel_size)
-
-
-def test_size_of_a_square_map():
-    surface = HeightMap(np.zeros((5, 5)), 3.0, periodic=False, basis="substitute")
-    assert (surface.pixels, surface.size) == (5, 15.0)
-
-
-def test_a_damaged_map_is_one_clear_line(tmp_path, surface):
-    dataset.write(surface.dataset(), tmp_path / "a.nc")
     message = refusal(read_height_map, cut(tmp_path / "a.nc", 0.5))
     assert_says(message, "a.nc: expected a complete netCDF file, found")
+
+
+@pytest.mark.parametrize("shape", [(64, 64), (9, 12)])
+@pytest.mark.parametrize("dtype", [np.float32, float])
+def test_levelling_is_that_of_the_library_bit_by_bit(shape, dtype):
+    scan = scan_of(np.random.default_rng(0).standard_normal(shape).cumsum(0).astype(dtype))
+    expected = library_map(scan).detrend("height").heights().T
+    np.testing.assert_array_equal(level(scan).heights, expected)
+
+
+def test_levelling_removes_a_plane_and_only_that():
+    y, x = np.mgrid[:32, :32]
+    wave = np.sin(2 * np.pi * 4 * x / 32) * np.sin(2 * np.pi * 3 * y / 32)
+    levelled = level(scan_of(wave + 3 * x - 2 * y + 7)).heights
+    assert abs(levelled.mean()) < 1e-9
+    assert np.polyfit(x[0], levelled.mean(axis=0), 1)[0] == pytest.approx(0, abs=1e-9)
+    assert levelled.std() == pytest.approx(wave.std(), rel=0.1)
+
+
+def test_levelling_by_lines_is_a_fit_and_a_median_of_each_along_x():
+    heights = np.random.default_rng(4).standard_normal((24, 24)).cumsum(axis=0).cumsum(axis=1)
+    x = np.arange(24)
+    lines = [line - np.polyval(np.polyfit(x, line, 1), x) for line in heights]
+    aligned = np.array([line - np.median(line) for line in lines])
+    expected = level(scan_of(aligned)).heights
+    np.testing.assert_allclose(level_lines(scan_of(heights)).heights, expected, atol=1e-9)
+
+
+def test_a_sphere_is_removed_wherever_its_apex_lies():
+    wave = np.cos(2 * np.pi * np.arange(64) * 8 / 64) * np.ones((64, 1))
+    y, x = (np.mgrid[:64, :64] - 20.3) * 40.0
+    sphere = scan_of(wave - (x**2 + (y - 500) ** 2) / (2 * RADIUS), 40.0)
+    flat = flat_map(sphere, RADIUS)
+    np.testing.assert_allclose(flat.heights, level(scan_of(wave)).heights, atol=1e-8)
+
+
+def test_mirrored_edges_match():
+    scan = scan_of(np.random.default_rng(0).standard_normal((7, 7)))
+    stitched = mirror_stitch(scan)
+    assert stitched.heights.shape == (14, 14) and stitched.periodic
+    np.testing.assert_array_equal(stitched.heights[:7, :7], scan.heights)
+    np.testing.assert_array_equal(stitched.heights, stitched.heights[::-1, ::-1])
+    for axis in (0, 1):
+        edges = np.take(stitched.heights, [0, -1, 6, 7], axis=axis)
+        first, last, middle, after = np.split(edges, 4, axis=axis)
+        np.testing.assert_array_equal(first, last)
+        np.testing.assert_array_equal(middle, after)
+
+
+def test_metrics_of_a_wave():
+    pixels, pixel_size, amplitude, order = 256, 3.0, 2.0, 16
+    wave = amplitude * np.sin(2 * np.pi * order * np.arange(pixels) / pixels)
+    values = metrics(scan_of(wave * np.ones((pixels, 1)), pixel_size))
+    rms, difference = amplitude / 2**0.5, 2 * np.sin(np.pi * order / pixels) / pixel_size
+    assert values["rms_height"] == pytest.approx(rms)
+    assert values["rms_gradient"] == pytest.approx(rms * difference, rel=0.01)
+    assert values["rms_profile_slope"] == pytest.approx(rms * difference, rel=0.01)
+    assert values["rms_laplacian"] == pytest.approx(rms * difference**2, rel=0.01)
+    assert values["kurtosis"] == pytest.approx(1.5) and values["skewness"] == pytest.approx(0)
+    assert values["peak_to_valley"] == pytest.approx(2 * amplitude)
+
+
+@pytest.mark.parametrize("shape", [(64, 64), (30, 47)])
+def test_metrics_are_those_of_the_library(shape):
+    scan = scan_of(np.random.default_rng(3).standard_normal(shape).cumsum(axis=0), 4.9)
+    values, expected = metrics(scan), library_map(scan)
+    for name, value in (
+        ("rms_height", expected.Sq()),
+        ("rms_gradient", expected.rms_gradient()),
+        ("rms_profile_slope", expected.Rdq()),
+        ("rms_half_laplacian", expected.rms_curvature_from_area()),
+        ("rms_laplacian", 2 * expected.rms_curvature_from_area()),
+    ):
+        assert values[name] == pytest.approx(value, rel=1e-13)
+
+
+def test_rows_of_table1_are_variables_of_the_topography():
+    variables = table1_variables("profile", "laplacian")
+    assert variables["afm_rms_slope"] == "rms_profile_slope_mean"
+    assert variables["all_rms_curvature"] == "all_scales_rms_laplacian"
+    assert len(variables) == 6

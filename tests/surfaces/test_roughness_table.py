@@ -1,14 +1,18 @@
 """The table of roughness: averages over scans, spectra over all scales, maps for pictures."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray as xr
+from measurements import measurement
 from random_scans import PIXEL, UNCD, levelled_scan
 
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import bounds
-from hardcontact.surfaces.height_map import METRICS, metrics, prepared_scan
+from hardcontact.surfaces.height_map import METRICS, flat_map, metrics
 from hardcontact.surfaces.roughness_table import averages, measured_roughness, roughness_table
+from hardcontact.surfaces.scans import prepared
 from hardcontact.surfaces.spectrum import all_scales_moments, measured_psds, spectrum_dataset
 from hardcontact.surfaces.substitute_scans import sphere_scan
 
@@ -22,25 +26,9 @@ SETTINGS = dict(
 )
 
 
-def test_roughness_of_a_scan_is_its_metrics_and_spectra():
-    scan = levelled_scan(generator(1), 64)
-    dataset = measured_roughness(scan)
-    for name, value in metrics(scan).items():
-        assert dataset[name].item() == value
-        assert dataset[name].attrs["units"] == METRICS[name][0]
-    for name, values in zip(
-        ("wavevector", "psd_profile", "psd_isotropic"), measured_psds(scan), strict=True
-    ):
-        np.testing.assert_array_equal(dataset[name], values)
-
-
 def test_averages_over_scans():
-    scans = xr.Dataset(
-        {
-            name: (("surface", "scan"), [[1.0, 2.0, 3.0], [5.0, 7.0, np.nan]], {"units": "nm"})
-            for name in METRICS
-        }
-    )
+    rows = [[1.0, 2.0, 3.0], [5.0, 7.0, np.nan]]
+    scans = xr.Dataset({name: (("surface", "scan"), rows, {"units": "nm"}) for name in METRICS})
     mean = averages(scans, 0.95)
     np.testing.assert_allclose(mean["rms_height_mean"], [2, 6])
     np.testing.assert_allclose(mean["rms_height_std"], [1, np.sqrt(2)])
@@ -49,47 +37,40 @@ def test_averages_over_scans():
     reach = np.array([4.3027 / 3**0.5, 12.7062])
     np.testing.assert_allclose(high, [2, 6] + reach, rtol=1e-4)
     np.testing.assert_allclose(low, [2, 6] - reach, rtol=1e-4)
-    assert mean["rms_height_mean_interval"].dims == ("surface", "bound")
-    assert mean["rms_height_mean_interval"].attrs == {"units": "nm", "confidence": 0.95}
-    assert mean["rms_height_std"].attrs == {"units": "nm"}
 
 
 @pytest.fixture(scope="module")
 def maps():
     """Two scans of UNCD and one of the sphere, of more pixels, as they are read."""
     sphere = sphere_scan(generator(3), levelled_scan(generator(3), 48), 250e3)
-    return {
-        ("uncd", 1): levelled_scan(generator(1), 32),
-        ("uncd", 2): levelled_scan(generator(2), 32),
-        ("ruby", 1): sphere,
-    }
+    uncd = {("uncd", number): levelled_scan(generator(number), 32) for number in (1, 2)}
+    return uncd | {("ruby", 1): sphere}
 
 
 @pytest.fixture(scope="module")
 def table(maps):
-    scans = {key: measured_roughness(scan) for key, scan in maps.items()}
-    radius = {"uncd": None, "ruby": 250e3}
-    examples = {name: prepared_scan(maps[name, 1], radius[name])[0] for name in radius}
+    examples = {
+        name: prepared(measurement(maps[name, 1].heights, PIXEL), "measured", radius)[0]
+        for name, radius in (("uncd", None), ("ruby", 250e3))
+    }
     spectra = {
         name: spectrum_dataset(factor * UNCD.density).assign_attrs(calibrated_to_table1=name)
         for name, factor in (("uncd", 1), ("ruby", 4))
     }
     conditionings = {"ruby": xr.Dataset(attrs={"calibrated_to_table1": "afm_rms_height"})}
+    scans = {key: measured_roughness(scan) for key, scan in maps.items()}
     return roughness_table(scans, spectra, conditionings, examples, **SETTINGS)
 
 
 def test_table_has_every_scan_and_what_is_missing_is_nan(table, maps):
-    assert list(table.surface.values) == ["uncd", "ruby"] and list(table.scan.values) == [1, 2]
     for (surface, scan), heights in maps.items():
-        rms_height = table.rms_height.sel(surface=surface, scan=scan).item()
-        assert rms_height == metrics(heights)["rms_height"]
+        row = table.sel(surface=surface, scan=scan)
+        assert row.rms_height == metrics(heights)["rms_height"]
+        np.testing.assert_array_equal(row.psd_isotropic, measured_psds(heights)[2])
     assert np.isnan(table.rms_height.sel(surface="ruby", scan=2))
     mean = table.psd_isotropic.sel(surface="uncd").mean("scan")
     np.testing.assert_array_equal(table.psd_isotropic_mean.sel(surface="uncd"), mean)
-    expected = averages(table, 0.9)
-    for name in ("rms_gradient_mean", "rms_gradient_std", "rms_gradient_mean_interval"):
-        np.testing.assert_array_equal(table[name], expected[name])
-        assert table[name].attrs == expected[name].attrs
+    assert list(table.calibrated_to_table1.values) == ["uncd", "afm_rms_height"]
 
 
 def test_table_has_the_spectra_and_their_moments(table):
@@ -107,20 +88,19 @@ def test_table_has_the_spectra_and_their_moments(table):
 
 def test_maps_of_all_surfaces_have_the_pixels_of_the_coarsest(table, maps):
     assert table.example_heights.shape == (2, 32, 32)
-    sphere = maps["ruby", 1].heights.astype(np.float32)
-    seen = table.sphere_as_scanned.values
-    assert seen.shape == (32, 32) and seen.dtype == np.float32
-    assert seen[0, 0] == sphere[0, 0] and seen[-1, -1] == sphere[-1, -1]
-    assert np.isin(seen, sphere).all()
+    scanned, sphere = table.sphere_as_scanned.values, maps["ruby", 1].heights.astype(np.float32)
+    assert scanned.shape == (32, 32)
+    assert scanned[0, 0] == sphere[0, 0] and scanned[-1, -1] == sphere[-1, -1]
     np.testing.assert_allclose(table.scan_size, [32 * PIXEL, 48 * PIXEL])
-    np.testing.assert_allclose(table.pixel_size, [PIXEL, PIXEL])
 
 
-def test_table_says_what_the_surfaces_are(table):
-    assert list(table.label.values) == ["UNCD", "ruby"]
-    assert list(table.basis.values) == ["measured", "substitute"]
-    assert list(table.calibrated_to_table1.values) == ["uncd", "afm_rms_height"]
-    assert table.attrs["sphere_surface"] == "ruby"
-    assert table.attrs["reference_surface"] == "uncd"
-    assert table.attrs["confidence"] == 0.9
-    assert '"afm_rms_slope":"rms_gradient_mean"' in table.attrs["table1_variables"]
+@pytest.mark.parametrize("radius", [None, 250e3])
+def test_a_prepared_scan_is_levelled_stitched_and_keeps_what_its_file_says(maps, radius):
+    scan = replace(measurement(maps["ruby", 1].heights, PIXEL), notes=("cropped", "filled"))
+    levelled, stitched = prepared(scan, "substitute", radius, "lines")
+    np.testing.assert_array_equal(stitched.heights[48:, 48:], levelled.heights[::-1, ::-1])
+    assert levelled.attrs["notes"] == stitched.attrs["notes"] == "cropped; filled"
+    assert (levelled.attrs["periodic"], stitched.attrs["periodic"]) == (0, 1)
+    assert ("as_scanned" in levelled) == (radius is not None)
+    expected = flat_map(maps["ruby", 1], radius, "lines").heights
+    np.testing.assert_allclose(levelled.heights, expected, atol=1e-4)

@@ -30,18 +30,20 @@ OVER_MOMENTS = {
     "rms_half_laplacian": 1.0,
     "rms_laplacian": 2.0,
 }
+#: Bands whose amplitudes are free.
+BANDS = 3
+#: Largest ratio of the amplitude of a band to that of the longest wavelengths, or its inverse.
+LARGEST_CHANGE = 4.0
+#: Relative error at which a target counts as met.
+TOLERANCE = 1e-9
 
 
 class Targets(NamedTuple):
-    """What a group of scans of one surface is to have, and the rows of Table 1 that are met so.
+    """The statistics that a group of scans of one surface is given."""
 
-    The means are by metric of `topography.METRICS`, in its unit: height, slope, curvature, in this
-    order; the deviation is the standard deviation of the rms heights (nm, ddof 1).
-    """
-
-    means: Mapping[str, float]
-    deviation: float
-    rows: tuple[str, ...]
+    means: Mapping[str, float]  #: By metric (METRICS): height, slope, curvature, in this order.
+    deviation: float  #: Standard deviation of the rms heights in nm (ddof 1).
+    rows: tuple[str, ...]  #: Of Table 1, that are met so.
 
 
 def scan_targets(
@@ -51,22 +53,35 @@ def scan_targets(
     definitions: Mapping[str, str],
     grid: ScanGrid,
 ) -> Targets | None:
-    """Return what scans of a substitute are to have on this study's pixels.
+    """Return the targets of substitute scans on this study's pixels.
 
-    On the paper's pixels and size, which are in `published.constants`, it is what the spectrum, of
-    `substitute_spectrum`, expects of a scan: Table 1 (`rows_of_surface`), if it was calibrated to
-    it. On other pixels slope and curvature are those that the spectrum expects there, and the rms
-    height stays; on another size all three are expected. The deviation is the share of the rms
-    height that its published uncertainty is. The definitions are what `slope` and `curvature` of
-    Table 1 are read as: keys of `topography.DEFINITIONS`. None of a surface that the paper has no
-    rms height of.
+    On the paper's pixels and size they are what the spectrum expects of a scan: Table 1, if it was
+    calibrated to it. On other pixels slope and curvature are those expected there, and the rms
+    height stays; on another size all three are those expected. The deviation is the share of the
+    rms height that its published uncertainty is.
+
+    Parameters
+    ----------
+    spectrum : xarray.Dataset
+        Of `substitute_spectrum`.
+    table1, constants : pandas.DataFrame
+        Table 1, of `rows_of_surface`; `published.constants`, with the paper's pixels and size.
+    definitions : mapping of str to str
+        What ``slope`` and ``curvature`` of Table 1 are read as: keys of DEFINITIONS.
+    grid : ScanGrid
+        Of the study.
+
+    Returns
+    -------
+    Targets or None
+        None for a surface that the paper has no rms height of.
     """
     if "afm_rms_height" not in table1.index:
         return None
-    published = int(constants["value"]["scan_pixels"]), float(constants["value"]["scan_size"])
+    pixels, size = int(constants["value"]["scan_pixels"]), float(constants["value"]["scan_size"])
     moments = np.array(spectrum.attrs["expected_scan_moments"])
-    same_size = math.isclose(grid.size, published[1])
-    same_pixels = same_size and grid.pixels == published[0]
+    same_size = math.isclose(grid.size, size)
+    same_pixels = same_size and grid.pixels == pixels
     same = np.array([same_size, same_pixels, same_pixels])
     if not same.all():
         density = spectrum_from(spectrum)
@@ -86,19 +101,14 @@ def scan_targets(
 
 
 def group_heights(drawn: Floats, mean: float, deviation: float) -> Floats:
-    """Return rms heights (scan,), of scans as drawn, whose mean and deviation are as given.
+    """Return rms heights (scan,) with a mean and a standard deviation (ddof 1), from drawn ones.
 
-    The deviation is that of a sample (n - 1). The heights keep their order and their relative
-    distances; a single scan gets the mean.
+    They keep their order and their relative distances; a single scan gets the mean.
     """
     deviations = drawn - drawn.mean()
     if len(drawn) > 1:
         deviations *= deviation / deviations.std(ddof=1)
     return np.asarray(mean + deviations)
-
-
-#: Bands whose amplitudes are free.
-BANDS = 3
 
 
 def band_shares(grid: ScanGrid) -> Floats:
@@ -129,12 +139,6 @@ def amplified(density: Density, gain: Floats) -> Density:
     return amplified_density
 
 
-#: Largest ratio of the amplitude of a band to that of the longest wavelengths, or its inverse.
-LARGEST_CHANGE = 4.0
-#: Relative error at which a target counts as met.
-TOLERANCE = 1e-9
-
-
 def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     """Return matrices G (names, bands, bands): metric(sum a_k h_k)² = a G a, in its unit squared.
 
@@ -156,57 +160,48 @@ def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
     return matrices
 
 
-class Conditioning(NamedTuple):
-    """What meets the targets of a group of scans."""
-
-    amplitudes: Floats  #: (bands,) of the spectrum.
-    factors: Floats  #: (scan,) of heights, of mean one.
-    misses: Floats  #: (3,) means of rms height, slope and curvature over their targets, less one.
-
-
-def conditioned(moments: Floats, targets: Targets) -> Conditioning:
-    """Return the amplitudes of bands and the factors of scans that meet the targets.
+def _fitted(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
+    """Return amplitudes (bands,), factors of heights (scan,), relative misses of the means (3,).
 
     The moments (scan, 3, bands, bands) are `second_moments` of the metrics of the targets. The rms
-    heights keep their order and their relative distances, and are met always; with one scan their
-    standard deviation is left out, and an rms height that would be negative is a ValueError. Mean
-    slope and curvature are met as nearly as amplitudes within LARGEST_CHANGE allow: exactly, but
-    for single scans that are far from what is expected.
+    heights are met always; mean slope and curvature as nearly as amplitudes within LARGEST_CHANGE
+    allow: exactly, but for single scans that are far from what is expected. Raises ValueError if an
+    rms height would be negative.
     """
     from scipy.optimize import least_squares
 
     means = np.array(list(targets.means.values()))
 
-    def measured(logs: Floats) -> tuple[Floats, Floats]:
-        """Return the metrics (scan, 3) without and the factors with which heights are met."""
+    def height_factors(logs: Floats) -> tuple[Floats, Floats]:
+        """Return the metrics (scan, 3), and the factors with which heights are met."""
         amplitudes = np.exp(np.append(0.0, logs))
         values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
         heights = values[:, 0]
         return values, group_heights(heights, means[0], targets.deviation) / heights
 
     def misses(logs: Floats) -> Floats:
-        values, factors = measured(logs)
+        values, factors = height_factors(logs)
         return np.asarray((factors[:, None] * values).mean(axis=0) / means - 1)
 
-    def missed(logs: Floats) -> Floats:
+    def slope_and_curvature_misses(logs: Floats) -> Floats:
         return misses(logs)[1:]
 
     fit = least_squares(
-        missed,
+        slope_and_curvature_misses,
         np.zeros(BANDS - 1),
         bounds=(-np.log(LARGEST_CHANGE), np.log(LARGEST_CHANGE)),
         xtol=1e-15,
         ftol=1e-15,
         gtol=1e-15,
     )
-    _, factors = measured(fit.x)
+    _, factors = height_factors(fit.x)
     if factors.min() <= 0:
         raise ValueError(
             f"expected rms heights above zero of {len(moments)} scans that are {means[0]:.3g} +- "
             f"{targets.deviation:.3g} nm, found one below: fewer scans deviate less"
         )
     mean = factors.mean()
-    return Conditioning(mean * np.exp(np.append(0.0, fit.x)), factors / mean, misses(fit.x))
+    return mean * np.exp(np.append(0.0, fit.x)), factors / mean, misses(fit.x)
 
 
 def conditioned_group(
@@ -217,9 +212,9 @@ def conditioned_group(
 ) -> xr.Dataset:
     """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
 
-    Both are one without targets, of a surface that nothing is published of. The generators, by
-    number of the scan, return a new one: that which the scan is drawn with. The attribute
-    `calibrated_to_table1` has the rows of Table 1 that the surface meets by construction.
+    Both are one without targets. The generators, by number of the scan, return a new one: that
+    which the scan is drawn with. The attribute `calibrated_to_table1` has the rows of Table 1 that
+    the surface meets by construction. Raises ValueError if an rms height would be negative.
     """
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
     calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
@@ -233,7 +228,7 @@ def conditioned_group(
             )
             for draw in generators.values()
         ]
-        amplitudes, factors, misses = conditioned(np.array(moments), targets)
+        amplitudes, factors, misses = _fitted(np.array(moments), targets)
         gain = amplitudes @ shares
         met = {
             row

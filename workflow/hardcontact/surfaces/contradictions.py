@@ -1,7 +1,7 @@
 """Measurements of one surface that contradict each other at the wavelengths they share.
 
-A joined spectrum is the mean of its measurements, whatever these say: of two that differ by two
-decades, for a wrong unit or another specimen, it is a spectrum that neither has.
+A joined spectrum is the mean of its measurements. If two of them differ by two decades, because of
+a wrong unit or another specimen, it is a spectrum that neither has.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -26,7 +26,7 @@ ERRORS = 4
 
 
 class Contradiction(NamedTuple):
-    """Two measurements, by their place, the first of which has the higher spectrum."""
+    """Two measurements, by their place, of which one has the higher spectrum."""
 
     higher: int
     lower: int
@@ -35,10 +35,10 @@ class Contradiction(NamedTuple):
     longest: float
 
 
-def told_contradictions(found: Sequence[Contradiction], names: Sequence[str]) -> Iterator[str]:
+def told_contradictions(pairs: Sequence[Contradiction], names: Sequence[str]) -> Iterator[str]:
     """Yield a line on the measurements, called by these names, that contradict each other most."""
-    for pair in found[:1]:
-        more = f"; more pairs that do: {len(found) - 1}" if found[1:] else ""
+    for pair in pairs[:1]:
+        more = f"; more pairs that do: {len(pairs) - 1}" if pairs[1:] else ""
         yield (
             f"{names[pair.higher]} and {names[pair.lower]} contradict each other: at wavelengths "
             f"from {print_length(pair.shortest)} to {print_length(pair.longest)} the power "
@@ -51,27 +51,40 @@ def contradictions(
 ) -> list[Contradiction]:
     """Return which measurements contradict each other, the largest factor first.
 
-    The arrays (measurement, bins) are C_iso in nm⁴ and whether it is reliable; kinds and sizes (nm)
-    are those of the measurements, as of `waves_in_bins`. Compared are all bins that two of them
-    share, and each half decade of these; what is told is the part in which they differ by most
-    standard errors.
+    All bins that two measurements share are compared, and each half decade of them. A contradiction
+    states the part in which they differ by most standard errors.
+
+    Parameters
+    ----------
+    density, reliable : array
+        (measurement, bins) C_iso in nm⁴, and whether it is reliable.
+    kinds, sizes : iterable
+        Of the measurements, as of `waves_in_bins`; sizes in nm.
     """
     usable = np.asarray(reliable, bool) & np.isfinite(density)
-    waves = np.array(list(map(waves_in_bins, kinds, sizes)))
+    waves = np.array([waves_in_bins(kind, size) for kind, size in zip(kinds, sizes, strict=True)])
     logs = np.log(np.where(usable, density, 1.0)) + bias_of_log(waves)
-    scatter = variance_of_log(waves)
-    found = []
-    for one, other in combinations(range(len(logs)), 2):
-        (bins,) = np.nonzero(usable[one] & usable[other])
-        difference, variance = logs[one] - logs[other], scatter[one] + scatter[other]
-        parts = [bins, *(bins[k : k + HALF_DECADE] for k in range(len(bins) - HALF_DECADE + 1))]
-        compared = [(*_mean(difference[part], variance[part]), part) for part in parts if part.size]
-        for mean, error, part in sorted(compared, key=lambda part: -abs(part[0]) / part[1])[:1]:
-            if abs(mean) > ERRORS * error:
-                pair = (one, other) if mean > 0 else (other, one)
-                ends = 2 * np.pi / BIN_CENTRES[part[[-1, 0]]]
-                found.append(Contradiction(*pair, float(np.exp(abs(mean))), *map(float, ends)))
-    return sorted(found, key=lambda pair: -pair.factor)
+    variances = variance_of_log(waves)
+    pairs = []
+    for first, second in combinations(range(len(logs)), 2):
+        (shared,) = np.nonzero(usable[first] & usable[second])
+        if not shared.size:
+            continue
+        difference = logs[first] - logs[second]
+        variance = variances[first] + variances[second]
+        half_decades = [
+            shared[start : start + HALF_DECADE] for start in range(len(shared) - HALF_DECADE + 1)
+        ]
+        compared = [
+            (*_mean(difference[bins], variance[bins]), bins) for bins in (shared, *half_decades)
+        ]
+        mean, error, bins = max(compared, key=lambda part: abs(part[0]) / part[1])
+        if abs(mean) > ERRORS * error:
+            higher, lower = (first, second) if mean > 0 else (second, first)
+            shortest, longest = 2 * np.pi / BIN_CENTRES[bins[[-1, 0]]]
+            factor = float(np.exp(abs(mean)))
+            pairs.append(Contradiction(higher, lower, factor, float(shortest), float(longest)))
+    return sorted(pairs, key=lambda pair: -pair.factor)
 
 
 def _mean(difference: Floats, variance: Floats) -> tuple[float, float]:

@@ -1,11 +1,11 @@
-"""Roughness at wavelengths longer than those at which a scan is reliable.
+"""How a joined spectrum goes on beyond the wavelengths that its measurements show.
 
-Few waves longer than a third of a scan fit into it, and levelling takes a part of each. What is
-left of them in the rms height still tells how far a spectrum goes on to rise: it continues with the
-slope of its longest reliable waves up to a roll-off wavelength, and is constant beyond. The
-roll-off follows from the variance of the levelled heights by Bayes' rule; before that, all
-roll-offs from the longest reliable wavelength to FARTHEST times the scan are equally likely in
-their logarithm.
+Below the shortest it is self-affine down to atoms, within bounds on slope and curvature. Above the
+longest it rises up to a roll-off wavelength, and is constant beyond. Few waves longer than a third
+of a scan fit into it, and levelling removes a part of each, but what is left of them in the rms
+height tells how far the spectrum rises: the roll-off follows from the variance of the levelled
+heights by Bayes' rule. Before that, all roll-offs from the longest reliable wavelength to
+MAX_ROLLOFF times the scan are equally likely in their logarithm.
 """
 
 from collections.abc import Sequence
@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hardcontact.surfaces.measured_spectrum import levelled_topography, local_slopes, size_of
+from hardcontact.surfaces.reliable_band import ReliableBand
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
@@ -34,6 +35,16 @@ ATOMIC = 0.3
 GRADIENT, HALF_LAPLACIAN = 1.45, 7.52
 #: H is fitted to C_iso flatter than q^-2 nowhere: this is the plateau or its roll-off.
 FLATTEST = -2.0
+#: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
+#: slopes to it, which levelling removes.
+MAX_ROLLOFF = 10.0
+#: Roll-off wavelengths that are considered, and directions that waves are averaged over.
+CANDIDATES, DIRECTIONS = 61, 64
+#: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
+STEEPEST = -4.0
+LOG_WAVEVECTORS = np.log(WAVEVECTORS)
+#: Width of the bins of a measured PSD in ln q.
+BIN = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
 
 
 class Tail(NamedTuple):
@@ -45,10 +56,6 @@ class Tail(NamedTuple):
     tail_ended_by: str = ""  #: "gradient", "half_laplacian", "atoms", or "" of a description.
 
 
-#: Units of the fields of a tail.
-TAIL_UNITS = dict(zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True))
-
-
 def continued_spectrum(
     wavevector: Floats, density: Floats, variance: Floats, hurst_change: float = 0.0
 ) -> tuple[Floats, Tail]:
@@ -57,10 +64,9 @@ def continued_spectrum(
     The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
     of ln C. Above the longest wavelength measured C_iso is constant. Below the shortest it is
     self-affine with the Hurst exponent of the last decade past the roll-off, changed by a number
-    and held within 0 to 1.
-    The tail ends at the distance of atoms, or where the rms gradient or half-Laplacian of all
-    scales would pass that of the roughest hard surface known: there is none if the measured part
-    alone does.
+    and held within 0 to 1. The tail ends at the distance of atoms, or where the rms gradient or
+    half-Laplacian of all scales would exceed that of the roughest hard surface known: there is none
+    if the measured part alone does.
     """
     # A point of the table at the last wavevector may lie beyond it by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
@@ -72,10 +78,10 @@ def continued_spectrum(
     last = measured.nonzero()[0][-1]
     start = measured.copy()
     start[last] = level * (WAVEVECTORS[last] / wavevector[-1]) ** (-2 - 2 * hurst)
-    tail = power_law_tail(start, hurst, ATOMIC)
-    ends, ended_by = _bounded(measured + tail)
-    spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(ends, last), measured + tail, 0.0)
-    if ends <= last:
+    spectrum = measured + power_law_tail(start, hurst, ATOMIC)
+    end, ended_by = _bounded(spectrum)
+    spectrum = np.where(np.arange(len(WAVEVECTORS)) <= max(end, last), spectrum, 0.0)
+    if end <= last:
         return spectrum, Tail(tail_ended_by=ended_by)
     shortest, longest = 2 * np.pi / wavevector[[-1, -count]]
     return spectrum, Tail(hurst, float(shortest), float(longest), ended_by)
@@ -100,35 +106,30 @@ def _bounded(density: Floats) -> tuple[int, str]:
     """Return the last index of WAVEVECTORS within the bounds, and `tail_ended_by`."""
     from scipy.integrate import cumulative_trapezoid
 
-    squares = (
-        density * WAVEVECTORS**power / divisor / (2 * np.pi) for power, divisor in ((4, 1), (6, 4))
-    )
-    gradient, half_laplacian = (
-        np.sqrt(cumulative_trapezoid(square, np.log(WAVEVECTORS), initial=0)) for square in squares
-    )
-    ends = {
-        "gradient": gradient > GRADIENT,
-        "half_laplacian": half_laplacian > HALF_LAPLACIAN,
+    def rms(power: int, divisor: int) -> Floats:
+        square = density * WAVEVECTORS**power / divisor / (2 * np.pi)
+        return np.sqrt(cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
+
+    beyond = {
+        "gradient": rms(4, 1) > GRADIENT,
+        "half_laplacian": rms(6, 4) > HALF_LAPLACIAN,
         "atoms": density == 0,
     }
-    first = {
-        bound: int(np.argmax(np.append(beyond, True)))  # where no wave is beyond: after the last
-        for bound, beyond in ends.items()
-    }
+    # An appended True stands after the last wave, where no wave is beyond a bound.
+    first = {bound: int(np.argmax(np.append(waves, True))) for bound, waves in beyond.items()}
     ended_by = min(first, key=first.__getitem__)
     return first[ended_by] - 1, ended_by
 
 
-#: The longest roll-off wavelength that is considered, over the size of the scan: slower waves are
-#: slopes to it, which levelling removes.
-FARTHEST = 10.0
-#: Roll-off wavelengths that are considered, and directions that waves are averaged over.
-CANDIDATES, DIRECTIONS = 61, 64
-#: The steepest rise toward long wavelengths: that of a self-affine surface with H = 1.
-STEEPEST = -4.0
-LOG_WAVEVECTORS = np.log(WAVEVECTORS)
-#: Width of the bins of a measured PSD in ln q.
-BIN = float(np.log(BIN_EDGES[1] / BIN_EDGES[0]))
+def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
+    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured.
+
+    It rises with d ln C/d ln q = `slope`, held within STEEPEST and 0, up to the roll-off, and is
+    constant beyond; wavelengths are in nm.
+    """
+    beyond = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
+    rise = np.minimum(beyond, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST, 0.0)
+    return np.asarray(density * rise)
 
 
 def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
@@ -140,11 +141,10 @@ def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
     """
     angle = (np.arange(DIRECTIONS) + 0.5) * np.pi / 2 / DIRECTIONS
     half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
-    x, y = half * np.cos(angle), half * np.sin(angle)
-    mean_x, slope_x = _projections(x)
+    mean_x, slope_x = _projections(half * np.cos(angle))
     if kind == "profile":
         return np.asarray((1 - mean_x - slope_x).mean(axis=1))
-    mean_y, slope_y = _projections(y)
+    mean_y, slope_y = _projections(half * np.sin(angle))
     removed = mean_x * mean_y + slope_x * mean_y + mean_x * slope_y
     return np.asarray((1 - removed).mean(axis=1))
 
@@ -159,23 +159,20 @@ class LongWaves:
     """The scans of a surface that reach farthest, and what their rms height says of long waves."""
 
     def __init__(
-        self,
-        scans: Sequence[Measurement],
-        densities: Floats,
-        shortest: Sequence[float],
-        longest: Sequence[float],
+        self, scans: Sequence[Measurement], densities: Floats, bands: Sequence[ReliableBand]
     ) -> None:
-        """Take all scans of a surface with their `measured_psd` (scan, bins) in nm⁴.
-
-        The wavelengths at which each scan is reliable, shortest and longest (scan,), are in nm.
-        """
-        widest = [n for n, one in enumerate(longest) if one == max(longest)]
-        self.kind, self.size = scans[widest[0]].kind, size_of(scans[widest[0]])
+        """Take all scans of a surface, their `measured_psd` (scan, bins) in nm⁴ and their bands."""
+        longest = max(band.longest for band in bands)
+        widest = [place for place, band in enumerate(bands) if band.longest == longest]
+        self.kind = scans[widest[0]].kind
+        self.size = size_of(scans[widest[0]])
         self.count = len(widest)
+        heights = [np.asarray(levelled_topography(scans[place]).heights()) for place in widest]
         #: The mean variance of the levelled heights in nm².
-        self.variance = float(np.mean([_variance(scans[n]) for n in widest]))
+        self.variance = float(np.mean([float(values.var()) for values in heights]))
         self._density = np.nan_to_num(densities[widest]).mean(axis=0)
-        self._unreliable = 2 * np.pi / BIN_CENTRES < min(shortest[n] for n in widest)
+        shortest = min(bands[place].shortest for place in widest)
+        self._unreliable = 2 * np.pi / BIN_CENTRES < shortest
         self._share = levelled_share(WAVEVECTORS, self.size, self.kind)
 
     def rolloff(self, density: Floats, longest: float, slope: float, probability: float) -> float:
@@ -186,19 +183,23 @@ class LongWaves:
         """
         if slope >= 0:
             return longest
-        wavelengths = np.geomspace(longest, max(FARTHEST * self.size, 1.01 * longest), CANDIDATES)
-        risen = (with_rolloff(density, longest, slope, one) for one in wavelengths)
-        likelihood = np.array([self._log_likelihood(one) for one in risen])
+        rolloffs = np.geomspace(longest, max(MAX_ROLLOFF * self.size, 1.01 * longest), CANDIDATES)
+        likelihood = np.array(
+            [
+                self._log_likelihood(with_rolloff(density, longest, slope, rolloff))
+                for rolloff in rolloffs
+            ]
+        )
         posterior = np.exp(likelihood - likelihood.max())
         below = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
-        return float(np.exp(np.interp(probability, below, np.log(wavelengths))))
+        return float(np.exp(np.interp(probability, below, np.log(rolloffs))))
 
     def _log_likelihood(self, density: Floats) -> float:
         """Return the logarithm of the likelihood of the variance, less a constant.
 
         The power of each of N independent waves is distributed exponentially, so that theirs is a
         gamma variable of the relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π along
-        a line, and 1 of waves longer than the scan, which are a bow. Heights that are not of the
+        a line, and 1 for waves longer than the scan, which are a bow. Heights that are not of the
         surface, at wavelengths too short to be reliable, are added to the variance.
         """
         from scipy import stats
@@ -211,18 +212,3 @@ class LongWaves:
         expected = np.trapezoid(power, LOG_WAVEVECTORS) + noise
         shape = expected**2 / np.trapezoid(power**2 / number, LOG_WAVEVECTORS) * self.count
         return float(stats.gamma.logpdf(self.variance, shape, scale=expected / shape))
-
-
-def _variance(scan: Measurement) -> float:
-    return float(np.asarray(levelled_topography(scan).heights()).var())
-
-
-def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured.
-
-    It rises with d ln C/d ln q = `slope`, held within STEEPEST and 0, up to the roll-off, and is
-    constant beyond; wavelengths are in nm.
-    """
-    beyond = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
-    rise = np.minimum(beyond, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST, 0.0)
-    return np.asarray(density * rise)

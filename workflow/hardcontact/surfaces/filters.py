@@ -22,8 +22,8 @@ ROWS = 64  # rows a block: no step holds a second full-size array, and a block f
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
     """Return the wavelengths >= cutoff (nm) of a surface, on the coarsest grid that holds them.
 
-    The surface is periodic and square; the heights, on at most its own pixels, are in float64. A
-    cutoff of two pixels or less is a ValueError.
+    The surface is periodic and square; the heights, on at most its own pixels, are in float64.
+    Raises ValueError for a cutoff of two pixels or less.
     """
     from scipy import fft
 
@@ -84,8 +84,8 @@ def _with_orders(transform: Spectrum, pixels: int) -> Spectrum:
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     """Return the trigonometric interpolation of a periodic, square surface on pixels x pixels.
 
-    It passes through the original points where they coincide; heights are in float32. Fewer pixels
-    than the surface has are a ValueError.
+    It passes through the original points where they coincide; heights are in float32. Raises
+    ValueError for fewer pixels than the surface has.
     """
     from scipy import fft
 
@@ -121,11 +121,6 @@ def _inverse(padded: Spectrum) -> Iterator[tuple[slice, NDArray[np.float64]]]:
     for start in range(0, pixels, ROWS):
         rows = slice(start, start + ROWS)
         yield rows, fft.irfft(padded[rows], n=pixels, axis=1)
-
-
-def filtered(master: HeightMap, side: str, cutoff: float | None, pixels: int) -> HeightMap:
-    """Return a master without the scales beyond a cutoff: one surface of `filtered_series`."""
-    return next(filtered_series(master, side, [cutoff], pixels))
 
 
 def filtered_series(

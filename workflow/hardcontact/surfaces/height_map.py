@@ -1,9 +1,11 @@
-"""One value for a height map: heights, pixel size, whether it is periodic, its basis.
+"""Height maps: levelling, subtracting the sphere, mirror stitching, rms metrics.
 
-SurfaceTopography is imported where it is used: importing it takes longer than most jobs compute.
+SurfaceTopography and `scipy.stats` are imported where they are used: importing them takes longer
+than most jobs compute.
 """
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,16 +16,13 @@ from hardcontact.records import dataset
 if TYPE_CHECKING:
     from SurfaceTopography import Topography
 
-from collections.abc import Callable, Mapping
-from dataclasses import replace
-
 
 @dataclass(frozen=True, eq=False)
 class HeightMap:
     """A surface on square pixels; heights grow out of the material.
 
     Heights (y, x) and the edge of a pixel are in nm. A periodic map continues itself at its edges.
-    The basis is ``"measured"`` or ``"substitute"``; a substitute is called so wherever it shows.
+    The basis is ``"measured"`` or ``"substitute"``.
     """
 
     heights: np.ndarray
@@ -64,7 +63,7 @@ class HeightMap:
 
 
 def read_height_map(path: str) -> HeightMap:
-    """Read a netCDF file of `HeightMap.dataset`; one that cannot be read is a ValueError."""
+    """Read a netCDF file of `HeightMap.dataset`; raises ValueError if it cannot be read."""
     stored = dataset.read(path)
     heights = stored["heights"]
     return HeightMap(
@@ -76,11 +75,61 @@ def read_height_map(path: str) -> HeightMap:
 
 
 def library_map(surface: HeightMap) -> "Topography":
-    """Return a height map as SurfaceTopography knows it; its first axis is x."""
+    """Return a height map as a Topography of SurfaceTopography, whose first axis is x."""
     from SurfaceTopography import Topography
 
     sizes = tuple(count * surface.pixel_size for count in surface.heights.T.shape)
     return Topography(np.asarray(surface.heights, dtype=float).T, sizes, unit="nm")
+
+
+def level(scan: HeightMap) -> HeightMap:
+    """Return a scan minus its least-squares plane, bit by bit as SurfaceTopography levels it."""
+    heights = np.asarray(scan.heights, dtype=float).T
+    x, y = np.meshgrid(*(np.arange(count) / count for count in heights.shape), indexing="ij")
+    design = np.column_stack([np.ones(heights.size), x.ravel(), y.ravel()])
+    offset, slope_x, slope_y = np.linalg.lstsq(design, heights.ravel(), rcond=None)[0]
+    return replace(scan, heights=(heights - offset - slope_x * x - slope_y * y).T)
+
+
+def level_lines(scan: HeightMap) -> HeightMap:
+    """Return a scan whose lines are aligned, minus its least-squares plane.
+
+    Scan lines run along x. Each loses its least-squares line, then its median. This removes drift
+    and jumps of the feedback, but also all real roughness whose wavevector points along y.
+    Source: ``ScanLineAlignedTopography`` of SurfaceTopography.
+    """
+    aligned = library_map(scan).scan_line_align(direction="x", mode="median", degree=1)
+    return level(replace(scan, heights=aligned.heights().T))
+
+
+#: Ways to level a scan, by their names in the configuration.
+LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {"plane": level, "lines": level_lines}
+
+
+def flat_map(
+    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
+) -> HeightMap:
+    """Return a scan levelled, after the sphere (radius in nm) that it shows is subtracted, if any.
+
+    The paraboloid x²/2R is added back. The position of the apex does not matter, because moving it
+    adds a plane.
+    """
+    if sphere_radius is not None:
+        y, x = (
+            (np.arange(count) - (count - 1) / 2) * scan.pixel_size for count in scan.heights.shape
+        )
+        heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
+        scan = replace(scan, heights=heights)
+    return LEVELLING[levelling](scan)
+
+
+def mirror_stitch(scan: HeightMap) -> HeightMap:
+    """Return a periodic map (2y, 2x): the scan beside its mirror images, so that all edges match.
+
+    Source: the paper, section Numerical Analysis of Results.
+    """
+    wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
+    return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
 
 
 #: Metrics of a height map with their units and long names, in the order of Table 1.
@@ -101,74 +150,6 @@ DEFINITIONS = {
     "half_laplacian": "rms_half_laplacian",
     "laplacian": "rms_laplacian",
 }
-
-
-def level(scan: HeightMap) -> HeightMap:
-    """Return a scan less its least-squares plane."""
-    return replace(scan, heights=library_map(scan).detrend("height").heights().T)
-
-
-def level_lines(scan: HeightMap) -> HeightMap:
-    """Return a scan whose lines are aligned, less its least-squares plane.
-
-    Scan lines run along x. Each loses its least-squares line, then its median: offsets and tilts
-    of lines that drift and jumps of the feedback leave. So does what is real in them: all
-    roughness whose wavevector points along y.
-
-    Source: ``ScanLineAlignedTopography`` of SurfaceTopography.
-    """
-    aligned = library_map(scan).scan_line_align(direction="x", mode="median", degree=1)
-    return level(replace(scan, heights=aligned.heights().T))
-
-
-#: Ways to level a scan, by their names in the configuration.
-LEVELLING: dict[str, Callable[[HeightMap], HeightMap]] = {"plane": level, "lines": level_lines}
-
-
-def flat_map(
-    scan: HeightMap, sphere_radius: float | None = None, levelling: str = "plane"
-) -> HeightMap:
-    """Return a scan levelled, less the sphere of a radius in nm whose top it shows, if any.
-
-    The paraboloid x²/2R of the known radius is added back and the rest levelled. The position of
-    the apex does not matter, because moving it adds a plane.
-    """
-    if sphere_radius is not None:
-        y, x = (
-            (np.arange(count) - (count - 1) / 2) * scan.pixel_size for count in scan.heights.shape
-        )
-        heights = scan.heights + (y[:, None] ** 2 + x**2) / (2 * sphere_radius)
-        scan = replace(scan, heights=heights)
-    return LEVELLING[levelling](scan)
-
-
-def mirror_stitch(scan: HeightMap) -> HeightMap:
-    """Return a periodic map (2y, 2x): the scan beside its mirror images, so that all edges match.
-
-    Source: the paper, section Numerical Analysis of Results.
-    """
-    wide = np.concatenate([scan.heights, scan.heights[:, ::-1]], axis=1)
-    return replace(scan, heights=np.concatenate([wide, wide[::-1]], axis=0), periodic=True)
-
-
-def prepared_scan(
-    scan: HeightMap,
-    sphere_radius: float | None = None,
-    levelling: str = "plane",
-    described: Mapping[str, str] | None = None,
-) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a scan levelled, and then mirror-stitched, both as they are stored.
-
-    The levelled scan of a sphere, of a radius in nm, also keeps the scan as it was read, in the
-    variable `as_scanned`. Both keep the attributes `described`.
-    """
-    flat = flat_map(scan, sphere_radius, levelling)
-    stored = flat.dataset()
-    if sphere_radius is not None:
-        attributes = {"units": "nm", "long_name": "height of the sphere as scanned"}
-        stored["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), attributes)
-    stitched = mirror_stitch(flat).dataset()
-    return stored.assign_attrs(described or {}), stitched.assign_attrs(described or {})
 
 
 def metrics(scan: HeightMap) -> dict[str, float]:

@@ -1,17 +1,25 @@
 """One spectrum of a surface from all its measurements: maps of several sizes, line scans.
 
-It is continued beyond its band within bounds on slope and curvature.
+`extrapolated_spectrum` continues it beyond its band.
 """
 
+import io
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 from numpy.typing import NDArray
 
-from hardcontact.surfaces.extrapolated_spectrum import BIN, LongWaves, with_rolloff
+from hardcontact.surfaces.extrapolated_spectrum import (
+    BIN,
+    FEWEST,
+    LongWaves,
+    Tail,
+    continued_spectrum,
+    with_rolloff,
+)
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION,
     bias_of_log,
@@ -25,19 +33,13 @@ from hardcontact.surfaces.reliable_band import ReliableBand, reliable_band, with
 from hardcontact.surfaces.scans import Measurement
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
+    KNOWN,
     WAVEVECTORS,
     Floats,
     Spectrum,
     spectrum_dataset,
+    spectrum_from,
 )
-
-if TYPE_CHECKING:
-    pass
-
-import io
-
-from hardcontact.surfaces.extrapolated_spectrum import FEWEST, TAIL_UNITS, Tail, continued_spectrum
-from hardcontact.surfaces.spectrum import KNOWN, spectrum_from
 
 #: Radii in nm of tips that are not known: from new ones to blunt ones.
 TIPS = (5.0, 50.0)
@@ -45,12 +47,15 @@ TIPS = (5.0, 50.0)
 #: over some decades at best, and of the change of the slope d ln C/d ln q along a root of a decade:
 #: at a roll-off it is 2 + 2H, some 3.6, once in the three decades that surfaces are measured on.
 HURST_SCATTER, KINK = 0.1, 2.0
+#: What a spectrum says of its ends, with units; it stands in its attributes.
+ENDS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | dict(
+    zip(Tail._fields, ("1", "nm", "nm", "1"), strict=True)
+)
 
 
 class _Data(NamedTuple):
     """The measurements of a surface, and what they say of its spectrum."""
 
-    measurements: Sequence[Measurement]
     radii: Sequence[float | None]  #: Of their tips in nm, where they are known.
     densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
     waves: Floats  #: (measurement, bins) independent ones.
@@ -63,20 +68,27 @@ class _Data(NamedTuple):
 
 
 def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]) -> _Data:
-    """Return what the measurements say; fewer than three reliable bins are a ValueError."""
+    """Return what the measurements say; raises ValueError for fewer than three reliable bins."""
     radii = [
         measurement.tip_radius if radius is None else radius
         for measurement, radius in zip(measurements, tip_radii, strict=True)
     ]
     densities = np.array([measured_psd(measurement)[1] for measurement in measurements])
-    bands = list(map(reliable_band, measurements, radii, densities))
+    bands = [
+        reliable_band(*arguments) for arguments in zip(measurements, radii, densities, strict=True)
+    ]
     waves = np.array([independent_waves(measurement) for measurement in measurements])
-    ends = [band.shortest for band in bands], [band.longest for band in bands]
-    long_waves = LongWaves(measurements, densities, *ends)
-    data = _Data(measurements, radii, densities, waves, bands, long_waves)
+    data = _Data(radii, densities, waves, bands, LongWaves(measurements, densities, bands))
     count = int(data.reliable(bands).any(axis=0).sum())
     if count < FEWEST:
-        raise ValueError(_too_few(measurements, bands, count))
+        found = "; ".join(
+            f"{measurement.path} {measurement.dataset}".strip() + f" {band}"
+            for measurement, band in zip(measurements, bands, strict=True)
+        )
+        raise ValueError(
+            f"expected measurements that are reliable in at least {FEWEST} bins of wavelengths "
+            f"(ten a decade), found {count}: {found}"
+        )
     return data
 
 
@@ -85,12 +97,25 @@ def joined_spectrum(
 ) -> xr.Dataset:
     """Return the spectrum of a surface, joined of its measurements within their reliable bands.
 
-    The radius of the tip of each measurement is in nm; None is that which its file states, if any.
-    Returned are `spectrum` (wavevector) in nm⁴ over all scales; `joined` (bin_wavevector) in nm⁴,
-    the mean logarithm of what is reliable, weighted by independent waves, freed of the bias of the
-    logarithm and smoothed where waves are few, NaN where nothing is; `psd` and `reliable`
-    (measurement, bin_wavevector), and what is known of each measurement. Fewer than three reliable
-    bins of wavelengths are a ValueError of one line.
+    Parameters
+    ----------
+    measurements : sequence of Measurement
+        Levelled maps and line scans.
+    tip_radii : sequence of float or None
+        In nm, by measurement; None for that which its file states, if any.
+
+    Returns
+    -------
+    xarray.Dataset
+        `spectrum` (wavevector) in nm⁴ over all scales; `joined` (bin_wavevector) in nm⁴, the mean
+        logarithm of what is reliable, weighted by independent waves, freed of the bias of the
+        logarithm and smoothed where waves are few, NaN where nothing is; `psd` and `reliable`
+        (measurement, bin_wavevector), and what is known of each measurement.
+
+    Raises
+    ------
+    ValueError
+        If fewer than three bins of wavelengths are reliable, in one line.
     """
     data = _data(measurements, tip_radii)
     reliable = data.reliable(data.bands)
@@ -98,14 +123,23 @@ def joined_spectrum(
     joined = np.where(reliable.any(axis=0), Spectrum(*points[:2])(BIN_CENTRES), np.nan)
     spectrum, tail, rolloff = _continued(points, data.long_waves, probability=0.5)
     used = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
-    found = with_measurements(
-        spectrum_dataset(spectrum),
-        data.densities,
-        reliable,
-        list(map(_described, measurements, data.radii, data.bands)),
-    )
-    return found.assign(
-        joined=("bin_wavevector", joined, {"units": "nm4", "long_name": "joined PSD"})
+    described = [
+        {
+            "kind": measurement.kind,
+            "size": size_of(measurement),
+            "pixel_size": measurement.pixel_size,
+            "shortest_reliable": band.shortest,
+            "longest_reliable": band.longest,
+            "limited_by": band.limited_by,
+            "path": measurement.path,
+            "dataset": measurement.dataset,
+            "tip_radius": np.nan if radius is None else radius,
+            "notes": "; ".join(measurement.notes),
+        }
+        for measurement, radius, band in zip(measurements, data.radii, data.bands, strict=True)
+    ]
+    return _with_measurements(
+        spectrum_dataset(spectrum), joined, data.densities, reliable, described
     ).assign_attrs(
         basis="measured",
         calibrated_to_table1="",
@@ -121,21 +155,20 @@ def drawn_spectra(
     measurements: Sequence[Measurement],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Draw spectra of a surface within what its measurements leave open.
+    """Draw spectra of a surface within what its measurements leave open, one by each generator.
 
-    Measurements and radii are those of `joined_spectrum`; each generator draws one spectrum. Drawn
-    are the power of the few waves in each bin and the bends between them; the calibrations; the
-    radii of tips that are not known, even in their logarithm within TIPS; the Hurst exponent of the
-    tail; and the roll-off above. Beside the spectrum stand the factors (measurement,) of heights by
-    which it takes the calibrations to be wrong.
+    Measurements and radii are those of `joined_spectrum`. Drawn are the power of the few waves in
+    each bin and the bends between them; the calibrations; the radii of tips that are not known,
+    uniform in their logarithm within TIPS; the Hurst exponent of the tail; and the roll-off above.
+    With each spectrum come the factors (measurement,) by which it takes heights to be wrong.
     """
     data = _data(measurements, tip_radii)
     for rng in rngs:
         bands = [
             band
-            if radius is not None or one.kind != "map"
-            else with_tip(band, one, float(np.exp(rng.uniform(*np.log(TIPS)))))
-            for one, radius, band in zip(measurements, data.radii, data.bands, strict=True)
+            if radius is not None or measurement.kind != "map"
+            else with_tip(band, measurement, float(np.exp(rng.uniform(*np.log(TIPS)))))
+            for measurement, radius, band in zip(measurements, data.radii, data.bands, strict=True)
         ]
         reliable = data.reliable(bands)
         if reliable.any(axis=0).sum() < FEWEST:
@@ -149,20 +182,19 @@ def drawn_spectra(
         yield Spectrum(WAVEVECTORS, spectrum * np.exp(common)), np.exp(calibration / 2)
 
 
-def _continued(
-    points: tuple[Floats, Floats, Floats],
-    long_waves: LongWaves,
-    probability: float,
-    hurst_change: float = 0.0,
-) -> tuple[Floats, Tail, float]:
-    """Return C_iso (nm⁴) on WAVEVECTORS of what is joined, with its tail and roll-off in nm.
+def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
+    """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
 
-    The roll-off is that which is not exceeded with a probability.
+    Each measurement (measurement, bins) counts by the inverse of its variance, and ln C is raised
+    by the bias of the logarithm of few waves. The variance returned is that by the number of waves
+    alone.
     """
-    density, tail = continued_spectrum(*points, hurst_change)
-    slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
-    rolloff = long_waves.rolloff(density, longest, slope, probability)
-    return with_rolloff(density, longest, slope, rolloff), tail, rolloff
+    wave_variance = variance_of_log(waves)
+    weight = np.where(reliable, 1 / (wave_variance + CALIBRATION**2), 0.0)
+    logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        weight = weight / weight.sum(axis=0)
+    return np.exp((weight * logs).sum(axis=0)), (weight**2 * wave_variance).sum(axis=0)
 
 
 def smoothed(
@@ -193,114 +225,58 @@ def smoothed(
     return BIN_CENTRES[bins], np.exp(smooth), np.diag(posterior) + CALIBRATION**2
 
 
-def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
-    """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
+def _continued(
+    points: tuple[Floats, Floats, Floats],
+    long_waves: LongWaves,
+    probability: float,
+    hurst_change: float = 0.0,
+) -> tuple[Floats, Tail, float]:
+    """Return C_iso (nm⁴) on WAVEVECTORS of what is joined, with its tail and roll-off in nm.
 
-    Each measurement (measurement, bins) counts by the inverse of its variance, and ln C is raised
-    by what the logarithm of few waves lies too low on average. The variance returned is that by the
-    number of waves alone.
+    The roll-off is that which is not exceeded with a probability.
     """
-    of_waves = variance_of_log(waves)
-    weight = np.where(reliable, 1 / (of_waves + CALIBRATION**2), 0.0)
-    logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        weight = weight / weight.sum(axis=0)
-    return np.exp((weight * logs).sum(axis=0)), (weight**2 * of_waves).sum(axis=0)
+    density, tail = continued_spectrum(*points, hurst_change)
+    slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
+    rolloff = long_waves.rolloff(density, longest, slope, probability)
+    return with_rolloff(density, longest, slope, rolloff), tail, rolloff
 
 
-def _too_few(measurements: Sequence[Measurement], bands: Sequence[ReliableBand], count: int) -> str:
-    """Return the line that refuses measurements with too few reliable bins."""
-    found = "; ".join(
-        f"{one.path} {one.dataset}".strip() + f" {band}"
-        for one, band in zip(measurements, bands, strict=True)
-    )
-    return (
-        f"expected measurements that are reliable in at least {FEWEST} bins of wavelengths (ten a "
-        f"decade), found {count}: {found}"
-    )
-
-
-def _described(
-    measurement: Measurement, tip_radius: float | None, band: ReliableBand
-) -> dict[str, Any]:
-    """Return what is stored of a measurement."""
-    return {
-        "kind": measurement.kind,
-        "size": size_of(measurement),
-        "pixel_size": measurement.pixel_size,
-        "shortest_reliable": band.shortest,
-        "longest_reliable": band.longest,
-        "limited_by": band.limited_by,
-        "path": measurement.path,
-        "dataset": measurement.dataset,
-        "tip_radius": np.nan if tip_radius is None else tip_radius,
-        "notes": "; ".join(measurement.notes),
-    }
-
-
-def stacked_spectra(of_surface: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
-    """Return the joined spectra of all surfaces, given by surface, with their names in print.
-
-    The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or ""
-    where a surface has fewer measurements than another; `label`, `shortest_measured`,
-    `longest_measured` and `rolloff` (nm), and the fields of `Tail` (surface) stand beside them.
-    """
-    most = max(one.sizes["measurement"] for one in of_surface.values())
-    padded = []
-    for one in of_surface.values():
-        empty: dict[Any, Any] = {
-            name: {"U": "", "O": "", "i": 0}.get(values.dtype.kind, np.nan)
-            for name, values in one.data_vars.items()
-        }
-        missing = most - one.sizes["measurement"]
-        padding = {"measurement": (0, missing)}
-        padded.append(
-            one.drop_attrs(deep=False).pad(padding, constant_values=empty, keep_attrs=True)
-        )
-    names = pd.Index(list(of_surface), name="surface")
-    units = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm") | TAIL_UNITS
-    return xr.concat(padded, names, combine_attrs="override").assign(
-        {
-            name: ("surface", [one.attrs[name] for one in of_surface.values()], {"units": unit})
-            for name, unit in units.items()
-        }
-        | {"label": ("surface", [labels[name] for name in of_surface])}
-    )
-
-
-def with_measurements(
+def _with_measurements(
     spectrum: xr.Dataset,
+    joined: Floats,
     psds: Floats,
     reliable: NDArray[np.bool_],
     measurements: Sequence[Mapping[str, Any]],
 ) -> xr.Dataset:
-    """Return a spectrum with what it was joined of.
+    """Return a spectrum with its measurements: words, and lengths in nm, of each.
 
-    The PSDs (measurement, bins) are in nm⁴; of each measurement there are words, lengths in nm.
+    The joined C_iso (bins,) and that of the measurements (measurement, bins) are in nm⁴.
     """
-    of_each = {
+    both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
+    columns = {
         name: (
             "measurement",
-            [one[name] for one in measurements],
+            [measurement[name] for measurement in measurements],
             {} if isinstance(value, str) else {"units": "nm"},
         )
         for name, value in measurements[0].items()
     }
-    both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
-    return (
-        spectrum.assign(psd=(both, psds, {"units": "nm4", "long_name": "isotropic PSD"}))
-        .assign(reliable=(both, reliable.astype("int8"), {"long_name": "1 where it is reliable"}))
-        .assign(of_each)
-        .assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
-    )
+    return spectrum.assign(
+        {
+            "psd": (both, psds, {"units": "nm4", "long_name": "isotropic PSD"}),
+            "reliable": (both, reliable.astype("int8"), {"long_name": "1 where it is reliable"}),
+            **columns,
+            "joined": (axis, joined, {"units": "nm4", "long_name": "joined PSD"}),
+        }
+    ).assign_coords({axis: (axis, BIN_CENTRES, {"units": "rad nm-1"})})
 
 
 def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a stored `substitute_spectrum` as `joined_spectrum` returns that of a measurement.
+    """Return a stored `substitute_spectrum` in the form of `joined_spectrum`.
 
     Its known bands stand for measurements, neighbours of one source for one: they were fitted to
     measurements, and their wavelengths are not artificial. What only a measurement has is NaN or
-    empty. The path is that of the description; if no band is known, it is a ValueError.
+    empty. The path is that of the description. Raises ValueError if no band is known.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
     known = bands[bands.basis.isin(KNOWN)]
@@ -317,7 +293,7 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
     shortest, longest = runs[["shortest", "longest"]].to_numpy().T[..., None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
-    measurements = [
+    described = [
         {
             "kind": "description",
             "path": path,
@@ -333,12 +309,8 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
         for run in runs.itertuples()
     ]
     joined = np.where(reliable.any(axis=0), density, np.nan)
-    return with_measurements(
-        stored[["spectrum"]].assign(joined=("bin_wavevector", joined, {"units": "nm4"})),
-        np.where(reliable, density, np.nan),
-        reliable,
-        measurements,
-    ).assign_attrs(
+    psds = np.where(reliable, density, np.nan)
+    return _with_measurements(stored[["spectrum"]], joined, psds, reliable, described).assign_attrs(
         basis="substitute",
         calibrated_to_table1=stored.attrs["calibrated_to_table1"],
         shortest_measured=runs.shortest.min(),
@@ -346,3 +318,29 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
         **Tail()._asdict(),
         rolloff=np.nan,
     )
+
+
+def stacked_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
+    """Return the joined spectra of all surfaces, given by surface, with their names in print.
+
+    The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or ""
+    where a surface has fewer measurements than another. Variables (surface) hold `label` and ENDS.
+    """
+    numbered = [
+        spectrum.drop_attrs(deep=False).assign_coords(
+            measurement=range(spectrum.sizes["measurement"])
+        )
+        for spectrum in spectra.values()
+    ]
+    fill = {
+        name: {"U": "", "O": "", "i": 0}.get(values.dtype.kind, np.nan)
+        for name, values in numbered[0].data_vars.items()
+    }
+    names = pd.Index(list(spectra), name="surface")
+    stacked = xr.concat(
+        numbered, names, join="outer", fill_value=fill, combine_attrs="override"
+    ).drop_vars("measurement")
+    for name, unit in ENDS.items():
+        ends = [spectrum.attrs[name] for spectrum in spectra.values()]
+        stacked[name] = ("surface", ends, {"units": unit})
+    return stacked.assign(label=("surface", [labels[name] for name in spectra]))

@@ -41,28 +41,12 @@ class RefusedFile(Exception):
 def read_in_child(
     read: Callable[..., dict[str, Any]], path: Path, *arguments: str
 ) -> dict[str, Any]:
-    """Return what a function finds in the bytes of a file, in a child process.
+    """Return what `read` returns for the bytes of a file and the arguments, in a child process.
 
-    Parameters
-    ----------
-    read : callable
-        Called with the bytes of the file and the arguments. It returns a dictionary of what JSON
-        holds; `heights` may be an array. What it needs is imported already.
-    path : Path
-        The file of the user.
-    *arguments : str
-        Further arguments of `read`.
-
-    Returns
-    -------
-    dict
-        As `read` returns it. In texts a blank replaces what a terminal would obey.
-
-    Raises
-    ------
-    ValueError
-        If the file is missing, empty, too large or refused, or if its reader crashes or passes a
-        limit: one line with the path, what was expected and what was found.
+    It returns a dictionary that JSON can hold; `heights` may be an array. Its modules are imported
+    already. Blanks replace control characters in texts. Raises ValueError, in one line with the
+    path, if the file is missing, empty, too large or refused, or if the reader crashes or passes a
+    limit.
     """
     size = _checked_size(path)
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
@@ -122,7 +106,11 @@ def _run_child(
     *arguments: str,
 ) -> None:
     """Send what is read of a file, or why it is refused; silently, for readers log and print."""
-    _silence()
+    faulthandler.disable()
+    logging.disable()
+    warnings.simplefilter("ignore")
+    for stream in (1, 2):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
     try:
         content = path.read_bytes()
         os.chdir(folder)
@@ -131,9 +119,10 @@ def _run_child(
     except RefusedFile as error:
         answer = {"refused": str(error)}
     except Exception as error:  # damaged bytes may raise anything in a reader
-        text = f"{type(error).__name__}: {str(error)[:200]}"
-        reason = f"expected a readable scan, found one damaged or of an unknown kind ({text})"
-        answer = {"refused": reason}
+        answer = {
+            "refused": "expected a readable scan, found one damaged or of an unknown kind "
+            f"({type(error).__name__}: {str(error)[:200]})"
+        }
     if "refused" in answer:
         line = " ".join(_printable(answer["refused"][:MAX_MESSAGE]).split())
         sender.send_bytes(json.dumps({"refused": line}).encode())
@@ -146,20 +135,12 @@ def _run_child(
 
 
 def _printable(value: Any) -> Any:
-    """Return a text, or a list of them, with blanks for what a terminal would obey; else as is."""
+    """Return a text, or a list of them, with blanks for control characters; other values as is."""
     if isinstance(value, list):
         return [_printable(part) for part in value]
     if not isinstance(value, str):
         return value
     return "".join(letter if letter.isprintable() else " " for letter in value)
-
-
-def _silence() -> None:
-    faulthandler.disable()
-    logging.disable()
-    warnings.simplefilter("ignore")
-    for stream in (1, 2):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), stream)
 
 
 def _limit(seconds: int, memory: int) -> None:
@@ -173,7 +154,7 @@ def _limit(seconds: int, memory: int) -> None:
     if sys.platform == "linux":  # elsewhere the memory is not limited
         pages = int(Path("/proc/self/statm").read_text().split()[0])
         limits[resource.RLIMIT_AS] = pages * resource.getpagesize() + memory
-    for kind, most in limits.items():
+    for kind, limit in limits.items():
         _, hard = resource.getrlimit(kind)
-        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(kind, (most, hard))
+        limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+        resource.setrlimit(kind, (limit, hard))

@@ -9,6 +9,7 @@ that no single exponent converts a spectrum with a roll-off.
 Source: Bracewell, The Fourier Transform and Its Applications, chapter on the Abel transform.
 """
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -78,8 +79,8 @@ def axis_ratio(measurement: Measurement) -> Floats:
     if measurement.kind != "map":
         return np.ones(len(BIN_CENTRES))
     levelled = _levelled_map(measurement)
-    turned = HeightMap(levelled.heights.T, levelled.pixel_size, False, levelled.basis)
-    along, across = (profile_psd(library_map(one)) for one in (levelled, turned))
+    along = profile_psd(library_map(levelled))
+    across = profile_psd(library_map(replace(levelled, heights=levelled.heights.T)))
     ratio = np.maximum(along / across, across / along)
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 

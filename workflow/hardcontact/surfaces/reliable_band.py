@@ -8,17 +8,15 @@ Toward short wavelengths a measured spectrum ends where one of these comes first
 - a noise floor: C_iso flatter than q^-2, which is that of a self-affine surface with H = 0;
 - smoothing: C_iso steeper than a rough surface has.
 
-A self-affine surface with H = 1 has q^-4, but down to q^-5 surfaces are known: facets that meet in
-edges have it (C_1D ~ q^-4), and the AFM rows of Table 1 ask for q^-4.5 of polished UNCD. So between
-q^-4 and q^-5 a map is asked itself: a smooth surface is as smooth along one axis as along the
-other, a feedback that lags smooths along the scanned lines alone, and noise from line to line
-stands across them. Where the C_1D of both axes differ by more than a factor of two, the measurement
-is not believed. Beyond q^-5 it never is: a surface of H = 0.8 that is smoothed by a Gaussian or by
-a first-order filter has lost 50 or 70 % of C_iso there. The error is on the safe side: what is cut
-of a surface that is truly smooth is called artificial, while smoothing taken for the surface would
-move the short edge of the band to longer wavelengths unsaid. Tried on a public 10 µm scan of UNCD,
-cut at 200 nm so: its short edge is 44 nm, and 45 nm if a TEM profile of that surface is joined;
-believed down to four pixels it is 87 nm.
+A self-affine surface with H = 1 has q^-4, but surfaces with facets have down to q^-5. Between these
+a map is compared along its axes: a surface is as smooth along one as along the other, but a lagging
+feedback smooths along the scanned lines alone, and noise from line to line stands across them. The
+measurement is not believed where the C_1D of both axes differ by more than a factor of two. It is
+never believed beyond q^-5: a surface of H = 0.8 that is smoothed by a Gaussian or by a first-order
+filter has lost 50 or 70 % of C_iso there. The error is on the safe side: a surface that is truly
+smooth is called artificial, while smoothing taken for the surface would move the short edge of the
+band to longer wavelengths. On a public 10 µm scan of UNCD, which this cuts at 200 nm, the short
+edge is 44 nm, and 45 nm if a TEM profile of that surface is joined; without the cut it is 87 nm.
 """
 
 from typing import NamedTuple
@@ -44,16 +42,15 @@ from hardcontact.surfaces.spectrum import BIN_CENTRES, HALF_DECADE, Floats
 #: C_iso is 1.2 times too large at a third of the size, and 2 times at half of it).
 PIXELS = 4
 PARTS = 3
-#: Slopes of C_iso: the flattest of a self-affine surface, the steepest of one, that of edges.
-FLATTEST, SELF_AFFINE, EDGES = -2.0, -4.0, -5.0
+#: Slopes of C_iso: the flattest and the steepest of a self-affine surface, that of facets.
+FLATTEST, SELF_AFFINE, FACETS = -2.0, -4.0, -5.0
 #: Standard errors by which a slope passes one of these before it says anything.
 ERRORS = 2
 #: C_1D along both axes of a map differ by no more than this factor where C_iso is steep.
 ALIKE = 2.0
 #: Bins above a noise floor that still hold much of it: C ~ q^-3 is four times as high two bins on.
 MARGIN = 2
-#: Relative error of the length of the stencil that the tip's cutoff is searched with: a thousandth
-#: is far below the safety factor of the criterion.
+#: Relative error of the tip's cutoff, far below the safety factor of the criterion.
 TOLERANCE = 1e-3
 
 
@@ -92,8 +89,8 @@ def reliable_band(
 ) -> ReliableBand:
     """Return the wavelengths at which a measurement is reliable, with what limits them.
 
-    The radius of the tip is in nm; if it is None, not known, the tip limits nothing. The density is
-    that of `measured_psd`, if it is there already.
+    The radius of the tip is in nm, or None if it is not known. The density is that of
+    `measured_psd`, if it is there already.
     """
     if density is None:
         _, density = measured_psd(measurement)
@@ -115,12 +112,12 @@ def with_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) ->
 
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
-    """Return the ends of the spectrum by its shape: wavelengths in nm, LIMITS."""
+    """Return wavelengths (nm) at which the shape of the spectrum ends the band, with LIMITS."""
     seen = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
     q, variance = BIN_CENTRES[seen], variance_of_log(independent_waves(measurement)[seen])
     slope, error = local_slopes(q, density[seen], variance)
     differs = axis_ratio(measurement)[seen] > ALIKE
-    smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, EDGES)
+    smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, FACETS)
     flat = slope - ERRORS * error > FLATTEST
 
     unsmoothed = _without_smoothed(smoothed, len(q))

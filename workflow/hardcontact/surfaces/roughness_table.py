@@ -33,9 +33,8 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 def averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     """Return mean, standard deviation and interval of the mean over scans, of every metric.
 
-    The METRICS (surface, scan) are NaN where a surface has no such scan. <metric>_mean and
-    <metric>_std are over surface, <metric>_mean_interval is over (surface, bound), by Student's t
-    over scans.
+    The METRICS (surface, scan) are NaN where a surface has no such scan. Returns <metric>_mean and
+    <metric>_std (surface) and, by Student's t over scans, <metric>_mean_interval (surface, bound).
     """
     variables: dict[str, Any] = {}
     for name in METRICS:
@@ -64,13 +63,26 @@ def roughness_table(
 ) -> xr.Dataset:
     """Return the topography of all surfaces: every scan, averages, spectra, maps for pictures.
 
-    All are by surface: the scans, of `measured_roughness`, by surface and number; C_iso over all
-    scales; the `conditioning.conditioned_group` of substitutes; one levelled scan of each, that of
-    a rough sphere with the variable `as_scanned`; names in print and the basis, ``"measured"`` or
-    ``"substitute"``. The sphere surface is that of the sphere, the reference surface that which
-    forces are compared with; `table1` is what slope and curvature of Table 1 are, as of
-    `topography.table1_variables`. The table is over surface, scan, wavevector; its maps are over
-    (surface, row, column).
+    Parameters
+    ----------
+    scans : mapping
+        `measured_roughness` by surface and number of the scan.
+    spectra, conditionings, examples : mapping
+        By surface: C_iso over all scales; the `conditioned_group` of substitutes; one levelled
+        scan, that of a rough sphere with the variable `as_scanned`.
+    labels, basis : mapping
+        By surface: names in print; ``"measured"`` or ``"substitute"``.
+    sphere_surface, reference_surface : str
+        That of the sphere, and that which forces are compared with.
+    table1 : mapping
+        What slope and curvature of Table 1 are, as of `height_map.table1_variables`.
+    confidence : float
+        Of the intervals.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over surface, scan, wavevector; maps over (surface, row, column).
     """
     names = list(dict.fromkeys(surface for surface, _ in scans))
     stacked = stack(scans, ["surface", "scan"])
@@ -78,23 +90,20 @@ def roughness_table(
         [
             stacked,
             averages(stacked, confidence),
-            _joined_spectra([spectra[name] for name in names], stacked["wavevector"].values),
+            _spectra([spectra[name] for name in names], stacked["wavevector"].values),
             _maps([examples[name] for name in names]),
         ],
         combine_attrs="override",
     )
+    calibrated = [
+        conditionings.get(name, spectra[name]).attrs["calibrated_to_table1"] for name in names
+    ]
     return table.assign(
         psd_profile_mean=stacked["psd_profile"].mean("scan", keep_attrs=True),
         psd_isotropic_mean=stacked["psd_isotropic"].mean("scan", keep_attrs=True),
         label=("surface", [labels[name] for name in names]),
         basis=("surface", [basis[name] for name in names]),
-        calibrated_to_table1=(
-            "surface",
-            [
-                conditionings.get(name, spectra[name]).attrs["calibrated_to_table1"]
-                for name in names
-            ],
-        ),
+        calibrated_to_table1=("surface", calibrated),
     ).assign_attrs(
         sphere_surface=sphere_surface,
         reference_surface=reference_surface,
@@ -103,11 +112,12 @@ def roughness_table(
     )
 
 
-def _joined_spectra(spectra: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
+def _spectra(stored: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
     """Return spectra (surface, wavevector) and their moments over all scales."""
-    tables = [spectrum_from(one) for one in spectra]
-    height, gradient, half_laplacian = np.array([all_scales_moments(one) for one in tables]).T
-    density = np.array([table(wavevector) for table in tables])
+    spectra = [spectrum_from(dataset) for dataset in stored]
+    moments = np.array([all_scales_moments(spectrum) for spectrum in spectra])
+    height, gradient, half_laplacian = moments.T
+    density = np.array([spectrum(wavevector) for spectrum in spectra])
     return xr.Dataset(
         {
             "spectrum": (("surface", "wavevector"), density, {"units": "nm4"}),
@@ -121,29 +131,28 @@ def _joined_spectra(spectra: list[xr.Dataset], wavevector: Floats) -> xr.Dataset
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return maps for pictures, all on the pixels of the coarsest; sizes of scans and pixels.
+    """Return maps for pictures, evenly thinned to the pixels of the coarsest, with their sizes.
 
-    Of a rough sphere there is its scan with its shape, too.
+    A rough sphere also has its scan with its shape.
     """
     pixels = min(len(example["x"]) for example in examples)
+
+    def thinned(heights: xr.DataArray) -> np.ndarray:
+        chosen = np.linspace(0, len(heights) - 1, pixels).round().astype(int)
+        return np.asarray(heights.values[np.ix_(chosen, chosen)])
+
     pixel_sizes = [example["heights"].attrs["pixel_size"] for example in examples]
     sizes = [len(example["x"]) * size for example, size in zip(examples, pixel_sizes, strict=True)]
-    maps = [_thinned(example["heights"].values, pixels) for example in examples]
-    found = xr.Dataset(
+    heights = np.array([thinned(example["heights"]) for example in examples])
+    maps = xr.Dataset(
         {
-            "example_heights": (("surface", "row", "column"), np.array(maps), {"units": "nm"}),
+            "example_heights": (("surface", "row", "column"), heights, {"units": "nm"}),
             "scan_size": ("surface", sizes, {"units": "nm"}),
             "pixel_size": ("surface", pixel_sizes, {"units": "nm"}),
         }
     )
     for example in examples:
         if "as_scanned" in example:
-            scanned = _thinned(example["as_scanned"].values, pixels)
-            found["sphere_as_scanned"] = (("row", "column"), scanned, {"units": "nm"})
-    return found
-
-
-def _thinned(heights: np.ndarray, pixels: int) -> np.ndarray:
-    """Return pixels x pixels of a square map, evenly spaced."""
-    chosen = np.linspace(0, heights.shape[0] - 1, pixels).round().astype(int)
-    return np.asarray(heights[np.ix_(chosen, chosen)])
+            scanned = thinned(example["as_scanned"])
+            maps["sphere_as_scanned"] = (("row", "column"), scanned, {"units": "nm"})
+    return maps

@@ -70,10 +70,7 @@ COARSE_SPACING = 1e-4
 
 
 def datasets_of(content: bytes) -> dict[str, Any]:
-    """Return as `datasets` the data files in a container, in its order; one empty name of others.
-
-    A container whose scans cannot be listed is a RefusedFile.
-    """
+    """Return as `datasets` the data files in a container, in its order; one empty name else."""
     entries = _container_entries(content)
     return {"datasets": [""] if entries is None else [entry["file"] for entry in entries]}
 
@@ -81,9 +78,9 @@ def datasets_of(content: bytes) -> dict[str, Any]:
 def measurement_of(
     content: bytes, dataset: str, undefined_pixels: str, unit: str
 ) -> dict[str, Any]:
-    """Return the fields of a `Measurement` but its path, as of `scans.read_measurement`.
+    """Return the fields of a `Measurement` but its path; arguments as of `scans.read_measurement`.
 
-    A scan that cannot be used is a RefusedFile.
+    Raises RefusedFile for a scan that cannot be used.
     """
     entries = _container_entries(content)
     entry: dict[str, Any] = {}
@@ -105,7 +102,16 @@ def measurement_of(
     channel, notes = _height_channel(reader, entry, "" if entry else dataset)
     stated = {} if unit == NO_UNIT else {"unit": unit}
     topography, used = _topography(channel, entry or stated)
-    _check_lengths(topography)
+    if topography.unit is None:
+        raise RefusedFile(
+            "expected a unit of length, found none in the file: --unit, or the key scan.unit, "
+            "gives one to all files without"
+        )
+    if topography.physical_sizes is None or not isinstance(topography.unit, str):
+        raise RefusedFile(
+            "expected a physical size and one unit, "
+            f"found size {topography.physical_sizes}, unit {topography.unit}"
+        )
     if used:
         origin = "the container states" if entry else "given"
         notes.append(f"{', '.join(used)} as {origin}".replace("_", " "))
@@ -180,11 +186,10 @@ def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
 
 
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return the channel of a name or that the container names, or the reader's own, if of heights.
+    """Return the channel of a name, or that the container names, or the reader's own, with notes.
 
-    A name counts where there are several. Without a name it is otherwise the first that holds
-    heights, and a note says so. Of Nanoscope files phases and voltages are channels of heights,
-    too, with a pair of units: of pixels and of values.
+    If it holds no heights it is the first that does, and a note says so. Phases and voltages of
+    Nanoscope files are channels of heights, too, with a pair of units: of pixels and of values.
     """
     channels = reader.channels
     if not channels:
@@ -212,10 +217,9 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
 
 
 def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and which stated metadata its file lacks, in words.
+    """Return the topography of a channel, and the stated metadata that its file lacks, in words.
 
-    Stated metadata count only if the file lacks them: a height scale would calibrate a calibrated
-    file twice.
+    Other stated metadata do not count: a height scale would calibrate a calibrated file twice.
     """
     check_points(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
@@ -247,20 +251,6 @@ def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
     ):
         topography = channel.reader._read(tol=0, **used)
     return topography, words
-
-
-def _check_lengths(topography: Any) -> None:
-    """Refuse a scan without a unit or without a size."""
-    if topography.unit is None:
-        raise RefusedFile(
-            "expected a unit of length, found none in the file: --unit, or the key scan.unit, "
-            "gives one to all files without"
-        )
-    if topography.physical_sizes is None or not isinstance(topography.unit, str):
-        raise RefusedFile(
-            "expected a physical size and one unit, "
-            f"found size {topography.physical_sizes}, unit {topography.unit}"
-        )
 
 
 def _check_lines(matrix: Any) -> None:

@@ -1,12 +1,10 @@
-"""Measured topographies: one value for each, and how it is made of what a reader returns.
+"""Heights, spacing and tip of a scan, from what a reader of SurfaceTopography returns.
 
-Maps are cropped to squares, gaps filled, line scans resampled, tips looked up; what no scan can be
-is refused: files, pixels, lengths and slopes beyond limits. SurfaceTopography is imported where it
-is used.
+Maps are cropped to squares, gaps filled, line scans resampled. A scan whose size, heights, slope
+or number of points no microscope has is refused.
 """
 
 import re
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -16,7 +14,6 @@ from hardcontact.numbers.printing import print_length
 from hardcontact.surfaces.limited_process import RefusedFile
 
 Floats = NDArray[np.float64]
-
 
 #: Pixels along an edge of a map: substitutes have no fewer, and masters at least twice as many.
 PIXELS = (16, 8192)
@@ -40,38 +37,13 @@ IN_WORDS = re.compile(r"\btip\s+radi(?:us|i)\b[\s:=~≈\-–]*(\d+(?:\.\d+)?)\s*
 
 def check_points(counts: tuple[int, ...]) -> None:
     """Refuse a map (x, y) or a line scan (n,) of too few or too many points."""
-    least, most = PIXELS if len(counts) == 2 else POINTS
-    if not least <= min(counts) <= max(counts) <= most:
-        found = " x ".join(map(str, counts))
-        where = "pixels along an edge" if len(counts) == 2 else "points along a line scan"
-        raise RefusedFile(f"expected {least} to {most} {where}, found {found}")
-
-
-def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
-    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has.
-
-    An offset that is larger than any relief, the place of a stage, is subtracted if the heights
-    have digits below it.
-    """
-    least, most = LENGTHS
-    offset = float(np.median(heights))
-    if most < abs(offset) < least / np.finfo(float).eps:
-        heights = heights - offset
-        notes = [*notes, f"offset of {print_length(offset)} subtracted"]
-    low, high = heights.min(), heights.max()
-    if (
-        not least <= pixel_size <= most
-        or not max(-low, high) <= most  # also true of what is no number
-        or 0 < high - low < least
-    ):
+    is_map = len(counts) == 2
+    minimum, maximum = PIXELS if is_map else POINTS
+    if not minimum <= min(counts) <= max(counts) <= maximum:
+        where = "pixels along an edge" if is_map else "points along a line scan"
         raise RefusedFile(
-            f"expected pixels and differences of height from {least:g} to {most:g} nm, "
-            f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
+            f"expected {minimum} to {maximum} {where}, found {' x '.join(map(str, counts))}"
         )
-    slope = np.abs(np.diff(heights)).mean() / pixel_size
-    if slope > SLOPE_LIMIT:
-        raise RefusedFile(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
-    return {"heights": heights, "pixel_size": pixel_size, "notes": notes, "undefined": undefined}
 
 
 def unit_in_nm(unit: str) -> float:
@@ -84,11 +56,38 @@ def unit_in_nm(unit: str) -> float:
         raise RefusedFile(f"expected a unit of length, found {unit!r}") from None
 
 
-def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return fields of the `Measurement` of a map with physical sizes, whose unit is `factor` nm.
+def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
+    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has.
 
-    It is the central square, on square pixels; what is undefined beside it does not count. Pixels
-    that are undefined and may not be filled, and heights of no scan are a RefusedFile.
+    An offset larger than any relief, such as the position of a stage, is subtracted if the heights
+    have digits below it.
+    """
+    minimum, maximum = LENGTHS
+    offset = float(np.median(heights))
+    if maximum < abs(offset) < minimum / np.finfo(float).eps:
+        heights = heights - offset
+        notes = [*notes, f"offset of {print_length(offset)} subtracted"]
+    low, high = heights.min(), heights.max()
+    if (
+        not minimum <= pixel_size <= maximum
+        or not max(-low, high) <= maximum  # also true of NaN
+        or 0 < high - low < minimum
+    ):
+        raise RefusedFile(
+            f"expected pixels and differences of height from {minimum:g} to {maximum:g} nm, "
+            f"found pixels of {pixel_size:.6g} nm and heights from {low:.6g} to {high:.6g} nm"
+        )
+    slope = np.abs(np.diff(heights)).mean() / pixel_size
+    if slope > SLOPE_LIMIT:
+        raise RefusedFile(f"expected a mean slope of at most {SLOPE_LIMIT}, found {slope:.3g}")
+    return {"heights": heights, "pixel_size": pixel_size, "notes": notes, "undefined": undefined}
+
+
+def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
+    """Return heights, pixel size, notes and undefined pixels of a map whose unit is `factor` nm.
+
+    They are those of the central square, on square pixels. Raises RefusedFile for undefined pixels
+    in it that may not be filled, and for heights of no scan.
     """
     from SurfaceTopography import Topography
 
@@ -115,8 +114,8 @@ def _square_pixels(
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
     """Return heights (x, y) of pixels with these edges (nm) on square ones, their edge, a note.
 
-    They have the longer edge: on the shorter one waves would be missing along one axis. In between
-    heights are interpolated linearly, and are undefined beside a pixel that is.
+    Square pixels have the longer edge: on the shorter one waves would be missing along one axis.
+    Heights are interpolated linearly, and are undefined beside an undefined pixel.
     """
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
@@ -126,9 +125,10 @@ def _square_pixels(
         return heights, float(edges.mean()), []
     values = heights.filled(np.nan)
     for axis, edge in enumerate(edges):
-        given = np.arange(values.shape[axis]) * edge
-        wanted = np.arange(int(values.shape[axis] * edge / longer * (1 + 1e-9))) * longer
-        values = np.apply_along_axis(partial(np.interp, wanted, given), axis, values)
+        positions = np.arange(values.shape[axis]) * edge
+        squares = np.arange(int(values.shape[axis] * edge / longer * (1 + 1e-9))) * longer
+        lines = [np.interp(squares, positions, line) for line in np.moveaxis(values, axis, -1)]
+        values = np.moveaxis(np.array(lines), -1, axis)
     check_points(values.shape)
     note = f"resampled from pixels of {edges[0]:.4g} nm x {edges[1]:.4g} nm to {longer:.4g} nm"
     return _masked(values), longer, [note]
@@ -141,10 +141,7 @@ def _masked(heights: Floats) -> np.ma.MaskedArray:
 
 
 def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, list[str]]:
-    """Return how many pixels are undefined, and what is said of them, if there are any.
-
-    More than MOST_UNDEFINED, or any that may not be filled, are refused.
-    """
+    """Return the number of undefined pixels and a note on them; refuse too many or unfillable."""
     count = int(heights.mask.sum())
     if count > MOST_UNDEFINED * heights.size:
         raise RefusedFile(
@@ -160,13 +157,10 @@ def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, 
 
 
 def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return fields of the `Measurement` of a line scan, whose unit is `factor` nm.
+    """Return what `map_values` does, of a line scan: on uniform spacing, the median of its own.
 
-    It is on uniform spacing, the median of its own if that varies. Positions increase, or decrease,
-    from each point to the next, and increase in what is returned. Between points heights are
-    interpolated linearly. So are gaps: on a line, that is the harmonic function through their ends.
-    A line scan that is reentrant, has undefined points that may not be filled or too many on the
-    median spacing, and heights of no scan are a RefusedFile.
+    Between points and over gaps heights are interpolated linearly, which on a line is harmonic.
+    Raises RefusedFile also for a reentrant line scan, or too many points on the median spacing.
     """
     heights = _masked(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
@@ -204,18 +198,18 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
 
 
 def stated_tip_radius(
-    of_file: dict[str, Any], of_container: dict[str, Any]
+    file: dict[str, Any], container: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip in nm, if one is stated, and notes for the user of where.
+    """Return the radius of the tip in nm, None if none is stated, and a note of where it is.
 
-    What the file states counts before what its container does, and a number before words. Of
+    The metadata of the file count before those of its container, and a number before words. Of
     several radii in words the largest counts: tips wear, and a scan shows no more than a worn one.
     """
-    for source, metadata in (("file", of_file), ("container", of_container)):
-        radius = _in_numbers(metadata)
+    for source, metadata in (("file", file), ("container", container)):
+        radius = _radius_in_numbers(metadata)
         if radius is not None:
             return radius, [f"tip radius of {radius:.4g} nm stated by the {source}"]
-    stated = IN_WORDS.findall(str(of_container.get("description") or ""))
+    stated = IN_WORDS.findall(str(container.get("description") or ""))
     radii = [float(value) * unit_in_nm(unit) for value, unit in stated]
     if not radii:
         return None, []
@@ -224,15 +218,14 @@ def stated_tip_radius(
     return max(radii), [f"tip radius of {found} in the container's description{used}"]
 
 
-def _in_numbers(metadata: dict[str, Any]) -> float | None:
-    """Return the radius (nm) in metadata of an instrument, if they state one that a tip may have.
+def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
+    """Return the radius (nm) of the instrument's tip in metadata, if it is one that a tip may have.
 
-    These are the keys of ``InfoModel`` and of ``TopographyMeta`` of SurfaceTopography.
+    The keys are those of ``InfoModel`` and ``TopographyMeta`` of SurfaceTopography.
     """
     try:
         stated = metadata["instrument"]["parameters"]["tip_radius"]
         radius = float(stated["value"]) * unit_in_nm(stated["unit"])
     except (LookupError, TypeError, ValueError, RefusedFile):
         return None
-    least, most = LENGTHS
-    return radius if least <= radius <= most else None
+    return radius if LENGTHS[0] <= radius <= LENGTHS[1] else None

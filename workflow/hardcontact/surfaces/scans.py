@@ -5,14 +5,14 @@ scan is read.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.records import dataset as labelled
-from hardcontact.surfaces.height_map import LEVELLING, HeightMap, flat_map, prepared_scan
+from hardcontact.surfaces.height_map import LEVELLING, HeightMap, flat_map, mirror_stitch
 from hardcontact.surfaces.limited_process import read_in_child
 
 
@@ -33,36 +33,29 @@ class Measurement:
 
     def stored(self) -> xr.Dataset:
         """Return the dataset that `read_stored` reads: heights in float64, else attributes."""
+        attributes = asdict(self) | {
+            "tip_radius": np.nan if self.tip_radius is None else self.tip_radius,
+            "notes": "; ".join(self.notes),
+        }
+        heights = attributes.pop("heights")
         dimensions = ("y", "x") if self.kind == "map" else ("x",)
-        attributes = {field.name: getattr(self, field.name) for field in fields(self)}
-        del attributes["heights"]
-        attributes["tip_radius"] = np.nan if self.tip_radius is None else self.tip_radius
-        attributes["notes"] = "; ".join(self.notes)
-        heights = (dimensions, self.heights, {"units": "nm", "long_name": "height as read"})
-        return xr.Dataset({"heights": heights}, attrs=attributes)
+        labels = {"units": "nm", "long_name": "height as read"}
+        return xr.Dataset({"heights": (dimensions, heights, labels)}, attrs=attributes)
 
 
 def read_stored(path: str) -> Measurement:
-    """Read a netCDF file of `Measurement.stored`; one that cannot be read is a ValueError."""
+    """Read a netCDF file of `Measurement.stored`; raises ValueError if it cannot be read."""
     stored = labelled.read(path)
+    words = ("path", "dataset", "channel", "file_unit", "kind")
     tip_radius, notes = float(stored.attrs["tip_radius"]), stored.attrs["notes"]
     return Measurement(
-        path=stored.attrs["path"],
-        dataset=stored.attrs["dataset"],
-        channel=stored.attrs["channel"],
-        file_unit=stored.attrs["file_unit"],
-        kind=stored.attrs["kind"],
+        **{name: stored.attrs[name] for name in words},
         heights=stored["heights"].values,
         pixel_size=float(stored.attrs["pixel_size"]),
         tip_radius=None if np.isnan(tip_radius) else tip_radius,
         notes=tuple(notes.split("; ")) if notes else (),
         undefined=int(stored.attrs["undefined"]),
     )
-
-
-#: Titles of the files that hold what `prepared` returns.
-LEVELLED = "levelled scan, the sphere subtracted if it shows one"
-STITCHED = "scan and its mirror images, periodic"
 
 
 def read_measurement(
@@ -107,15 +100,15 @@ def read_scan(
     basis: str = "measured",
     unit: str = "none",
 ) -> HeightMap:
-    """Read a height map as `read_measurement` does; a line scan is a ValueError."""
+    """Read a height map as `read_measurement` does; raises ValueError for a line scan."""
     return height_map(read_measurement(path, dataset, undefined_pixels, unit), basis)
 
 
 def list_measurements(path: str | Path) -> list[str]:
-    """Return the names by which `read_measurement` finds the topographies of a scan or container.
+    """Return the names by which `read_measurement` finds the topographies of a file.
 
-    They are the data files in a container, in its order; one empty name of any other file. A file
-    that is missing, or a container that cannot be used, is a ValueError in one line.
+    They are the data files in a container, in its order, and one empty name for any other file.
+    Raises ValueError, in one line, if the file is missing or the container cannot be used.
     """
     from hardcontact.surfaces.scan_formats import datasets_of
 
@@ -123,10 +116,7 @@ def list_measurements(path: str | Path) -> list[str]:
 
 
 def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
-    """Return the height map that was measured, in float64; a line scan is a ValueError.
-
-    The basis says what the scan is: ``"measured"`` or ``"substitute"``.
-    """
+    """Return the height map that was measured, in float64; raises ValueError for a line scan."""
     if measurement.kind != "map":
         raise ValueError(f"{measurement.path}: expected a height map, found a line scan")
     return HeightMap(measurement.heights, measurement.pixel_size, False, basis)
@@ -137,7 +127,7 @@ def flattened(
 ) -> Measurement:
     """Return a measured map as `flat_map` makes it; a line scan stays as it is.
 
-    The radius, in nm, is that of the sphere that is subtracted, None for a flat surface.
+    The radius, in nm, is that of the sphere to subtract, None for a flat surface.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {' or '.join(LEVELLING)}, found {levelling}")
@@ -154,16 +144,31 @@ def flat_measurements(
     return [flattened(read_stored(file), sphere_radius, levelling) for file in files]
 
 
+#: Titles of the files that hold what `prepared` returns.
+LEVELLED = "levelled scan, the sphere subtracted if it shows one"
+STITCHED = "scan and its mirror images, periodic"
+
+
 def prepared(
     measurement: Measurement,
     basis: str,
     sphere_radius: float | None = None,
     levelling: str = "plane",
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a measured map levelled and stitched, as of `topography.prepared_scan`."""
+    """Return a measured map levelled, and then mirror-stitched, both as they are stored.
+
+    The levelled scan of a sphere, of a radius in nm, also keeps the heights as they were read, in
+    the variable `as_scanned`. Attributes say what the file of the scan states.
+    """
+    scan = height_map(measurement, basis)
+    flat = flat_map(scan, sphere_radius, levelling)
+    levelled, stitched = flat.dataset(), mirror_stitch(flat).dataset()
+    if sphere_radius is not None:
+        labels = {"units": "nm", "long_name": "height of the sphere as scanned"}
+        levelled["as_scanned"] = (("y", "x"), scan.heights.astype("float32"), labels)
     described = {
         "channel": measurement.channel,
         "file_unit": measurement.file_unit,
         "notes": "; ".join(measurement.notes),
     }
-    return prepared_scan(height_map(measurement, basis), sphere_radius, levelling, described)
+    return levelled.assign_attrs(described), stitched.assign_attrs(described)

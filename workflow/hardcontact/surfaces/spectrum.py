@@ -1,4 +1,4 @@
-"""Power spectral densities: tables, their moments, what is measured of scans.
+"""Power spectral densities: tables, their moments, models, and what is measured of scans.
 
 Conventions: C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq, and C_1D = |h~|²/L in nm³
 with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka,
@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+import pandas as pd
 import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
@@ -18,9 +19,6 @@ from hardcontact.surfaces.height_map import HeightMap, library_map
 
 if TYPE_CHECKING:
     from SurfaceTopography import Topography, UniformLineScan
-
-
-import pandas as pd
 
 Floats = NDArray[np.float64]
 #: C_iso in nm⁴ as a function of wavevectors in rad/nm, of any shape.
@@ -56,7 +54,7 @@ class Spectrum:
 
 
 def read_spectrum(path: str) -> Spectrum:
-    """Read a spectrum that the study wrote; a file that cannot be read is a ValueError."""
+    """Read a spectrum that the study wrote; raises ValueError if the file cannot be read."""
     return spectrum_from(dataset.read(path))
 
 
@@ -125,24 +123,6 @@ def roll_off(spectrum: Spectrum) -> float:
     return float(2 * np.pi / spectrum.wavevector[variance.argmax()])
 
 
-#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
-AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
-TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
-#: Columns of descriptions that hold numbers.
-PARAMETERS = (
-    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
-)  # fmt: skip
-#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
-CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
-#: Bases of bands that are known; all others are inferred or assumed.
-KNOWN = ("published", "measured")
-
-
-def is_calibrated(bands: pd.DataFrame) -> bool:
-    """Return whether a description leaves parameters to Table 1."""
-    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
-
-
 def self_affine(wavevector: Floats, plateau: float, rolloff: float, hurst: float) -> Floats:
     """Return C_iso: `plateau` (nm⁴) above the roll-off wavelength (nm), (q/q_r)^(-2-2H) below."""
     return plateau * np.maximum(wavevector * rolloff / (2 * np.pi), 1.0) ** (-2 - 2 * hurst)
@@ -165,19 +145,35 @@ def smooth_rolloff(wavevector: Floats, plateau: float, rolloff: float, hurst: fl
     return plateau * (1 + (wavevector * rolloff / (2 * np.pi)) ** 2) ** (-1 - hurst)
 
 
-#: Models that parameters fix alone, by their names in descriptions, and the columns of these.
+#: Models of descriptions of substitutes (`resources/README.md`) with the columns of parameters.
 MODELS: dict[str, tuple[Callable[..., Floats], tuple[str, ...]]] = {
     "self-affine": (self_affine, ("plateau_nm4", "rolloff_nm", "hurst")),
     "varying Hurst": (varying_hurst, ("plateau_nm4", "rolloff_nm", "hurst", "hurst_change")),
     "smooth roll-off": (smooth_rolloff, ("plateau_nm4", "rolloff_nm", "hurst")),
 }
+#: Columns of descriptions that hold numbers.
+PARAMETERS = (
+    "longest_nm", "shortest_nm", "plateau_nm4", "rolloff_nm", "hurst", "hurst_change",
+)  # fmt: skip
+#: Rows of Table 1 that fix the spectrum of scans, and those that fix the tail below their band.
+AFM_ROWS = ("afm_rms_height", "afm_rms_slope", "afm_rms_curvature")
+TAIL_ROWS = ("all_rms_slope", "all_rms_curvature")
+#: Models that are calibrated if their Hurst exponent is blank, and the rows of Table 1 they meet.
+CALIBRATED = {"self-affine": AFM_ROWS, "varying Hurst": AFM_ROWS, "power law": TAIL_ROWS}
+#: Bases of bands that are known; all others are inferred or assumed.
+KNOWN = ("published", "measured")
+
+
+def is_calibrated(bands: pd.DataFrame) -> bool:
+    """Return whether a description leaves parameters to Table 1."""
+    return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
 
 
 def continued(above: Floats, hurst: float) -> Floats:
     """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
 
-    Both are in nm⁴ on WAVEVECTORS; it is zero where the spectrum, `above`, is not. A spectrum
-    without roughness is a ValueError.
+    Both are in nm⁴ on WAVEVECTORS; the result is zero where the spectrum, `above`, is not. Raises
+    ValueError for a spectrum without roughness.
     """
     if not above.any():
         raise ValueError("expected roughness above a power law, found none")

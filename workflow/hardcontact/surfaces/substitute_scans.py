@@ -18,7 +18,7 @@ from hardcontact.surfaces.synthesis import random_surface, refined
 
 
 class ScanGrid(NamedTuple):
-    """What substitute scans are drawn on."""
+    """The pixels and size of substitute scans."""
 
     pixels: int  #: Along an edge.
     size: float  #: Edge of a scan in nm.
@@ -65,12 +65,23 @@ def synthesized_scan(
 ) -> xr.Dataset:
     """Return a substitute scan as SurfaceTopography reads it from a file.
 
-    The generator is of everything that is random in the scan; the density C_iso, in nm⁴, and the
-    factor of the heights are of one conditioning. The radius of the sphere is in nm, None of a flat
-    surface. A scan whose heights are skewed has the rms height of the Gaussian one; the radius of
-    the tip that images it is in nm, without it heights are those at the pixels. The dataset has
-    `heights` (x, y) in nm, in float64, for a file in netCDF's classic format, whose first axis is x
-    to SurfaceTopography.
+    Parameters
+    ----------
+    rng : numpy.random.Generator
+        Of everything that is random in the scan.
+    density, factor : callable, float
+        C_iso in nm⁴, and the factor of the heights.
+    grid : ScanGrid
+        Of the scan.
+    sphere_radius, tip_radius : float or None
+        Of the sphere that the scan shows and of the tip that images it, in nm.
+    skewness : float
+        Of the heights; a skewed scan has the rms height of the Gaussian one.
+
+    Returns
+    -------
+    xarray.Dataset
+        `heights` (x, y) in nm, in float64, for a file in netCDF's classic format.
     """
     surface = random_surface(rng, grid.realization_pixels, grid.pixel_size, density)
     scan = substitute_scan(surface, grid.pixels, factor)
@@ -109,9 +120,8 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     In turn tops are rounded by an opening with a paraboloid, heights are remapped by rank to a
     Pearson III distribution, and the Fourier amplitudes restored. Without the first step this is
     the amplitude-adjusted surrogate of Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635. The
-    skewness that is aimed at is corrected each time by what was missed. Tops are blunt whatever the
-    skewness, at zero too. That of the whole surface, -1 to 1, is met to some 5 %; that of levelled
-    parts is a little smaller. The surface is periodic and square, not flat; heights are in float64.
+    skewness of the whole surface, -1 to 1, is met to some 5 %, because the target is corrected each
+    time by what was missed. The surface is periodic and square; heights are in float64.
     """
     from scipy import fft
     from scipy.stats import skew

@@ -1,4 +1,8 @@
-"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model."""
+"""Spectra of substitutes from descriptions: bands of wavelengths, each with its model.
+
+Parameters that a description leaves blank are calibrated to the paper's Table 1: scans of the
+spectrum have its rms height, slope and curvature. `scipy` is imported where it is used.
+"""
 
 from pathlib import Path
 
@@ -27,20 +31,28 @@ from hardcontact.surfaces.spectrum import (
 
 #: Wavevectors (bins,) in rad/nm, and the weights (3, bins) of C_iso at them.
 Weights = tuple[Floats, Floats]
-#: Bins of wavevectors in which weights are added up.
-BINS = 4000
-#: Rows of wavevectors that weights are computed of at a time.
-ROWS = 512
+#: Bins of wavevectors in which weights are added up, and rows that are added at a time.
+BINS, ROWS = 4000, 512
+#: Relative error at which a number of Table 1 counts as met.
+TOLERANCE = 1e-9
+#: Parameters that are calibrated, by model, and those that are searched by their logarithms.
+SEARCHED = {
+    "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
+    "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
+}
+LOGARITHMIC = ("plateau_nm4", "rolloff_nm")
+#: Hurst exponents between which that of a tail is sought.
+TAIL_HURST = (-6.0, 5.0)
 
 
 def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weights:
     """Return wavevectors (bins,) in rad/nm and weights (3, bins): moments = weights @ C_iso.
 
-    The moments are the squares that are expected of a scan: rms height², gradient² and
-    half-Laplacian². The scan is cut out of a larger periodic surface and levelled. Levelling takes
-    from its height variance what a plane fits (Legendre functions of degree 0 and 1, whose
-    transforms are spherical Bessel functions); its derivatives are differences of neighbouring
-    pixels. The pixel size is in nm.
+    The moments are the expected squares of a scan: rms height², gradient² and half-Laplacian². The
+    scan is cut out of a larger periodic surface, of `pixels` of a size in nm, and levelled.
+    Levelling removes from its height variance what a plane fits (Legendre functions of degree 0 and
+    1, whose transforms are spherical Bessel functions); its derivatives are differences of
+    neighbouring pixels.
     """
     from scipy.special import spherical_jn
 
@@ -75,25 +87,12 @@ def expected_moments(density: Density, weights: Weights) -> Floats:
     return np.sqrt(factors @ density(wavevector))
 
 
-#: Relative error at which a number of Table 1 counts as met.
-TOLERANCE = 1e-9
-#: Parameters that are calibrated, by model; those that are found by their logarithms.
-SEARCHED = {
-    "self-affine": ("plateau_nm4", "rolloff_nm", "hurst"),
-    "varying Hurst": ("plateau_nm4", "hurst", "hurst_change"),
-}
-LOGARITHMIC = ("plateau_nm4", "rolloff_nm")
-#: Hurst exponents between which that of a tail is sought.
-TAIL_HURST = (-6.0, 5.0)
-
-
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
     """Return Table 1 of a surface, slopes as rms gradients, curvatures as half rms Laplacians.
 
-    On an isotropic surface the gradient is sqrt(2) times the slope of profiles. The table is of
-    `published.table1`; its rows are taken to be a ``"gradient"`` or ``"profile"`` slope and a
-    ``"half_laplacian"`` or ``"laplacian"`` curvature. They are indexed by quantity, with value and
-    uncertainty; there are none of another surface.
+    The table is that of `published.table1`, whose slope is read as ``"gradient"`` or ``"profile"``
+    (smaller by sqrt(2) on an isotropic surface), whose curvature as ``"half_laplacian"`` or
+    ``"laplacian"``. The rows, value and uncertainty by quantity, are empty for other surfaces.
     """
     rows = table1[table1["surface"] == surface].set_index("quantity")
     factor = {
@@ -107,7 +106,7 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
 def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
     """Return the parameters with which scans of a band of a model of SEARCHED are those of Table 1.
 
-    What is fitted is the table of the model on WAVEVECTORS, because scans are made of that. It is a
+    The table of the model on WAVEVECTORS is fitted, because scans are made of that. Raises
     ValueError if no such spectrum has the three moments.
     """
     from scipy.optimize import least_squares
@@ -116,15 +115,15 @@ def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> 
     searched = SEARCHED[band.model]
     values = table1.loc[list(AFM_ROWS), "value"].to_numpy(float)
 
-    def parameters(found: Floats) -> dict[str, float]:
+    def parameters(solution: Floats) -> dict[str, float]:
         return {
             name: np.exp(value) if name in LOGARITHMIC else value
-            for name, value in zip(searched, found, strict=True)
+            for name, value in zip(searched, solution, strict=True)
         }
 
-    def mismatch(found: Floats) -> Floats:
-        given = dict(band) | parameters(found)
-        table = Spectrum(WAVEVECTORS, model(WAVEVECTORS, *(given[name] for name in names)))
+    def mismatch(solution: Floats) -> Floats:
+        filled = dict(band) | parameters(solution)
+        table = Spectrum(WAVEVECTORS, model(WAVEVECTORS, *(filled[name] for name in names)))
         return np.asarray(np.log(expected_moments(table, weights) / values))
 
     start = {
@@ -150,18 +149,17 @@ def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> 
     return {name: float(value) for name, value in parameters(fit.x).items()}
 
 
-def calibrate_tail(above: Floats, moments: tuple[float, float]) -> tuple[float, float]:
+def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
 
     The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength at which the power law
-    begins, and the moments are the gradient and half-Laplacian (1/nm) over all scales of the whole.
-    It is a ValueError if the part above already exceeds one of them, or no power law adds them.
+    begins; gradient and half-Laplacian (1/nm) are those over all scales of both. Raises ValueError
+    if the part above already exceeds one of them, or if no power law adds them.
     """
     from scipy.optimize import brentq
 
-    gradient, half_laplacian = moments
     _, *moments_above = all_scales_moments(Spectrum(WAVEVECTORS, above))
-    missing = [whole**2 - part**2 for whole, part in zip(moments, moments_above, strict=True)]
+    missing = [gradient**2 - moments_above[0] ** 2, half_laplacian**2 - moments_above[1] ** 2]
     if min(missing) <= 0:
         raise ValueError(
             f"expected an all-scales slope and curvature above {moments_above[0]:.3g} "
@@ -200,14 +198,19 @@ def from_description(
 
     The file is a CSV of bands from long to short wavelengths, each with its model, parameters and
     basis. A band of CALIBRATED without Hurst exponent is calibrated to Table 1 (of
-    `rows_of_surface`). A band that cannot be made is a ValueError that names it and the file.
+    `rows_of_surface`). Raises ValueError that names the file and the band that cannot be made.
     """
     bands = _bands(path)
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
             if pd.isna(band.hurst) and band.model in CALIBRATED:
-                band = pd.Series(dict(band) | _calibrated(band, density, table1, weights))
+                if band.model in MODELS:
+                    parameters = calibrate_model(band, table1, weights)
+                else:
+                    hurst, shortest = calibrate_tail(density, *table1.loc[list(TAIL_ROWS), "value"])
+                    parameters = {"hurst": hurst, "shortest_nm": shortest}
+                band = pd.Series(dict(band) | parameters)
                 calibrated += CALIBRATED[band.model]
             density += _band_density(band, density, Path(path).parent)
         except (KeyError, ValueError, OSError) as error:
@@ -220,7 +223,7 @@ def from_description(
 
 
 def _bands(path: str | Path) -> pd.DataFrame:
-    """Return the bands of a description; a file that is none is a ValueError of one line."""
+    """Return the bands of a description; raises ValueError, in one line, if the file has none."""
     columns = ("model", "table", *PARAMETERS)
     try:
         bands = pd.read_csv(path)
@@ -233,30 +236,6 @@ def _bands(path: str | Path) -> pd.DataFrame:
             f"{path}: expected bands of a spectrum, with the columns {', '.join(columns)} "
             f"(resources/README.md), found: {reason}"
         ) from None
-
-
-def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
-
-    A ValueError is that of `from_description`, or says that parameters are left to Table 1.
-    """
-    if is_calibrated(_bands(path)):
-        raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
-    nothing = np.empty(0)
-    density, _, _ = from_description(path, pd.DataFrame(), (nothing, np.empty((3, 0))))
-    short_enough = 2 * np.pi / WAVEVECTORS <= longest
-    return float(all_scales_moments(Spectrum(WAVEVECTORS, density * short_enough))[0])
-
-
-def _calibrated(
-    band: pd.Series, above: Floats, table1: pd.DataFrame, weights: Weights
-) -> dict[str, float]:
-    """Return the parameters of a band that Table 1 fixes."""
-    if band.model in MODELS:
-        return calibrate_model(band, table1, weights)
-    gradient, half_laplacian = table1.loc[list(TAIL_ROWS), "value"]
-    hurst, shortest = calibrate_tail(above, (gradient, half_laplacian))
-    return {"hurst": hurst, "shortest_nm": shortest}
 
 
 def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
@@ -278,6 +257,19 @@ def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
         )
     wavelength = 2 * np.pi / WAVEVECTORS
     return np.where((wavelength <= band.longest_nm) & (wavelength > band.shortest_nm), model, 0.0)
+
+
+def described_rms_height(path: str | Path, longest: float) -> float:
+    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
+
+    Raises ValueError as `from_description` does, or if parameters are left to Table 1.
+    """
+    if is_calibrated(_bands(path)):
+        raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
+    no_weights = np.empty(0), np.empty((3, 0))
+    density, _, _ = from_description(path, pd.DataFrame(), no_weights)
+    short_enough = 2 * np.pi / WAVEVECTORS <= longest
+    return float(all_scales_moments(Spectrum(WAVEVECTORS, density * short_enough))[0])
 
 
 def substitute_spectrum(
