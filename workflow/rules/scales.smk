@@ -15,12 +15,12 @@ rule synthesize_masters:
         spectrum=lambda w: FILES.spectrum(w.surface, w.variant),
         code=code_inputs("synthesize_masters.py"),
     output:
-        small=PATTERNS.master.replace("{side}", "small"),
-        large=PATTERNS.master.replace("{side}", "large"),
+        small=PATTERNS.small_master,
+        large=PATTERNS.large_master,
     log:
-        PATTERNS.log("synthesize_masters", PATTERNS.master.replace("/{side}", "")),
+        PATTERNS.log("synthesize_masters", PATTERNS.small_master),
     benchmark:
-        PATTERNS.benchmark("synthesize_masters", PATTERNS.master.replace("/{side}", ""))
+        PATTERNS.benchmark("synthesize_masters", PATTERNS.small_master)
     resources:
         mem_mb=master_megabytes(STUDY["scales"]["small"]["pixels"], 3000),
     params:

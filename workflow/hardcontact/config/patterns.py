@@ -58,6 +58,9 @@ class Patterns:
             f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
         )
         self.master = f"{store}/masters/{_REALIZATION}/{{side}}.nc"
+        self.small_master, self.large_master = (
+            self.master.replace("{side}", side) for side in ("small", "large")
+        )
         # A spectrum drawn within what measurements leave open.
         self.drawn_spectrum = f"{store}/drawn_spectra/{_REALIZATION}.nc"
         # Forces at lists of radii, loads and ranges.
