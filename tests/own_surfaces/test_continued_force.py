@@ -10,11 +10,8 @@ from hardcontact.own_surfaces.master_forces import (
     forces_of_masters,
     half_width_over_masters,
 )
-from hardcontact.own_surfaces.predicted_force import (
-    continued_force,
-    with_continued_force,
-    with_continued_work,
-)
+from hardcontact.own_surfaces.own_fit import with_continued_work
+from hardcontact.own_surfaces.predicted_force import continued_force, with_continued_force
 
 MASTERS = Masters({"a": 1}, 2)
 

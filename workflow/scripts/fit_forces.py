@@ -2,8 +2,7 @@
 
 from hardcontact.config.tables import measured_forces
 from hardcontact.numbers.statistics import Sampling
-from hardcontact.own_surfaces.own_fit import fit_measured
-from hardcontact.own_surfaces.predicted_force import with_continued_work
+from hardcontact.own_surfaces.own_fit import fit_measured, with_continued_work
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 

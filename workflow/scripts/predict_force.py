@@ -2,7 +2,7 @@
 
 from hardcontact.insight.closed_form import Contact, contact_area
 from hardcontact.own_surfaces.master_forces import Masters
-from hardcontact.own_surfaces.own_force import own_force
+from hardcontact.own_surfaces.predicted_force import own_force
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 

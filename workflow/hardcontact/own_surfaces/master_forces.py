@@ -24,13 +24,10 @@ from hardcontact.records.dataset import stack
 
 
 class Masters(NamedTuple):
-    """The number of scans of each surface, and of mirrored scans along an edge of a large master.
+    """What masters are made of: realization r of scan (r - 1) modulo the number of scans."""
 
-    Realization r is made of scan (r - 1) modulo the number of scans.
-    """
-
-    scans: Mapping[str, int]
-    tiles: int
+    scans: Mapping[str, int]  #: Number of scans of each surface.
+    tiles: int  #: Mirrored scans along an edge of a large master.
 
 
 class MasterForces(NamedTuple):
@@ -64,56 +61,49 @@ def forces_of_masters(
 
 
 def over_masters(
-    scales: xr.Dataset, masters: Masters, found: Callable[[MasterForces], xr.Dataset]
+    scales: xr.Dataset, masters: Masters, summary: Callable[[MasterForces], xr.Dataset]
 ) -> xr.Dataset:
-    """Return what is found of the forces, as in scales.nc, over surface and side."""
-    parts = {
-        (surface, side): found(forces_of_masters(scales, surface, side, masters))
+    """Return a summary of the forces, as in scales.nc, over surface and side."""
+    summaries = {
+        (surface, side): summary(forces_of_masters(scales, surface, side, masters))
         for surface in scales.surface.values.tolist()
         for side in scales.side.values.tolist()
     }
-    return stack(parts, ["surface", "side"])
+    return stack(summaries, ["surface", "side"])
 
 
 def half_width_over_masters(
-    given: MasterForces,
+    masters: MasterForces,
     statistic: Callable[[xr.DataArray, xr.DataArray], xr.DataArray],
     shift: str,
     confidence: float,
 ) -> np.ndarray:
-    """Return the half width of the interval of the logarithm of a mean over masters.
+    """Return the half width (...) of the interval of the logarithm of a mean over masters.
 
+    The statistic (realization, ...) is of the mean forces of a master with and without a filter.
     Three scans or more differ in their realizations too, so that their scatter holds that of the
     artificial roughness. The quarters of one or two scans share their realizations: another seed
     moves all of them at once. The variance of a mean over realizations is added, whatever part of
     it the quarters hold already: rather too wide an interval than one that leaves out the choice of
-    random numbers.
-
-    Another spectrum, which the measurements allow as well, moves all realizations at once, too: the
-    mean square of its shifts, one a realization, is added as it is.
-
-    The statistic is of the mean forces of a master with and without a filter, (realization, ...),
-    which it keeps; its shifts (realization, ...) by another spectrum are a variable of the forces,
-    if spectra were drawn. The half width is (...).
+    random numbers. Another spectrum, which the measurements allow as well, moves all realizations
+    at once, too: the mean square of its shifts (realization, ...) is added, if spectra were drawn.
     """
 
-    def of_masters(kept: xr.DataArray) -> xr.DataArray:
+    def over_contacts(kept: xr.DataArray) -> xr.DataArray:
         """Return the statistic (realization, ...) of the contacts (realization, y, x) kept."""
-        filtered, unfiltered = (
-            given.forces[name].where(kept).mean(CONTACTS)
-            for name in ("pull_off_force", "unfiltered_pull_off_force")
-        )
+        filtered = masters.forces.pull_off_force.where(kept).mean(CONTACTS)
+        unfiltered = masters.forces.unfiltered_pull_off_force.where(kept).mean(CONTACTS)
         return statistic(filtered, unfiltered).transpose("realization", ...)
 
     left_out = left_out_logarithms(
-        given.parts, "realization", lambda kept: of_masters(kept).mean("realization")
+        masters.parts, "realization", lambda kept: over_contacts(kept).mean("realization")
     )
-    sources = [jackknife_variance(left_out, given.parts)]
-    count = given.forces.sizes["realization"]
-    if given.parts.conditional and count > 1:
-        logarithms = np.log(of_masters(xr.DataArray(True)).values)
+    sources = [jackknife_variance(left_out, masters.parts)]
+    count = masters.forces.sizes["realization"]
+    if masters.parts.conditional and count > 1:
+        logarithms = np.log(over_contacts(xr.DataArray(True)).values)
         sources.append(Variance(logarithms.var(axis=0, ddof=1) / count, count - 1))
-    shifts = given.forces.get(shift)
+    shifts = masters.forces.get(shift)
     if shifts is not None and shifts.notnull().any():
         sources.append(Variance((shifts**2).mean("realization").values, count))
     return half_width(sources, confidence)

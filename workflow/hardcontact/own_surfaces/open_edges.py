@@ -31,80 +31,82 @@ def band_edges(
 ) -> xr.Dataset:
     """Return the edges of the band of every surface, with intervals from scans or their parts.
 
-    `scales` has the forces of the filtered masters, as in scales.nc; the tolerance is the relative
+    `scales` has the forces on the filtered masters, as in scales.nc; the tolerance is the relative
     change of the force that counts.
 
-    Over surface, side and cutoff_wavelength ``scale_ratio``, the mean over realizations, with its
-    interval, from zero to infinity where it is not bounded; over surface and side what
-    `described_edge` gives; over surface ``conditional`` (1 where the interval is conditional on one
-    or two scans), ``interval_source`` and ``interval_scans`` (what the interval comes from, and how
-    many scans), label and basis. Of several surfaces that have cutoffs in
-    common, everything that begins with ``pooled_`` is over side: mean and edge of the change |ratio
-    - 1| of all surfaces.
+    Returns, over surface, side and cutoff_wavelength, ``scale_ratio``, the mean over realizations,
+    with its interval, from zero to infinity where it is not bounded; over surface and side the
+    variables of EDGE; over surface ``conditional`` (1 where the interval is conditional on one or
+    two scans), ``interval_source``, ``interval_scans``, label and basis. If several surfaces have
+    cutoffs in common, there are ``pooled_`` variables over side: mean and edge of their change
+    |ratio - 1|.
     """
-    curves = over_masters(scales, masters, lambda given: _ratios(given, confidence))
+    curves = over_masters(scales, masters, lambda forces: _ratios(forces, confidence))
     curves = curves.transpose("surface", "side", ...)
-    parts = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
-    found = curves[["scale_ratio", "scale_ratio_interval"]].merge(parts)
-    found = found.assign(
-        edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))
-    ).assign(label=scales.label, basis=scales.basis)
+    sources = curves[["conditional", "interval_source", "interval_scans"]].isel(side=0, drop=True)
+    band = curves[["scale_ratio", "scale_ratio_interval"]].merge(sources)
+    band = band.assign(edges_of_curves(curves, "logarithm", logarithmic_limits(tolerance))).assign(
+        label=scales.label, basis=scales.basis
+    )
     common = curves.change.notnull().all("surface").any("cutoff_wavelength").all()
     if curves.sizes["surface"] > 1 and common:
-        found = found.assign(_pooled(curves, tolerance))
+        band = band.assign(_pooled(curves, tolerance))
     attributes = {name: scales.attrs[name] for name in ("rho", "sphere_radius")}
-    return found.assign_attrs(tolerance=tolerance, confidence=confidence, **attributes)
+    return band.assign_attrs(tolerance=tolerance, confidence=confidence, **attributes)
 
 
-def _ratios(given: MasterForces, confidence: float) -> xr.Dataset:
+def _ratios(masters: MasterForces, confidence: float) -> xr.Dataset:
     """Return the ratios of one surface and side with their interval, and where that comes from."""
     half = half_width_over_masters(
-        given, lambda filtered, whole: filtered / whole, "ratio_shift", confidence
+        masters, lambda filtered, unfiltered: filtered / unfiltered, "ratio_shift", confidence
     )
-    ratio = given.forces.ratio.mean("realization").values
+    ratio = masters.forces.ratio.mean("realization").values
     interval = logarithmic_interval(ratio, half)
     filled = interval
     if not np.isnan(interval).all():
         # A ratio without an interval among others that have one is the same in all parts: known.
         filled = np.where(np.isnan(interval), ratio[:, None], interval)
-    # |ratio - 1|, its least and its greatest value within the interval: NaN where there is none.
+    # |ratio - 1| and its lowest and highest value within the interval: NaN where there is none.
     change, ends = np.abs(ratio - 1), np.abs(filled - 1)
-    least = np.where((filled[:, 0] < 1) & (filled[:, 1] > 1), 0.0, ends.min(axis=-1))
-    change_interval = np.stack([least, ends.max(axis=-1)], axis=-1)
-    axis, one = "cutoff_wavelength", {"units": "1"}
+    lowest = np.where((filled[:, 0] < 1) & (filled[:, 1] > 1), 0.0, ends.min(axis=-1))
+    change_interval = np.stack([lowest, ends.max(axis=-1)], axis=-1)
+    axis, unit = "cutoff_wavelength", {"units": "1"}
     with np.errstate(divide="ignore"):  # the lower end of an interval without bounds is zero
         logarithms = np.log(ratio), np.log(filled)
     return xr.Dataset(
-        with_interval("scale_ratio", axis, ratio, interval, one, confidence)
-        | with_interval("change", axis, change, change_interval, one, confidence)
-        | with_interval("logarithm", axis, *logarithms, one, confidence)
+        with_interval("scale_ratio", axis, ratio, interval, unit, confidence)
+        | with_interval("change", axis, change, change_interval, unit, confidence)
+        | with_interval("logarithm", axis, *logarithms, unit, confidence)
         | {
-            "cell": given.cell,
-            "conditional": int(given.parts.conditional),
-            "interval_source": given.parts.source,
-            "interval_scans": given.parts.scans,
+            "cell": masters.cell,
+            "conditional": int(masters.parts.conditional),
+            "interval_source": masters.parts.source,
+            "interval_scans": masters.parts.scans,
         },
-        {axis: given.forces[axis].variable},
+        {axis: masters.forces[axis].variable},
     )
 
 
 def edges_of_curves(
     curves: xr.Dataset, measure: str, limits: tuple[float, float]
 ) -> dict[str, Any]:
-    """Return the edges of several curves with interval and status, as `described_edge` does.
+    """Return the variables EDGE, over the dimensions of ``cell``, of several curves.
 
     The curves have the measure, ln(ratio) or the change of several surfaces, and its interval
-    (cutoff_wavelength, ...), NaN at cutoffs that a curve has not; ``cell`` (...), longest
+    (cutoff_wavelength, ...), NaN at cutoffs that a curve does not have; ``cell`` (...), the longest
     wavelength of the surface in nm; side as a coordinate. Within the limits, lower and upper, a
-    change counts as none. Returned are the variables EDGE over the dimensions of ``cell``.
+    change counts as none.
     """
     dimensions, shape = curves.cell.dims, curves.cell.shape
-    edges = [
-        described_edge(
-            _curve(curves.isel(dict(zip(dimensions, place, strict=True))), measure, limits)
-        )
-        for place in np.ndindex(shape)
-    ]
+    edges = []
+    for place in np.ndindex(shape):
+        curve = curves.isel(dict(zip(dimensions, place, strict=True)))
+        side = str(curve.side.values)
+        curve = curve.dropna("cutoff_wavelength", subset=[measure])
+        curve = curve.sortby("cutoff_wavelength", ascending=side == "small")
+        values = np.vstack([curve[measure].values, curve[f"{measure}_interval"].values.T])
+        cutoffs = curve.cutoff_wavelength.values
+        edges.append(described_edge(Curve(side, float(curve.cell), cutoffs, values, limits)))
     return {
         name: (
             (*dimensions, *further),
@@ -115,15 +117,6 @@ def edges_of_curves(
     }
 
 
-def _curve(one: xr.Dataset, measure: str, limits: tuple[float, float]) -> Curve:
-    """Return the curve of one surface or of all, at the cutoffs of its side."""
-    side = str(one.side.values)
-    known = one.dropna("cutoff_wavelength", subset=[measure])
-    known = known.sortby("cutoff_wavelength", ascending=side == "small")
-    values = np.concatenate([known[measure].values[None], known[f"{measure}_interval"].values.T])
-    return Curve(side, float(one.cell), known.cutoff_wavelength.values, values, limits)
-
-
 def _pooled(curves: xr.Dataset, tolerance: float) -> dict[str, Any]:
     """Return mean change and edge of all surfaces, at the cutoffs that all have.
 
@@ -132,6 +125,6 @@ def _pooled(curves: xr.Dataset, tolerance: float) -> dict[str, Any]:
     """
     mean = curves[["change", "change_interval"]].mean("surface", skipna=False, keep_attrs=True)
     mean = mean.assign(cell=curves.cell.min("surface"))
-    found = edges_of_curves(mean, "change", (-np.inf, tolerance))
-    edges = {f"pooled_{name}": edge for name, edge in found.items()}
-    return edges | {f"pooled_{name}": mean[name] for name in ("change", "change_interval")}
+    edges = edges_of_curves(mean, "change", (-np.inf, tolerance))
+    pooled = edges | {name: mean[name] for name in ("change", "change_interval")}
+    return {f"pooled_{name}": variable for name, variable in pooled.items()}

@@ -1,7 +1,6 @@
-"""The pull-off force that a work and a range of adhesion predict: no fit is needed.
+"""The pull-off forces that a work and a range of adhesion predict, without a fit: force.nc.
 
-It is that on the scans, and that with their roughness continued beyond their wavelengths, from
-which works of adhesion of measured forces follow as well.
+They are those on the scans, and those with roughness continued beyond the wavelengths of the scans.
 """
 
 from collections.abc import Mapping
@@ -10,6 +9,15 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from hardcontact.adhesion.finite_scan import (
+    with_contact_area,
+    with_finite_scans,
+    with_window_share,
+)
+from hardcontact.insight.closed_form import Contact
+from hardcontact.insight.edge_scaling import among_regimes
+from hardcontact.insight.pull_off_statistics import force_scatter
+from hardcontact.insight.summits import draw_size
 from hardcontact.numbers.statistics import bounds, with_interval
 from hardcontact.own_surfaces.master_forces import (
     MasterForces,
@@ -28,11 +36,67 @@ from hardcontact.own_surfaces.scan_parts import (
     quarters_of_contacts,
 )
 from hardcontact.records.dataset import stack
+from hardcontact.surfaces.spectrum import spectrum_from
 
 #: The contact model of the filtered masters.
 PLASTIC = "plastic"
 #: Of the forces of single contacts.
 QUANTILES = [0.05, 0.25, 0.5, 0.75, 0.95]
+NEWTON = {"units": "N"}
+
+
+def own_force(
+    adhesion: xr.Dataset,
+    scales: xr.Dataset,
+    topography: xr.Dataset,
+    spectra: xr.Dataset,
+    *,
+    contact: Contact,
+    masters: Masters,
+    window: float,
+    tolerance: float,
+    confidence: float,
+) -> xr.Dataset:
+    """Return the predicted forces of all surfaces, their limits and their scatter.
+
+    Datasets are as in the files of these names. The contact that is asked for has the radius of the
+    sphere, range, work and area; the window of a contact is in nm, the tolerance is the relative
+    change of the force that counts as none.
+
+    Returns, over surface, the forces on the scans (`predicted_force`) and with continued roughness
+    (`continued_force`), never above that of a smooth sphere; whether scans, windows and pixels are
+    large or small enough (`finite_scan`); the scatter of single forces (`force_scatter`); and the
+    place among the regimes (`among_regimes`).
+    """
+    force = predicted_force(
+        adhesion,
+        work=contact.work,
+        rho=contact.rho,
+        sizes=topography["scan_size"].to_series().to_dict(),
+        confidence=confidence,
+    )
+    continued = continued_force(scales, masters, contact.work, confidence)
+    force = with_continued_force(force, continued, tolerance)
+    force = with_smooth_bound(force, contact.area)
+    joined = {
+        name: spectrum_from(spectra.sel(surface=name)) for name in force["surface"].values.tolist()
+    }
+    draw_sizes = {
+        name: draw_size(spectrum, contact.radius, contact.area) for name, spectrum in joined.items()
+    }
+    force = with_finite_scans(force, topography, draw_sizes)
+    force = with_window_share(force, window, contact.radius)
+    scatter = force_scatter(
+        joined,
+        contact,
+        [contact.rho],
+        dict.fromkeys(joined, 0.0),  # the scatter over the places of one scan
+        tolerance=tolerance,
+        confidence=confidence,
+    ).squeeze("rho", drop=True)
+    force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
+    force = force.merge(among_regimes(joined, contact))
+    return with_contact_area(force, topography, contact.area)
 
 
 class ScanForces(NamedTuple):
@@ -46,22 +110,21 @@ class ScanForces(NamedTuple):
 def forces_of_scans(forces: xr.DataArray, size: float, radius: float) -> ScanForces:
     """Return the mean forces of one surface and contact model, and those without each part.
 
-    Forces (scan, sphere_scan, rho, contact_y, contact_x) in N are at any work of adhesion, NaN
-    where a scan is missing; `size` is the edge of a scan, `radius` that of the sphere, in nm. Parts
-    are scans where there are three, otherwise their quarters.
+    Forces (scan, sphere_scan, rho, contact_y, contact_x) are in N, NaN where a scan is missing;
+    `size` is the edge of a scan, `radius` that of the sphere, in nm.
     """
-    of_scans = forces.dropna("scan", how="all").mean("sphere_scan")
-    of_scans = of_scans.transpose("scan", "rho", *CONTACTS)
-    scans = np.arange(of_scans.sizes["scan"])
-    quarters = quarters_of_contacts(of_scans.sizes["contact_y"], 1)
+    scan_forces = forces.dropna("scan", how="all").mean("sphere_scan")
+    scan_forces = scan_forces.transpose("scan", "rho", *CONTACTS)
+    scans = np.arange(scan_forces.sizes["scan"])
+    quarters = quarters_of_contacts(scan_forces.sizes["contact_y"], 1)
     parts = [
         parts_of_scans(scans, quarters, size, float(np.sqrt(radius * rho)))
-        for rho in of_scans.rho.values
+        for rho in scan_forces.rho.values
     ]
     left_out = left_out_logarithms(
-        parts[0], "scan", lambda kept: of_scans.where(kept).mean(CONTACTS).mean("scan")
+        parts[0], "scan", lambda kept: scan_forces.where(kept).mean(CONTACTS).mean("scan")
     )
-    return ScanForces(of_scans.mean(CONTACTS).mean("scan").values, left_out, parts)
+    return ScanForces(scan_forces.mean(CONTACTS).mean("scan").values, left_out, parts)
 
 
 def predicted_force(
@@ -70,14 +133,14 @@ def predicted_force(
     """Return the pull-off force of every surface at one work of adhesion and all ranges.
 
     Forces are at 1 J/m², as in adhesion.nc; the work is in J/m², the range of adhesion and the
-    edges of the scans of each surface in nm. It is a ValueError if the range was not computed.
+    edges of the scans of each surface in nm. Raises ValueError if the range was not computed.
 
     Over surface, contact_model and rho in N are ``force``, the mean over contacts and scans, with
     its interval by Student's t on logarithms, over scans or quarters of one or two, from zero to
     infinity where it is not bounded; and ``force_quantile`` of single contacts over `quantile`.
-    Over surface are ``conditional`` (1 of quarters), ``interval_source`` and ``interval_scans``
-    (what the interval comes from, and how many scans), label, basis and ``correlation_of_parts`` at
-    the range asked for, the attribute ``range_of_adhesion``.
+    Over surface are ``conditional`` (1 for quarters), ``interval_source``, ``interval_scans``,
+    label, basis and ``correlation_of_parts`` at the range asked for, the attribute
+    ``range_of_adhesion``.
     """
     ranges = adhesion.rho.values
     if not np.isclose(ranges, rho, rtol=1e-9).any():
@@ -85,16 +148,14 @@ def predicted_force(
             f"expected a range of adhesion that was computed ({', '.join(f'{r:g}' for r in ranges)}"
             f" nm), found {rho:g} nm"
         )
-    surfaces = stack(
-        {
-            (str(surface),): _of_surface(
-                adhesion.sel(surface=surface), sizes[str(surface)], work, rho, confidence
-            )
-            for surface in adhesion.surface.values
-        },
-        ["surface"],
-    )
-    return surfaces.assign(label=adhesion.label, basis=adhesion.basis).assign_attrs(
+    surfaces = {
+        (surface,): _surface_force(
+            adhesion.sel(surface=surface), sizes[surface], work, rho, confidence
+        )
+        for surface in adhesion.surface.values.tolist()
+    }
+    force = stack(surfaces, ["surface"])
+    return force.assign(label=adhesion.label, basis=adhesion.basis).assign_attrs(
         work_of_adhesion=work,
         range_of_adhesion=rho,
         confidence=confidence,
@@ -102,7 +163,7 @@ def predicted_force(
     )
 
 
-def _of_surface(
+def _surface_force(
     adhesion: xr.Dataset, size: float, work: float, rho: float, confidence: float
 ) -> xr.Dataset:
     """Return the variables of one surface."""
@@ -127,11 +188,11 @@ def _of_surface(
         "contact_model", "rho", "quantile"
     )
     parts = models[0].parts[int(np.abs(adhesion.rho.values - rho).argmin())]
-    newton, dimensions = {"units": "N"}, ("contact_model", "rho")
+    dimensions = ("contact_model", "rho")
     return xr.Dataset(
-        with_interval("force", dimensions, mean, interval, newton, confidence)
+        with_interval("force", dimensions, mean, interval, NEWTON, confidence)
         | {
-            "force_quantile": ((*dimensions, "quantile"), quantiles.values, newton),
+            "force_quantile": ((*dimensions, "quantile"), quantiles.values, NEWTON),
             "conditional": int(parts.conditional),
             "interval_source": parts.source,
             "interval_scans": parts.scans,
@@ -152,23 +213,23 @@ def continued_force(
     ``continued_end`` in nm, the last wavelength: the shortest or the longest. Over side
     ``transition`` in nm, from which on the roughness is that of the spectrum.
     """
-    newton = {"units": "N", "long_name": "mean pull-off force with roughness continued"}
+    attributes = NEWTON | {"long_name": "mean pull-off force with roughness continued"}
 
-    def of_side(given: MasterForces) -> xr.Dataset:
+    def summary(given: MasterForces) -> xr.Dataset:
         force = work * given.forces.unfiltered_pull_off_force.mean().values
         half = half_width_over_masters(
-            given, lambda filtered, whole: whole, "unfiltered_shift", confidence
+            given, lambda filtered, unfiltered: unfiltered, "unfiltered_shift", confidence
         )
         interval, end = logarithmic_interval(force, half), float(given.forces.unfiltered_wavelength)
         return xr.Dataset(
-            with_interval("continued_force", (), force, interval, newton, confidence)
+            with_interval("continued_force", (), force, interval, attributes, confidence)
             | {
                 "continued_source": given.parts.source,
                 "continued_end": ((), end, {"units": "nm", "long_name": "last wavelength"}),
             }
         )
 
-    return over_masters(scales, masters, of_side).assign(transition=scales.transition)
+    return over_masters(scales, masters, summary).assign(transition=scales.transition)
 
 
 def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: float) -> xr.Dataset:
@@ -180,11 +241,10 @@ def with_continued_force(force: xr.Dataset, continued: xr.Dataset, tolerance: fl
     there is none, and the change is more than the tolerance; 0 where one number says both.
     """
     rho = force.attrs["range_of_adhesion"]
-    of_scans = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
-    low, high = bounds(of_scans, "force")
-    other = continued.continued_force
-    inside = (low <= other) & (other <= high)
-    changed = np.abs(other / of_scans.force - 1) > tolerance
+    scan_force = force.sel(contact_model=PLASTIC).sel(rho=rho, method="nearest", drop=True)
+    low, high = bounds(scan_force, "force")
+    inside = (low <= continued.continued_force) & (continued.continued_force <= high)
+    changed = np.abs(continued.continued_force / scan_force.force - 1) > tolerance
     differs = (changed & ~inside).drop_vars("contact_model").astype(int)
     return force.merge(continued).assign(continued_differs=differs.transpose("surface", "side"))
 
@@ -202,57 +262,18 @@ def with_smooth_bound(force: xr.Dataset, area: float) -> xr.Dataset:
     F/H more, which touches at gap zero. Single contacts (`force_quantile`) have no such bound.
 
     Forces are those of `with_continued_force`, the area F/H is in nm². They gain ``smooth_bound``
-    (contact_model, rho) in N, which replaces what is greater.
+    (contact_model, rho) in N, which replaces larger ones.
     """
     radius, work = force.attrs["sphere_radius"], force.attrs["work_of_adhesion"]
     touching = area * 1e-18 / (1e-9 * force["rho"])
     yields = force["contact_model"] == PLASTIC
     bound = work * (2 * np.pi * 1e-9 * radius + touching * yields).transpose("contact_model", ...)
     rho = force.attrs["range_of_adhesion"]
-    of_masters = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
-    limits = {"force": bound, "continued_force": of_masters.drop_vars("rho")}
-    values = {f"{name}{end}": limit for name, limit in limits.items() for end in ("", "_interval")}
-    bounded = {
-        # An interval without ends stays one.
-        name: force[name].where((force[name] <= limit) | ~np.isfinite(force[name]), limit)
-        for name, limit in values.items()
-    }
-    return force.assign(bounded | {"smooth_bound": bound.assign_attrs(units="N")})
-
-
-def with_continued_work(fitted: xr.Dataset, force: xr.Dataset) -> xr.Dataset:
-    """Return a fit to measured forces with the works of adhesion at the range that is asked for.
-
-    The work is a measured force over that computed at 1 J/m². Where continued roughness changes the
-    computed force by a factor, it changes the work by one over that: W F_scan/F_continued. Masters
-    were computed at one range and in plastic contact alone, so that this is no curve.
-
-    The fit is of `fit_measured`, the predicted forces, as in force.nc, are over the same surfaces
-    and others. ``continued_work`` (surface, side) is in J/m²; of its interval, relative ends of
-    measured and computed force, which are independent, are added as squares of their logarithms.
-    With it come ``continued_differs`` and ``transition`` of the forces, and the attribute
-    ``range_of_adhesion``, at which ``work_of_adhesion`` is to be compared.
-    """
-    of_fit = force.sel(surface=fitted.surface)
-    measured, unit = fitted.measured_force, of_fit.continued_force / force.attrs["work_of_adhesion"]
-    less, more = (np.log(end / measured) for end in bounds(fitted, "measured_force"))
-    low, high = bounds(of_fit, "continued_force")
-    above = np.log(high / of_fit.continued_force)
-    below = np.log(low.where(low > 0) / of_fit.continued_force).where(low != 0, -np.inf)
-    work = (measured / unit).transpose("surface", "side")
-    ends = [-np.hypot(less, above), np.hypot(more, below)]
-    interval = xr.concat([work * np.exp(end) for end in ends], "bound")
-    long_name = f"work with continued roughness, {PLASTIC} contact"
-    continued = with_interval(
-        "continued_work",
-        work.dims,
-        work.values,
-        interval.transpose(*work.dims, "bound").values,
-        {"units": "J m-2", "long_name": long_name},
-        fitted.attrs["confidence"],
-    )
-    return (
-        fitted.assign(continued)
-        .assign(continued_differs=of_fit.continued_differs, transition=of_fit.transition)
-        .assign_attrs(range_of_adhesion=force.attrs["range_of_adhesion"])
-    )
+    master_bound = bound.sel(contact_model=PLASTIC, drop=True).sel(rho=rho, method="nearest")
+    bounded = {"smooth_bound": bound.assign_attrs(units="N")}
+    for name, limit in {"force": bound, "continued_force": master_bound.drop_vars("rho")}.items():
+        for variable in (name, f"{name}_interval"):
+            value = force[variable]
+            # An interval without ends stays one.
+            bounded[variable] = value.where((value <= limit) | ~np.isfinite(value), limit)
+    return force.assign(bounded)

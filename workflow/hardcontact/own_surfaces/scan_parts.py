@@ -1,10 +1,10 @@
-"""Parts of scans that vary by themselves: what the interval of a few scans comes from.
+"""Parts of scans that vary by themselves: the interval of a few scans comes from them.
 
 With three scans of a surface or more, the parts are the scans. With fewer, they are the quarters
 of each scan: contacts of a mirrored scan are grouped by the quarter in which they lie. Quarters are
 not independent: a contact feels the surface around it with the weight exp(-r²/(2 R rho)), with
 which the paraboloid r²/2R enters Eq. 3 of the paper, so that contacts of different quarters feel
-the same peaks. How much is known from R, rho and the size of the scan, and corrects the variance.
+the same peaks. R, rho and the size of the scan say how much, which corrects the variance.
 """
 
 from collections.abc import Callable, Sequence
@@ -17,7 +17,7 @@ import xarray as xr
 CONTACTS = ("contact_y", "contact_x")
 #: Fewer scans than these are divided into quarters.
 ENOUGH_SCANS = 3
-#: Half widths of logarithms: what is less is rounding, what is more as good as infinite.
+#: Half widths of logarithms: less is rounding, more is as good as infinite.
 ROUNDING, ENDLESS = 1e-9, 50.0
 #: An interval that spans a wider factor to each side bounds nothing of use.
 UNBOUNDED = float(np.log(1e3))
@@ -53,11 +53,27 @@ class Parts:
         return float((self.correlation.sum() - count) / max(count * (count - 1), 1))
 
     @property
+    def widening(self) -> tuple[float, float]:
+        """Factor on the variance of the delete-one jackknife, and its degrees of freedom.
+
+        The variance is (n - 1)/n sum (l_i - l)². Parts of the mean correlation c lower it by the
+        factor 1 - c and raise the variance of their mean by 1 + (n - 1) c, which is corrected. The
+        degrees of freedom are those of Satterthwaite for the correlation matrix C:
+        (tr HC)²/tr (HC)² with H = 1 - 1/n. NaN where the parts are one or the same.
+        """
+        count, shared = len(self.correlation), self.shared
+        if count < 2 or shared > SAME:
+            return np.nan, np.nan
+        centred = (np.eye(count) - 1 / count) @ self.correlation
+        freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
+        return (1 + (count - 1) * shared) / (1 - shared), float(freedom)
+
+    @property
     def source(self) -> str:
         """What an interval comes from: "scans", "quarters" of them or, of one part, "none"."""
         if not self.conditional:
             return "scans"
-        return "none" if len(self.correlation) < 2 or self.shared > SAME else "quarters"
+        return "none" if np.isnan(self.widening[0]) else "quarters"
 
 
 def quarters_of_contacts(count: int, tiles: int) -> np.ndarray:
@@ -84,10 +100,10 @@ def parts_of_scans(
     if len(scans) >= ENOUGH_SCANS:
         of_contact = np.broadcast_to(scan[:, None, None], (len(scan), *quarters.shape))
         return Parts(of_contact, np.eye(len(scans)), len(scans))
-    found, quarter = np.unique(quarters, return_inverse=True)
-    of_contact = scan[:, None, None] * len(found) + quarter.reshape(quarters.shape)
-    of_scan = _correlation_of_quarters(size, reach)[np.ix_(found, found)]
-    return Parts(of_contact, np.kron(np.eye(len(scans)), of_scan), len(scans))
+    numbers, quarter = np.unique(quarters, return_inverse=True)
+    of_contact = scan[:, None, None] * len(numbers) + quarter.reshape(quarters.shape)
+    correlation = _correlation_of_quarters(size, reach)[np.ix_(numbers, numbers)]
+    return Parts(of_contact, np.kron(np.eye(len(scans)), correlation), len(scans))
 
 
 def _correlation_of_quarters(size: float, reach: float) -> np.ndarray:
@@ -112,21 +128,21 @@ def left_out_logarithms(
 
     The statistic (...) is a function of which contacts (maps, contact_y, contact_x) are kept.
     """
-    kept = (
-        xr.DataArray(parts.of_contact != part, dims=(maps, *CONTACTS))
-        for part in range(len(parts.correlation))
+    return np.array(
+        [
+            np.log(statistic(xr.DataArray(parts.of_contact != part, dims=(maps, *CONTACTS))).values)
+            for part in range(len(parts.correlation))
+        ]
     )
-    return np.array([np.log(statistic(one).values) for one in kept])
 
 
 def jackknife_variance(left_out: np.ndarray, parts: Parts) -> Variance:
-    """Return the variance of the delete-one jackknife, corrected as `_widening` says.
+    """Return the variance of the delete-one jackknife, corrected by `Parts.widening`.
 
-    `left_out` (part, ...) is of `left_out_logarithms`. NaN of fewer than two parts, and of parts
-    that are the same.
+    `left_out` (part, ...) is of `left_out_logarithms`.
     """
-    widened, freedom = _widening(parts)
-    return Variance((len(left_out) - 1) * left_out.var(axis=0) * widened, freedom)
+    factor, freedom = parts.widening
+    return Variance((len(left_out) - 1) * left_out.var(axis=0) * factor, freedom)
 
 
 def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
@@ -139,8 +155,8 @@ def half_width(sources: Sequence[Variance], confidence: float) -> np.ndarray:
     from scipy import stats
 
     total = np.asarray(sum(source.value for source in sources))
-    whole = np.where(total > 0, total, 1.0)
-    inverse = sum((source.value / whole) ** 2 / source.freedom for source in sources)
+    positive = np.where(total > 0, total, 1.0)
+    inverse = sum((source.value / positive) ** 2 / source.freedom for source in sources)
     inverse = np.where(total > 0, inverse, 1.0)
     half = np.minimum(stats.t.ppf((1 + confidence) / 2, 1 / inverse) * np.sqrt(total), ENDLESS)
     return np.where(half > ROUNDING, half, np.nan)
@@ -161,31 +177,15 @@ def sampled_deviations(
 ) -> np.ndarray:
     """Draw deviations (samples, ...) of the logarithm of a statistic from its mean over parts.
 
-    At every place they are of Student's t, as in `half_width`; `left_out` (part, ...) is of
-    `left_out_logarithms`. With the same generator, parts that differ in their correlation alone
-    share their random numbers. NaN of fewer than two parts.
+    They are of Student's t, as in `half_width`; `left_out` (part, ...) is of `left_out_logarithms`.
+    With the same generator, parts that differ in their correlation alone share their random
+    numbers. NaN for fewer than two parts.
     """
     from scipy import stats
 
     count = len(left_out)
-    widened, freedom = _widening(parts)
+    factor, freedom = parts.widening
     normal, level = rng.standard_normal((samples, count)), rng.uniform(size=samples)
-    scale = np.sqrt(widened * (count - 1) / count * freedom / stats.chi2.ppf(level, freedom))
+    scale = np.sqrt(factor * (count - 1) / count * freedom / stats.chi2.ppf(level, freedom))
     drawn = np.tensordot(scale[:, None] * normal, left_out - left_out.mean(axis=0), axes=1)
     return np.asarray(np.clip(drawn, -ENDLESS, ENDLESS))
-
-
-def _widening(parts: Parts) -> tuple[float, float]:
-    """Return the factor on the variance of the delete-one jackknife, and degrees of freedom.
-
-    The variance is (n - 1)/n sum (l_i - l)². Parts of the mean correlation c lower it by the factor
-    1 - c and raise the variance of their mean by 1 + (n - 1) c, which is corrected. The degrees of
-    freedom are those of Satterthwaite for the correlation matrix C: (tr HC)²/tr (HC)², with
-    H = 1 - 1/n; they are n - 1 without correlation. NaN where the parts are one or the same.
-    """
-    count, shared = len(parts.correlation), parts.shared
-    if count < 2 or shared > SAME:
-        return np.nan, np.nan
-    centred = (np.eye(count) - 1 / count) @ parts.correlation
-    freedom = np.trace(centred) ** 2 / np.trace(centred @ centred)
-    return (1 + (count - 1) * shared) / (1 - shared), float(freedom)
