@@ -40,7 +40,7 @@ def datasets(contacts=20, pixels=512):
     """The datasets that the page takes numbers from, not to be changed; the band has two edges."""
     maps = ("surface", "row"), np.zeros((5, pixels))
     return {
-        "topography": topography().drop_dims("row").assign(example_heights=maps),
+        "topography": topography().assign(example_heights=maps),
         "scales": scales().assign(pull_off_force=("contact_y", np.ones(contacts))),
         "band": band(),
         "sets": sets(),

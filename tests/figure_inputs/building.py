@@ -8,9 +8,6 @@ from intervals import between_multiples
 from numpy.typing import ArrayLike
 from paper_numbers import LABELS, SUBSTRATES
 
-RADIUS = 250e3  # nm
-SCANS, SPHERE_SCANS = 3, 2
-
 
 def generator() -> np.random.Generator:
     """Return new random numbers, the same each time."""

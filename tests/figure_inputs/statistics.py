@@ -2,12 +2,13 @@
 
 from functools import cache
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 from known_spectra import rough
 from paper_numbers import LABELS, SUBSTRATES
 
-from figure_inputs.adhesion import inference
+from figure_inputs.building import bounded
 from figure_inputs.published_tables import published_pull_off
 from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.pull_off_statistics import force_scatter, with_comparison
@@ -28,6 +29,9 @@ def _computed() -> xr.Dataset:
     deviations = dict.fromkeys(spectra, 0.0) | {SUBSTRATES[0]: 0.1}
     scatter = force_scatter(spectra, contact, [5.6], deviations, tolerance=0.05, confidence=0.9)
     table = pd.read_csv(LIBRARY.parents[1] / "resources/validation/statistics.csv")
-    compared = with_comparison(scatter, inference(), published_pull_off(), table)
+    pairs = {"contact_model": ["plastic"], "pair": ["published"], "surface": SUBSTRATES}
+    shapes = bounded("lognormal_shape", tuple(pairs), np.full((1, 1, len(SUBSTRATES)), 0.5))
+    inference = xr.Dataset(shapes, pairs)
+    compared = with_comparison(scatter, inference, published_pull_off(), table)
     named = {"label": ("surface", LABELS), "basis": ("surface", ["substitute"] * len(LABELS))}
     return compared.assign(named).assign_attrs(reference_rho=5.6)
