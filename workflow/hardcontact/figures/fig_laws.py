@@ -39,15 +39,14 @@ LOOKS: dict[str, style.Look] = {
 GAPS = np.geomspace(0.1, 300.0, 200)  # nm
 PRESSURE = 1e9 * 1e-6  # J/m² over nm, in MPa
 PANELS = {"small": ("b", "short edge (nm)"), "large": ("c", "long edge (nm)")}
-EDGES = {"critical_wavelength": "nm", "edge_factor": "1"}
 FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2"}
 
 
 def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) pressures, (b, c) edges of the band.
 
-    The table has by law and case the range (nm) and the work (J/m2) of (a), and the edges (nm),
-    also over those of Eq. 1, of each substrate and of all pooled: a `group`.
+    The table has by law and case the range (nm) and the work (J/m2) of (a), and the edges (nm)
+    of each substrate and of all pooled: a `group`.
     """
     figure, ((pressures, *edges),) = drawing.create_rows(3.2, laws, (1, (1, 1.2, 1.2)))
     _draw_pressures(pressures, laws)
@@ -55,8 +54,8 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
-        of_side = ((panel, name, unit) for name, unit in EDGES.items())
-        frames.append(tables.drawn_rows(laws.sel(side=[side]), *of_side))
+        drawn = (panel, "critical_wavelength", "nm")
+        frames.append(tables.drawn_rows(laws.sel(side=[side]), drawn))
     handles = [
         Line2D([], [], ls=dashes, label=law.label, **LOOKS[law.name])
         for law, dashes in zip(LAWS, DASHES, strict=True)
