@@ -69,14 +69,6 @@ def test_no_spectrum_jumps(surface):
     assert np.abs(step).max() < 6
 
 
-def test_the_public_spectra_would_jump():
-    weights = transfer_weights(256, 2500 / 64, 64)
-    density, *_ = from_description(SPECTRA / "uncd-measured.csv", rows("uncd"), weights)
-    density = density[density > 0]
-    step = np.diff(np.log(density)) / np.diff(np.log(WAVEVECTORS[: len(density)]))
-    assert step.max() > 12
-
-
 @pytest.mark.parametrize("surface", SUBSTRATES)
 def test_spectra_meet_every_row_of_table_1_but_the_height_over_all_scales(surface):
     stored = spectrum(surface)

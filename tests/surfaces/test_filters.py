@@ -65,30 +65,6 @@ def test_a_cutoff_of_two_pixels_is_refused():
         lowpass(noise(64), 20.0)
 
 
-@pytest.mark.parametrize("pixels", [64, 100])
-@pytest.mark.parametrize("cutoff", [25.0, 60.0, 333.0, 640.0, 900.0])
-def test_what_either_side_removes_makes_the_master(pixels, cutoff):
-    master = noise(64)
-    whole, long, short = (
-        filtered(master, side, wavelength, pixels)
-        for side, wavelength in (("small", None), ("small", cutoff), ("large", cutoff))
-    )
-    assert whole.pixel_size == 640 / pixels
-    assert whole.pixels == long.pixels == short.pixels == pixels
-    np.testing.assert_allclose(long.heights + short.heights, whole.heights, atol=3e-6)
-    expected = interpolate(lowpass(master, cutoff), pixels)
-    np.testing.assert_allclose(long.heights, expected.heights, atol=1e-12)
-
-
-@pytest.mark.parametrize("side", ["small", "large"])
-def test_without_a_cutoff_the_master_is_interpolated_alone(side):
-    master = noise(64)
-    np.testing.assert_array_equal(filtered(master, side, None, 64).heights, master.heights)
-    finer = filtered(master, side, None, 128)
-    np.testing.assert_allclose(finer.heights[::2, ::2], master.heights, atol=2e-6)
-    assert finer.pixel_size == 5.0
-
-
 def test_a_master_on_fewer_pixels_is_refused():
     for cutoff in (None, 100.0):
         with pytest.raises(ValueError, match="at least 64 pixels to interpolate to, found 32"):

@@ -1,8 +1,9 @@
-"""Spectra joined of several measurements of one surface, and stacked over surfaces."""
+"""Spectra joined of several measurements of one surface, and of descriptions."""
 
 from dataclasses import replace
 
 import numpy as np
+import pandas as pd
 import pytest
 from measurements import line_of, map_of, measurement
 from random_scans import uncd
@@ -14,6 +15,7 @@ from hardcontact.records import dataset
 from hardcontact.surfaces.extrapolated_spectrum import Tail
 from hardcontact.surfaces.joined_spectrum import (
     HURST_SCATTER,
+    described_spectrum,
     drawn_spectra,
     joined_spectrum,
     smoothed,
@@ -27,7 +29,14 @@ from hardcontact.surfaces.measured_spectrum import (
     variance_of_log,
 )
 from hardcontact.surfaces.reliable_band import reliable_band
-from hardcontact.surfaces.spectrum import BIN_CENTRES, WAVEVECTORS, read_spectrum, smooth_rolloff
+from hardcontact.surfaces.spectrum import (
+    BIN_CENTRES,
+    WAVEVECTORS,
+    read_spectrum,
+    self_affine,
+    smooth_rolloff,
+    spectrum_dataset,
+)
 
 
 def gentle(q):
@@ -85,19 +94,16 @@ def test_only_what_is_reliable_is_joined():
     joined = joined_spectrum(scans, [None] * 3)
     wavelength = 2 * np.pi / joined["bin_wavevector"].values
     for place, scan in enumerate(scans):
-        band, one = reliable_band(scan, None), joined.isel(measurement=place)
+        band, stored = reliable_band(scan, None), joined.isel(measurement=place)
         within = (wavelength >= band.shortest) & (wavelength <= band.longest)
-        np.testing.assert_array_equal(one["reliable"] == 1, within & np.isfinite(one["psd"]))
-        np.testing.assert_array_equal(one["psd"], measured_psd(scan)[1])
-        assert (one["shortest_reliable"], one["longest_reliable"]) == (band.shortest, band.longest)
-        assert one["limited_by"].item() == band.limited_by
+        np.testing.assert_array_equal(stored["reliable"] == 1, within & np.isfinite(stored["psd"]))
     assert joined["limited_by"].values[0] == "noise"
-    mean = joined["joined"].values
+    # Where the second map is alone, the spectrum follows it within its scatter.
     single = (joined["reliable"].values.sum(axis=0) == 1) & (joined["reliable"].values[1] == 1)
-    waves = independent_waves(scans[1])[single]
+    waves, mean = independent_waves(scans[1])[single], joined["joined"].values[single]
     expected = joined["psd"].values[1, single] * np.exp(bias_of_log(waves))
-    assert (np.abs(np.log(mean[single] / expected)) < 2 * np.sqrt(variance_of_log(waves))).all()
-    assert waves.max() > 600 and mean[single][-1] == pytest.approx(expected[-1], rel=0.01)
+    assert (np.abs(np.log(mean / expected)) < 2 * np.sqrt(variance_of_log(waves))).all()
+    assert waves.max() > 600 and mean[-1] == pytest.approx(expected[-1], rel=0.01)
 
 
 def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
@@ -116,17 +122,6 @@ def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
     assert np.abs(np.mean(errors, axis=0)).max() < 0.25
     assert np.std(errors, axis=0).max() < 0.8
     assert np.mean(variances) == pytest.approx(true, rel=0.25)
-
-
-def test_a_mean_lies_between_and_nearer_to_the_measurement_of_more_waves():
-    large, _, line = two_sizes_and_a_line(12)
-    joined = joined_spectrum([large, line], [None, None])
-    both = joined["reliable"].values.all(axis=0) & (independent_waves(line) > 8)
-    assert both.sum() > 5
-    logs, mean = np.log(joined["psd"].values[:, both]), np.log(joined["joined"].values[both])
-    error = np.abs(mean - logs)
-    assert (error.sum(axis=0) < np.abs(logs[0] - logs[1]) + 0.14).all()
-    assert np.median(error[0] / error[1]) < 0.7
 
 
 def test_a_noise_floor_is_not_continued():
@@ -181,45 +176,65 @@ def test_the_radius_given_counts_before_that_of_the_file():
     assert np.isnan(unknown["tip_radius"].item())
 
 
-def test_wavelengths_between_two_bands_are_artificial():
-    large, small, _ = two_sizes_and_a_line(16)
-    tiny = replace(small, heights=small.heights[:96, :96])
-    for scans, gaps in (([large, tiny], [(128, 160)]), ([large, small], [])):
-        joined = stacked_spectra({"x": joined_spectrum(scans, [None, None])}, {"x": "X"})
-        np.testing.assert_allclose(artificial_bands(joined.sel(surface="x"))[1:-1], gaps)
-
-
 def test_measurements_that_show_nothing_reliable_are_refused_in_one_line():
     noise = measurement(generator(17).normal(size=(64, 64)), 10.0, path="noise.spm")
     message = refusal(joined_spectrum, [noise], [None])
     assert_says(message, "expected", "at least 3", "found 0", "noise.spm", "noise floor")
 
 
-def test_a_measurement_without_reliable_bins_does_not_set_the_limits():
-    noise = measurement(generator(18).normal(size=(64, 64)), 1.0)
-    scan = map_of(generator(18), 128, 10.0, gentle)
-    joined = joined_spectrum([noise, scan], [None, None])
-    assert joined.attrs["shortest_measured"] == 40
-    assert joined["reliable"].values[0].sum() == 0
-
-
 def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
-    one = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
-    other = joined_spectrum([map_of(generator(20), 128, 10.0)], [None])
+    coat = joined_spectrum(two_sizes_and_a_line(19), [None] * 3)
+    rough = joined_spectrum([map_of(generator(20), 128, 10.0)], [None])
     labels = {"rough": "Rough", "coat": "My coat"}
-    dataset.write(stacked_spectra({"rough": other, "coat": one}, labels), tmp_path / "a.nc")
+    dataset.write(stacked_spectra({"rough": rough, "coat": coat}, labels), tmp_path / "a.nc")
     stacked = dataset.read(tmp_path / "a.nc")
-    assert list(stacked["surface"].values) == ["rough", "coat"]
     assert list(stacked["label"].values) == ["Rough", "My coat"]
     assert stacked["reliable"].dtype.kind == "i" and stacked["reliable"].values[0, 1:].sum() == 0
     assert list(stacked["kind"].values[0]) == ["map", "", ""]
-    assert list(stacked["path"].values[1]) == ["large.spm", "small.spm", "line.txt"]
     assert np.isnan(stacked["psd"].values[0, 1:]).all()
-    assert np.isnan(stacked["size"].values[0, 1:]).all()
-    for name, single in (("rough", other), ("coat", one)):
+    for name, single in (("rough", rough), ("coat", coat)):
         chosen = stacked.sel(surface=name)
         np.testing.assert_array_equal(chosen["spectrum"], single["spectrum"])
         np.testing.assert_array_equal(chosen["joined"], single["joined"])
         for limit in ("shortest_measured", "longest_measured", *Tail._fields):
             assert chosen[limit].item() == single.attrs[limit]
-    assert stacked["shortest_measured"].attrs["units"] == "nm"
+
+
+BANDS = pd.DataFrame(
+    {
+        "longest_nm": [np.inf, 1e4, 1e3, 100.0, 10.0],
+        "shortest_nm": [1e4, 1e3, 100.0, 10.0, 0.1],
+        "basis": ["published", "published", "assumed", "measured", "inferred"],
+        "source": ["a", "a", "none", "b", "c"],
+    }
+)
+
+
+def stored(bands=BANDS):
+    """Return the spectrum of a substitute as the study stores it."""
+    return spectrum_dataset(self_affine(WAVEVECTORS, 1e9, 2000.0, 0.8)).assign_attrs(
+        basis="substitute", calibrated_to_table1="", bands=bands.to_csv(index=False)
+    )
+
+
+def test_known_bands_are_those_of_published_or_measured_sources():
+    found = described_spectrum(stored(), "x.csv")
+    assert found.notes.values.tolist() == ["a", "b"]
+    np.testing.assert_allclose(found.longest_reliable, [1e6, 100.0])
+    np.testing.assert_allclose(found.shortest_reliable, [1e3, 10.0])
+    wavelength = 2 * np.pi / found.bin_wavevector.values
+    known = (wavelength > 1e3) | ((wavelength > 10) & (wavelength <= 100))
+    expected = self_affine(found.bin_wavevector.values, 1e9, 2000.0, 0.8)
+    np.testing.assert_allclose(found.joined, np.where(known, expected, np.nan), rtol=0.03)
+    assert np.isnan(found.attrs["tail_hurst"]) and set(found.limited_by.values) == {"source"}
+
+
+def test_what_is_not_known_is_artificial():
+    stacked = stacked_spectra({"x": described_spectrum(stored(), "x.csv")}, {"x": "X"})
+    bands = artificial_bands(stacked.sel(surface="x"))
+    np.testing.assert_allclose(bands, [(0, 10), (100, 1000), (1e6, np.inf)])
+
+
+def test_a_description_without_known_bands_is_refused():
+    assumed = BANDS.assign(basis="assumed")
+    assert_says(refusal(described_spectrum, stored(assumed), "x.csv"), "x.csv", "published")

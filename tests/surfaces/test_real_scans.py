@@ -29,12 +29,6 @@ def test_levelled_rms_height(path, member, size, rms_height):
     assert level(scan).heights.std() == pytest.approx(rms_height, abs=0.05)
 
 
-def test_line_scans_of_the_container_are_refused():
-    for member in ("80_Scale10.472_FIXEDv2p1.asc", "uncd_stylus_300um_5mar_3.txt"):
-        with pytest.raises(ValueError, match=r"uncd-demo-container.*found a line scan$"):
-            read_scan(CONTAINER, member)
-
-
 def test_the_whole_container():
     measured = [read_measurement(CONTAINER, dataset) for dataset in list_measurements(CONTAINER)]
     assert [one.kind for one in measured] == ["profile", "map", "profile"]
@@ -84,45 +78,26 @@ OWN = {
 }
 
 
-@pytest.fixture(scope="module")
-def own_study(tmp_path_factory):
-    """A study with one measured surface, as far as adhesion."""
-    folder = copy_repository(tmp_path_factory.mktemp("own") / "study")
+@pytest.mark.study
+def test_a_study_with_an_own_scan(tmp_path):
+    folder = copy_repository(tmp_path / "study")
     (folder / "own.tsv").write_text(TABLE)
     run = run_snakemake(folder, "topography", "adhesion", overlays=[OWN])
     assert run.returncode == 0, run.stdout[-3000:]
-    return folder / "results" / "own"
-
-
-@pytest.mark.study
-def test_datasets_say_which_surface_was_measured(own_study):
-    expected = {"uncd": "measured", "mcd": "substitute", "ruby": "substitute"}
-    for name in ("topography", "adhesion"):
-        dataset = xr.load_dataset(own_study / f"{name}.nc")
-        basis = dict(zip(dataset.surface.values, dataset.basis.values, strict=True))
-        assert basis == {key: expected[key] for key in basis}
-        assert {"uncd", "mcd"} <= basis.keys()
-    assert xr.load_dataset(own_study / "contact.nc").attrs["basis"] == "measured"
-
-
-@pytest.mark.study
-def test_topography_of_the_own_scan(own_study):
-    own = xr.load_dataset(own_study / "topography.nc").sel(surface="uncd")
+    topography, adhesion = (
+        xr.load_dataset(folder / f"results/own/{name}.nc") for name in ("topography", "adhesion")
+    )
+    own = topography.sel(surface="uncd")
+    assert own.basis == "measured" and topography.basis.sel(surface="mcd") == "substitute"
     assert float(own.rms_height.sel(scan=1)) == pytest.approx(14.3, abs=0.05)
     assert np.isnan(own.rms_height.sel(scan=2))
-    assert float(own.rms_height_mean) == pytest.approx(14.3, abs=0.05)
     assert float(own.scan_size) == pytest.approx(10_000.0)
-    assert str(own.label.values) == "my UNCD"
-    assert str(own.calibrated_to_table1.values) == ""
-
-
-@pytest.mark.study
-def test_adhesion_of_the_own_scan(own_study):
-    force = xr.load_dataset(own_study / "adhesion.nc").pull_off_force
-    own = force.sel(surface="uncd", scan=1, sphere_scan=1)
-    assert np.isfinite(own).all() and (own > 0).all()
-    rigid, plastic = (own.sel(contact_model=model) for model in ("rigid", "plastic"))
-    assert (plastic >= rigid).all()
+    force = adhesion.pull_off_force
+    rigid, plastic = (
+        force.sel(surface="uncd", scan=1, sphere_scan=1, contact_model=model)
+        for model in ("rigid", "plastic")
+    )
+    assert (rigid > 0).all() and (plastic >= rigid).all()
     assert force.sel(surface="uncd", scan=2).isnull().all()
     assert force.sel(surface="mcd", sphere_scan=1).notnull().all()
 

@@ -51,11 +51,6 @@ def test_a_tip_ends_the_band_where_its_image_leaves_the_surface():
     assert (np.abs(np.log(ratio[within])) < 0.35).all() and (ratio[below] < 0.6).all()
 
 
-def test_a_tip_that_leaves_no_trace_ends_nothing():
-    smooth = map_of(generator(3), 128, PIXEL, lambda q: 1e-4 * uncd(q))
-    assert reliable_band(smooth, 10.0) == reliable_band(smooth, None)
-
-
 @pytest.mark.parametrize(("make", "pixels"), [(map_of, 256), (line_of, 2000)])
 def test_a_floor_of_white_noise_is_cut_above_where_it_passes_the_surface(make, pixels):
     scan = make(generator(4), pixels, PIXEL)
@@ -106,14 +101,3 @@ def test_noise_beyond_smoothing_does_not_hide_it():
     noisy = measurement(smoothed + generator(10).normal(0, 0.3, smoothed.shape), PIXEL)
     clean = reliable_band(measurement(smoothed, PIXEL), None)
     assert reliable_band(noisy, None).shortest == pytest.approx(clean.shortest, rel=0.3)
-
-
-def test_the_shorter_edge_is_the_size():
-    heights = map_of(generator(11), 128, PIXEL).heights
-    assert reliable_band(measurement(heights[:64], PIXEL), None).longest == 640 / 3
-
-
-def test_a_map_on_other_scales_is_judged_alike():
-    scan = map_of(generator(12), 128, PIXEL)
-    shrunk = measurement(scan.heights / 10, PIXEL / 10)
-    assert reliable_band(shrunk, None).shortest == pytest.approx(4 * PIXEL / 10)

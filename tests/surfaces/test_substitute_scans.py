@@ -19,17 +19,6 @@ from hardcontact.surfaces.synthesis import random_surface
 RADIUS = 250e3
 
 
-@pytest.fixture(scope="module")
-def surface():
-    return random_surface(generator(5), 512, PIXEL, uncd)
-
-
-def test_a_scan_is_a_corner_of_its_surface_times_a_factor(surface):
-    scan = substitute_scan(surface, 100, 0.7)
-    np.testing.assert_array_equal(scan.heights, 0.7 * surface.heights[:100, :100].astype(float))
-    assert (scan.pixel_size, scan.periodic, scan.basis) == (PIXEL, False, "substitute")
-
-
 def test_the_sphere_is_seen_with_its_apex_in_the_middle_half():
     flat = HeightMap(np.zeros((64, 64)), 40.0, periodic=False, basis="substitute")
     for k in range(20):

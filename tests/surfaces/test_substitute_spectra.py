@@ -1,25 +1,115 @@
-"""Descriptions of substitutes: each model of a band, refusals, the spectrum as it is stored."""
+"""Spectra of substitutes: descriptions, calibration to Table 1, expected moments of scans."""
 
 import numpy as np
 import pandas as pd
 import pytest
-from random_scans import PIXEL
+from random_scans import PIXEL, UNCD, uncd
 from refusals import assert_says, refusal
 from repository import ROOT
 
+from hardcontact.numbers.random import generator
 from hardcontact.records import published
-from hardcontact.surfaces import spectrum as spectral_models
-from hardcontact.surfaces import substitute_spectra
+from hardcontact.surfaces import spectrum, substitute_spectra
+from hardcontact.surfaces.height_map import level, metrics
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, all_scales_moments
+from hardcontact.surfaces.substitute_scans import substitute_scan
 from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
+from hardcontact.surfaces.synthesis import random_surface
+
+
+def rows(values):
+    """Table 1 of one surface: the rows that fix the spectrum of scans."""
+    return pd.DataFrame({"value": values}, index=list(spectrum.AFM_ROWS))
+
+
+def band(model, rolloff=np.nan):
+    """A band of a description whose other parameters are left to Table 1."""
+    return pd.Series({"model": model, "rolloff_nm": rolloff})
+
+
+@pytest.fixture(scope="module")
+def weights():
+    return transfer_weights(1024, PIXEL, 256)
+
+
+def scans_of(density, weights):
+    """Table 1 of a surface whose scans have this spectrum."""
+    return rows(expected_moments(Spectrum(WAVEVECTORS, density), weights))
+
+
+def test_a_self_affine_spectrum_is_found_again(weights):
+    truth = (1.0e7, 800.0, 0.9)
+    table1 = scans_of(spectrum.self_affine(WAVEVECTORS, *truth), weights)
+    parameters = substitute_spectra.calibrate_model(band("self-affine"), table1, weights)
+    assert list(parameters) == ["plateau_nm4", "rolloff_nm", "hurst"]
+    np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
+
+
+def test_a_varying_hurst_exponent_is_found_again(weights):
+    truth = spectrum.varying_hurst(WAVEVECTORS, 1.0e10, 2000.0, 1.6, -0.5)
+    table1 = scans_of(truth, weights)
+    found = substitute_spectra.calibrate_model(band("varying Hurst", 2000.0), table1, weights)
+    assert list(found) == ["plateau_nm4", "hurst", "hurst_change"]
+    np.testing.assert_allclose(list(found.values()), (1.0e10, 1.6, -0.5), rtol=1e-6)
+
+
+def test_no_self_affine_spectrum_has_the_scans_of_ncd(at_root):
+    table = published.table1("resources/paper/table1.csv")
+    ncd = substitute_spectra.rows_of_surface(table, "ncd", "gradient", "half_laplacian")
+    with pytest.raises(ValueError, match="expected three numbers .* missed by .* %"):
+        substitute_spectra.calibrate_model(
+            band("self-affine"), ncd, transfer_weights(2048, PIXEL, 512)
+        )
+
+
+@pytest.fixture
+def above():
+    """UNCD's spectrum on WAVEVECTORS down to 20 nm."""
+    return np.where(2 * np.pi / WAVEVECTORS > 20, UNCD.density, 0)
+
+
+@pytest.mark.parametrize("moments", [(1.17, 6.32), (1.0, 4.0), (0.9, 5.9)])
+def test_a_tail_completes_slope_and_curvature(above, moments):
+    tail = spectrum.power_law_tail(above, *substitute_spectra.calibrate_tail(above, *moments))
+    found = all_scales_moments(Spectrum(WAVEVECTORS, above + tail))[1:]
+    np.testing.assert_allclose(found, moments, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("moments", "message"),
+    [
+        ((0.01, 6.32), "slope and curvature above .* found 0.01 and 6.32"),
+        ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
+    ],
+)
+def test_a_tail_refuses_what_it_cannot_add(above, moments, message):
+    with pytest.raises(ValueError, match=message):
+        substitute_spectra.calibrate_tail(above, *moments)
+
+
+def test_table1_is_turned_into_gradient_and_half_laplacian():
+    table = pd.DataFrame(
+        {
+            "surface": ["uncd", "uncd", "uncd", "mcd"],
+            "quantity": ["afm_rms_height", "afm_rms_slope", "all_rms_curvature", "afm_rms_slope"],
+            "value": [2.0, 3.0, 4.0, 9.0],
+            "uncertainty": [0.2, 0.3, 0.4, 0.9],
+        }
+    )
+    same = substitute_spectra.rows_of_surface(table, "uncd", "gradient", "half_laplacian")
+    np.testing.assert_array_equal(same.value, [2, 3, 4])
+    other = substitute_spectra.rows_of_surface(table, "uncd", "profile", "laplacian")
+    assert list(other.index) == ["afm_rms_height", "afm_rms_slope", "all_rms_curvature"]
+    np.testing.assert_allclose(other.value, [2, 3 * 2**0.5, 2])
+    np.testing.assert_allclose(other.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])
+    assert substitute_spectra.rows_of_surface(table, "my own", "gradient", "laplacian").empty
+
 
 HEADER = (
     "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
 )
 WEIGHTS = transfer_weights(512, PIXEL, 128)
 NO_TABLE1 = pd.DataFrame({"value": [], "uncertainty": []})
-#: The paper's scans, made small.
-CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 2500.0}})
 
 
 @pytest.fixture
@@ -54,15 +144,15 @@ def test_bands_with_all_parameters_are_their_models(described, tmp_path):
     table = Spectrum(WAVEVECTORS, density)
     q = 2 * np.pi / np.array([1500.0, 700.0, 200.0, 24.0])
     expected = [
-        spectral_models.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
-        spectral_models.self_affine(q[1], 5e9, 2000.0, 0.8),
-        spectral_models.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
+        spectrum.varying_hurst(q[0], 5e9, 2000.0, 0.8, -0.1),
+        spectrum.self_affine(q[1], 5e9, 2000.0, 0.8),
+        spectrum.smooth_rolloff(q[2], 6.1e7, 930.0, 0.84),
     ]
     np.testing.assert_allclose(table(q)[:3], expected, rtol=1e-3)
     points = np.array([66.0, 24.0, 7.0]), np.array([234.0, 6.7, 0.095])
     inside = (WAVEVECTORS > 2 * np.pi / 50) & (WAVEVECTORS < 2 * np.pi / 7)
     np.testing.assert_allclose(
-        density[inside], spectral_models.profile_points(WAVEVECTORS, *points)[inside]
+        density[inside], spectrum.profile_points(WAVEVECTORS, *points)[inside]
     )
     tail = (WAVEVECTORS > 2 * np.pi / 7) & (WAVEVECTORS < 2 * np.pi / 0.33)
     slopes = np.diff(np.log(density[tail])) / np.diff(np.log(WAVEVECTORS[tail]))
@@ -77,7 +167,7 @@ def test_blank_parameters_are_calibrated_to_table1(described, polished, band):
     path = described(band, "6.5,0,power law,,,,,")
     weights = transfer_weights(2048, PIXEL, 512)
     density, bands, calibrated = substitute_spectra.from_description(path, polished, weights)
-    assert calibrated == [*spectral_models.AFM_ROWS, *spectral_models.TAIL_ROWS]
+    assert calibrated == [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
     assert bands[["plateau_nm4", "rolloff_nm", "hurst"]].loc[0].notna().all()
     assert bands[["shortest_nm", "hurst"]].loc[1].notna().all()
     table = Spectrum(WAVEVECTORS, density)
@@ -97,29 +187,6 @@ def test_a_band_that_cannot_be_made_is_named(described, band, part):
     path = described(band)
     with pytest.raises(ValueError, match=f"surface.csv: band from inf nm: .*{part}"):
         substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
-
-
-def test_the_refusal_of_a_band_is_one_line(described):
-    message = refusal(
-        substitute_spectra.from_description, described("inf,20,cubic,1,1,1,,"), NO_TABLE1, WEIGHTS
-    )
-    assert_says(message, "surface.csv", "expected", "found")
-
-
-def test_spectrum_of_a_substitute_says_what_scans_would_show(described, polished):
-    path = described("inf,20,smooth roll-off,6.1e7,930,0.84,,")
-    stored = substitute_spectra.substitute_spectrum(path, polished, CONSTANTS)
-    inside = WAVEVECTORS < 2 * np.pi / 20
-    np.testing.assert_array_equal(stored.wavevector, WAVEVECTORS)
-    np.testing.assert_allclose(
-        stored.spectrum[inside],
-        spectral_models.smooth_rolloff(WAVEVECTORS[inside], 6.1e7, 930.0, 0.84),
-    )
-    assert (stored.attrs["basis"], stored.attrs["calibrated_to_table1"]) == ("substitute", "")
-    expected = expected_moments(
-        Spectrum(WAVEVECTORS, stored.spectrum.values), transfer_weights(256, 2500 / 64, 64)
-    )
-    np.testing.assert_array_equal(stored.attrs["expected_scan_moments"], expected)
 
 
 @pytest.mark.parametrize("end", ["", "_lower", "_upper"])
@@ -150,3 +217,20 @@ def test_what_is_no_description_is_named(tmp_path, content):
     message = refusal(substitute_spectra.described_rms_height, path, 1000.0)
     assert_says(message, "a.csv: expected bands of a spectrum", "found")
     assert len(message.splitlines()) == 1
+
+
+MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")
+
+
+def test_expected_moments_are_those_of_scans():
+    weights = substitute_spectra.transfer_weights(1024, PIXEL, 256)
+    expected = substitute_spectra.expected_moments(uncd, weights)
+    squares = []
+    for k in range(6):
+        surface = random_surface(generator(4, k), 1024, PIXEL, uncd)
+        for start in range(0, 1024, 256):
+            strip = type(surface)(surface.heights[start:], PIXEL, True, "substitute")
+            values = metrics(level(substitute_scan(strip, 256)))
+            squares.append([values[name] ** 2 for name in MOMENTS])
+    error = np.std(squares, axis=0) / np.sqrt(len(squares))
+    assert (np.abs(np.mean(squares, axis=0) - expected**2) < 4 * error).all()
