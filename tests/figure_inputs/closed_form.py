@@ -8,9 +8,6 @@ from hardcontact.insight.closed_form import MANY_POINTS, SINGLE_PEAKS
 from hardcontact.numbers.statistics import with_interval
 
 RHO = [0.5, 5.6, 20.0]
-CUTOFFS = [20.0, 60.0, 1000.0, 2000.0]
-#: Ratio by surface, side, cutoff.
-FILTERED = np.array([[[1.0, 1.5, np.nan, np.nan], [np.nan, np.nan, 3.0, 1.2]]] * len(SUBSTRATES))
 SHAPE = (len(SUBSTRATES), 2, len(RHO))
 
 
@@ -32,7 +29,6 @@ def closed_form() -> xr.Dataset:
             "whole_freezing": (("surface", "rho"), freezing, {"units": "1"}),
             "freezing": ((*dims, "source"), np.full((*SHAPE, 2), 0.9), {"units": "1"}),
             "predicted_approach": (dims[:2], np.full(SHAPE[:2], 90.0), {"units": "nm"}),
-            "filtered_ratio": (("surface", "side", "cutoff_wavelength"), FILTERED),
             "regime": (("surface", "rho"), np.where(freezing > 1, SINGLE_PEAKS, MANY_POINTS)),
             "edge": (
                 ("surface", "side"),
@@ -48,7 +44,6 @@ def closed_form() -> xr.Dataset:
             "rho": RHO,
             "source": ["spectrum", "contacts"],
             "side": ["small", "large"],
-            "cutoff_wavelength": CUTOFFS,
         },
         {"range_of_adhesion": 5.6, "confidence": 0.95},
     )

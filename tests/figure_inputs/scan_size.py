@@ -29,14 +29,7 @@ def scan_size() -> xr.Dataset:
         exponent=("ratio", [1.3, 0.1, -0.4]),
         error=(("tested", "kind"), np.log([[1.1, 1.5], [1.2, 2.0]])),
         size_needed=(("surface", "rho"), 1e3 * np.arange(1.0, 9).reshape(4, 2)),
-    ).merge(_edges()).assign(
-        bounded("crease_contact", "surface", [0.2, 0.4, 0.5, 0.6])
-        | bounded("crease_force", "surface", [0.16, 0.2, 0.4, 0.5])
-    ).assign(
-        crease_area=("surface", [0.15] * 4),
-        contact_distance=("surface", [900.0, 2000.0, 4e3, 4.2e3], {"units": "nm"}),
-        draw_length=("surface", [1e3, 2e3, 4.3e3, 4.4e3], {"units": "nm"}),
-    ).assign_attrs(
+    ).merge(_edges()).assign_attrs(
         sphere_radius=250e3, surface_size=20e3, allowed_excess=1.1, rho=5.6, scan_size=2500.0,
         tolerance=0.1, confidence=0.9,
     )  # fmt: skip

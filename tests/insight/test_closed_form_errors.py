@@ -9,13 +9,10 @@ from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.insight.closed_form_errors import Trial, closed_form_errors, spectrum_of_grid
 from hardcontact.insight.summits import moment
 from hardcontact.numbers.random import generator
-from hardcontact.surfaces.spectrum import Spectrum
 from hardcontact.surfaces.synthesis import random_surface
 
 TRIAL = Trial(
     pixels=256, realizations=2, sizes=(2560.0, 5120.0), ranges=(5.6, 20.0),
-    # In the order in which a job is given them: sorted by name.
-    cutoffs={"large": (300.0, 1e6), "small": (20.0, 60.0)},
     contact=ArrayContact(radius=20e3, preload=1e-5, hardness=25e9, window=5120.0, count=4),
     work=0.05, rho=5.6, tolerance=0.1, confidence=0.95, seed=1,
 )  # fmt: skip
@@ -48,26 +45,6 @@ def test_errors_are_predicted_over_computed(found):
 def test_whole_spectra_are_those_of_the_closed_form(found):
     expected = closed_form(rough(4, 500, 0.8, 40), Contact(20e3, 20.0, 0.05, 400.0))
     at = found.sel(surface="a", rho=20.0)
-    assert at.whole_force.item() == pytest.approx(expected.force, rel=1e-12)
     assert at.whole_freezing.item() == expected.freezing
     assert at.regime.item() == expected.regime
     assert found.edge.dims == ("surface", "side")
-
-
-def test_filtered_ratios_are_those_of_spectra_cut_at_the_edge(found):
-    whole, contact = rough(4, 500, 0.8, 40), Contact(20e3, 5.6, 0.05, 400.0)
-    wavelength = 2 * np.pi / whole.wavevector
-    of_surface = found.filtered_ratio.sel(surface="a")
-    force = closed_form(whole, contact).force
-    for side, cutoff, kept in (
-        ("small", 60.0, wavelength >= 60),
-        ("large", 300.0, wavelength <= 300),
-        ("small", 20.0, wavelength > 0),
-        ("large", 1e6, wavelength > 0),
-    ):
-        part = Spectrum(whole.wavevector, np.where(kept, whole.density, 0.0))
-        expected = closed_form(part, contact).force / force
-        assert of_surface.sel(side=side, cutoff_wavelength=cutoff) == pytest.approx(
-            expected, rel=0.02
-        )
-    assert of_surface.sel(side="small", cutoff_wavelength=300.0).isnull()

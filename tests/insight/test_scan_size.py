@@ -1,4 +1,4 @@
-"""Sizes of scans: creases by their density, the validation table, and what makes it."""
+"""Sizes of scans: the validation table, and what makes it."""
 
 import sys
 from dataclasses import replace
@@ -23,7 +23,6 @@ from validate_scan_sizes import (
 )
 
 from hardcontact.contact.contact import Contact
-from hardcontact.insight.scan_size import crease_shares
 from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
 from hardcontact.surfaces.spectrum import all_scales_moments, roll_off
@@ -39,29 +38,6 @@ def periodic(heights):
 
 def random_heights(rms):
     return rms * np.random.default_rng(5).standard_normal((64, 64))
-
-
-def test_touching_places_are_as_far_from_the_apex_as_their_density_says():
-    """They are as dense as exp(-t r²/2Rσ): their rms distance is the draw length."""
-    height, approach, radius, shape = 50.0, 150.0, 250e3, (1, 3, 2000)
-    squared = np.random.default_rng(1).exponential(2 * radius * height**2 / approach, shape)
-    of_contact = {
-        "crease_force": np.broadcast_to([[[0.1], [0.3], [0.8]]], shape),
-        "crease_contact": np.zeros(shape),
-        "contact_distance": squared**0.5,
-        "closest_approach": np.full(shape, approach),
-    }
-    of_scan = {"crease_area": 0.15, "rms_height": height}
-    axes = ("surface", "scan", "contact")
-    asperities = xr.Dataset(
-        {name: (axes, values) for name, values in of_contact.items()}
-        | {name: (axes[:2], [[value] * 3]) for name, value in of_scan.items()},
-        attrs={"sphere_radius": radius},
-    ).expand_dims(rho=[1.0, 5.6])
-    creases = crease_shares(asperities, 5.6, 0.95).squeeze("surface")
-    assert creases.crease_force == pytest.approx(0.4)
-    assert creases.crease_force_interval.values == pytest.approx([0, 1])  # of three scans
-    assert creases.contact_distance == pytest.approx(creases.draw_length.item(), rel=0.03)
 
 
 def test_the_table_holds_what_its_rule_predicts():

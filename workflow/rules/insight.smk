@@ -32,7 +32,6 @@ rule compare_closed_form:
                 "trial": {
                     **{key: INSIGHT[key] for key in ("pixels", "realizations", "sizes")},
                     "ranges": INSIGHT_RANGES,
-                    "cutoffs": {side: STUDY["scales"][side]["cutoffs"] for side in SIDES},
                     "rho": STUDY["scales"]["range"],
                     "tolerance": STUDY["scales"]["tolerance"],
                     "confidence": STUDY["inference"]["confidence"],

@@ -2,10 +2,9 @@
 
 
 rule judge_scan_size:
-    """Join the validation table with the creases of the study's scans: scan_size.nc."""
+    """Take the surfaces of the study from the validation table: scan_size.nc."""
     input:
         validation="resources/validation/scan_size.nc",
-        asperities=PATTERNS.dataset("asperities"),
         code=code_inputs("judge_scan_size.py"),
     output:
         PATTERNS.dataset("scan_size"),
@@ -16,9 +15,8 @@ rule judge_scan_size:
     params:
         canonical=canonical(
             {
-                "rho": STUDY["scales"]["range"],
+                "surfaces": SELECTION.substrates,
                 "scan_size": STUDY["scan"]["size"],
-                "confidence": STUDY["inference"]["confidence"],
             }
         ),
     script:

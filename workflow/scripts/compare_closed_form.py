@@ -8,14 +8,15 @@ from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
-    given = this.parameters
+    params = this.parameters
     work = published.constants(this.input.published_constants)["value"]["work_of_adhesion"]
-    contact = Contact(**given["contact"])
-    spectra = dict(zip(given["surfaces"], map(read_spectrum, this.input.spectra), strict=True))
+    contact = Contact(**params["contact"])
+    paths = zip(params["surfaces"], this.input.spectra, strict=True)
+    spectra = {surface: read_spectrum(path) for surface, path in paths}
     this.write(
         with_names(
-            closed_form_errors(spectra, Trial(work=work, contact=contact, **given["trial"])),
-            {"labels": given["labels"], "basis": given["basis"]},
+            closed_form_errors(spectra, Trial(work=work, contact=contact, **params["trial"])),
+            {"labels": params["labels"], "basis": params["basis"]},
         ),
         title="closed form of the pull-off force and its error",
     )

@@ -1,8 +1,8 @@
 """Mean pressure of elastic contact over the hardness, by the shortest wavelength of a surface."""
 
 from hardcontact.adhesion.all_surfaces import with_names
+from hardcontact.contact.elastic_limit import slope_index
 from hardcontact.contact.smooth_sphere import effective_modulus
-from hardcontact.insight.elastic_limit import slope_index
 from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 

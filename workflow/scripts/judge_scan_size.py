@@ -1,15 +1,13 @@
-"""How large a scan must be, from the validation table, beside the creases of the study's scans."""
+"""How large a scan must be: the validation table, of the surfaces of the study."""
 
-from hardcontact.insight.scan_size import crease_shares
 from hardcontact.records import dataset
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
     params = this.parameters
     table = dataset.read(this.input.validation)
-    asperities = dataset.read(this.input.asperities)
-    creases = crease_shares(asperities, params["rho"], params["confidence"])
+    surfaces = [name for name in table["surface"].values if name in params["surfaces"]]
     this.write(
-        table.merge(creases, join="inner").assign_attrs(scan_size=params["scan_size"]),
+        table.sel(surface=surfaces).assign_attrs(scan_size=params["scan_size"]),
         title="how large a scan must be, and the error of the rule that says so",
     )

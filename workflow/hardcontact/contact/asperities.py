@@ -1,7 +1,6 @@
 """The asperities that carry the force of some contacts of one pair of scans.
 
-Pixels that share an edge or a corner belong to one patch. Where a scan meets its mirror image the
-stitched surface has a crease: a slope that turns there into its opposite, often a summit.
+Pixels that share an edge or a corner belong to one patch.
 """
 
 from collections.abc import Sequence
@@ -17,9 +16,6 @@ from hardcontact.contact.geometry import Bodies, flattened_gaps, gap_map
 from hardcontact.records.job import progress
 
 Floats = NDArray[np.float64]
-
-#: Pixels up to this far (nm) from the line where a scan meets its image are at a crease.
-CREASE = 100.0
 
 UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent": "nm"}
 
@@ -72,23 +68,6 @@ def _diameter(attraction: Floats, share: float, total: float) -> int:
     return 2 * int(np.searchsorted(carried, share * total))
 
 
-def at_creases(indices: NDArray[np.int_], period: int, pixel_size: float) -> NDArray[np.bool_]:
-    """Return which pixels along one axis of a mirror-stitched surface are at a crease.
-
-    Lines lie at both ends and in the middle of the period in pixels, of a size in nm.
-    """
-    half = period / 2
-    from_line = (indices + 0.5) % half
-    return np.asarray(np.minimum(from_line, half - from_line) * pixel_size < CREASE)
-
-
-def share_at_creases(weights: Floats, rows: NDArray[np.bool_], columns: NDArray[np.bool_]) -> float:
-    """Return the share of weights (n, n) in rows (n,) or columns (n,) that are at a crease."""
-    twice = weights[np.ix_(rows, columns)].sum()
-    there = weights[rows].sum() + weights[:, columns].sum() - twice
-    return float(there / weights.sum())
-
-
 def asperities_of_pair(
     bodies: Bodies,
     contact: Contact,
@@ -99,49 +78,19 @@ def asperities_of_pair(
     """Return which asperities carry the force of some plastic contacts, by range of adhesion.
 
     The places (contact, 2) are of the array, ranges in nm. The dataset has the fields of
-    `Asperities` (contact, rho); ``crease_force`` (contact, rho), ``crease_contact`` (contact) and
-    ``crease_area``, the shares of force, contact pixels and surface at creases;
-    ``contact_distance`` of the closest point from the apex and ``closest_approach`` (contact), the
-    height of the apex in rigid contact, in nm, and the ``rms_height`` of the surface.
+    `Asperities` (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixels = contact.pixels(pixel_size)
-    offsets, period = bodies.geometry.offsets(), bodies.substrate.pixels
-    found, creases, lowest = [], [], []
+    carriers = []
     for place in progress(places, len(places), "contacts"):
-        whole = gap_map(bodies, place)
-        closest = np.unravel_index(whole.argmin(), whole.shape)
-        distance = pixel_size * np.hypot(*(offsets[index] for index in closest))
-        lowest.append((distance, -whole[closest]))
-        gap = flattened_gaps(whole, contact_pixels)
-        near = [
-            at_creases(bodies.geometry.positions[index] + offsets, period, pixel_size)
-            for index in place
-        ]
-        touching = np.nonzero(gap == 0)
-        of_place, shares = [], [float((near[0][touching[0]] | near[1][touching[1]]).mean())]
-        for rho in ranges:
-            attraction = np.exp(-gap / rho)
-            of_place.append(asperities(attraction, share, pixel_size))
-            shares.append(share_at_creases(attraction, *near))
-        found.append(of_place)
-        creases.append(shares)
-    carriers, at_crease = np.array(found), np.array(creases)
-    distances, approaches = np.array(lowest).T
-    axis = at_creases(np.arange(period), period, pixel_size)
-    one, nm = {"units": "1"}, {"units": "nm"}
+        gap = flattened_gaps(gap_map(bodies, place), contact_pixels)
+        carriers.append([asperities(np.exp(-gap / rho), share, pixel_size) for rho in ranges])
+    values = np.array(carriers)
     return xr.Dataset(
         {
-            name: (("contact", "rho"), carriers[..., k], {"units": UNITS[name]})
+            name: (("contact", "rho"), values[..., k], {"units": UNITS[name]})
             for k, name in enumerate(Asperities._fields)
-        }
-        | {
-            "crease_force": (("contact", "rho"), at_crease[:, 1:], one),
-            "crease_contact": ("contact", at_crease[:, 0], one),
-            "crease_area": ((), 1 - (1 - axis.mean()) ** 2, one),
-            "contact_distance": ("contact", distances, nm),
-            "closest_approach": ("contact", approaches, nm),
-            "rms_height": ((), bodies.substrate.heights.std(), nm),
         },
         {
             "rho": ("rho", ranges, {"units": "nm", "long_name": "range of adhesion"}),

@@ -1,42 +1,28 @@
 """The pull-off force of a sphere on a Gaussian surface, in closed form from its spectrum.
 
-The surface has heights h of the rms sigma about its mean plane, the sphere the radius R; at
-closest approach its apex is at m above that plane. A ring of the plane at the gap s = m + r²/2R to
-the sphere has the area 2 pi R ds. Eq. 2 of the paper, averaged over the heights below it, is
+The surface has heights of the rms sigma about its mean plane, the sphere the radius R; at closest
+approach its apex is at m above that plane. Eq. 2 of the paper, averaged over the heights, is
 
-    F = (W/rho) 2 pi R ∫_m^∞ ds ∫_-∞^s p(h) exp(-(s - h)/rho) dh + (W/rho) A,
+    F/(2 pi R W) = exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho) + Q(m/sigma) + A/(2 pi R rho)
 
-where A = load/hardness is the area in contact. The inner integral is
-exp(sigma²/2rho² - s/rho) Phi(s/sigma - sigma/rho), by completing the square; the outer one, by
-parts, with exp(sigma²/2rho² - s/rho) phi(s/sigma - sigma/rho) = phi(s/sigma), gives
-
-    F/(2 pi R W) = exp(sigma²/2rho² - m/rho) Phi(m/sigma - sigma/rho) + Q(m/sigma) + A/(2 pi R rho),
-
-Q = 1 - Phi. The first term is the mean over all points of the surface. The second is the force of
-the summits that touch: with one summit in reach, Q(m/sigma) is its radius over R, so that it adds
-the 2 pi W R_summit of a small sphere (Derjaguin).
-
-Which of them decides is the question of the random energy model (Derrida, Phys. Rev. B 24 (1981)
-2613), with heights as energies and rho as temperature. The attraction comes from heights near
-sigma²/rho. If sigma/rho < m/sigma, such points lie below the sphere, and there are many. If not,
-they would stand above it: the sum freezes to the few highest points, and the first term falls to
-phi(m/sigma)/(sigma/rho - m/sigma), of the size of the second.
+(workflow/report/theory.md), Phi the normal distribution, Q = 1 - Phi, A = load/hardness the area in
+contact. The first term is the mean over all points of the surface, the second the force of the
+summits that touch. If sigma/rho < m/sigma, many points below the sphere attract; if not, the few
+highest points do, as in the random energy model (Derrida, Phys. Rev. B 24 (1981) 2613).
 
 A summit is itself a rough body. Waves shorter than its size, 2.5 delta (`summits`), are roughness
 on it, and the same equation, with its radius delta² m/(2 sigma²), gives the share of the force of a
 smooth summit that is left; and so on to the shortest waves. The area in contact, at most that of a
-summit, pi delta², flattens what is smaller than itself: it brings the summit as close to its own
-roughness as this area needs, below its mean plane where the contact is wider than that, and of a
-summit flattened whole nothing is lost. That waves begin at 2.5 delta is a choice: of 2 delta, 2.5
-delta and pi delta, tried on designed surfaces (`prediction`) that were not held back, the first
-gives better edges and the last better forces.
+summit, pi delta², flattens what is smaller than itself. That waves begin at 2.5 delta is a choice:
+of 2 delta, 2.5 delta and pi delta, tried on designed surfaces (`prediction`) that were not held
+out, the first gives better edges and the last better forces.
 """
 
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy import special, stats
+from scipy import special
 
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.summits import (
@@ -128,15 +114,22 @@ def closed_form(
 ) -> ClosedForm:
     """Return the mean pull-off force over contacts of a sphere on a Gaussian surface.
 
-    Only the wavelengths of the spectrum count. The approaches are heights m (nm) of closest
-    approach of computed contacts; None stands for those that the spectrum lets expect.
+    Parameters
+    ----------
+    spectrum : Spectrum
+        C_iso in nm⁴; only its wavelengths count.
+    contact : Contact
+        The sphere, the attraction and the area in contact.
+    approaches : array_like, optional
+        Heights m (nm) of closest approach of computed contacts; by default those that the spectrum
+        lets expect.
     """
     smooth = float(dmt_pull_off(contact.work, contact.radius))
     waves = rough_waves(spectrum, contact.radius)
     if waves is None:  # The limit of a rms height of zero.
         force = smooth_force(contact)
         return ClosedForm(force, force / smooth, 1.0, 0.0, 0.0, 0.0, SMOOTH)
-    sigma = np.sqrt(moment(waves, 0))
+    sigma = float(np.sqrt(moment(waves, 0)))
     if approaches is None:
         levels = closest_approaches(waves, contact.radius, contact.area)
     else:
@@ -145,18 +138,12 @@ def closed_form(
         levels = Approaches(heights, np.full(heights.shape, 1 / heights.size), float(delta))
     first, touching = _terms(waves, levels, contact, GENERATIONS)
     relative = first + touching + contact_share(contact)
-    m = sigma * levels.mean()
-    freezing = sigma**2 / (contact.rho * m) if m > 0 else np.inf
+    m = float(sigma * levels.mean())
+    freezing = float(sigma**2 / (contact.rho * m)) if m > 0 else np.inf
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
-    return ClosedForm(
-        smooth * relative,
-        relative,
-        first,
-        float(sigma),
-        float(m),
-        float(freezing),
-        SMOOTH if first + touching > SMOOTH_SHARE else regime,
-    )
+    if first + touching > SMOOTH_SHARE:
+        regime = SMOOTH
+    return ClosedForm(smooth * relative, relative, first, sigma, m, freezing, regime)
 
 
 def _terms(
@@ -165,14 +152,14 @@ def _terms(
     """Return the first and the second term of F/(2 pi R W), the mean over levels of approach."""
     sigma = np.sqrt(moment(waves, 0))
     first = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.rho))
-    touching = levels.mean(stats.norm.sf(levels.levels))
+    touching = levels.mean(special.ndtr(-levels.levels))
     summit = on_summit(waves, levels, contact)
     if summit is None or not generations:
         return first, touching
-    finer, on_it = summit
-    approaches = closest_approaches(finer, on_it.radius, on_it.area)
-    of_summit = _terms(finer, approaches, on_it, generations - 1)
-    return first, touching * min(sum(of_summit), 1.0)
+    finer, summit_contact = summit
+    approaches = closest_approaches(finer, summit_contact.radius, summit_contact.area)
+    share = sum(_terms(finer, approaches, summit_contact, generations - 1))
+    return first, touching * min(share, 1.0)
 
 
 def on_summit(
@@ -204,26 +191,21 @@ def edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> tuple[float
     Without all that is shorter, or longer, the force changes by the tolerance, a relative change.
     They are NaN where it never does.
     """
-    known = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
-    if not len(known):
+    wavelengths = 2 * np.pi / spectrum.wavevector[spectrum.density > 0]
+    if not len(wavelengths):
         return np.nan, np.nan
-    cutoffs = np.geomspace(known[-1], known[0], CUTOFFS)
-    return (
-        _edge(spectrum, contact, ("small", cutoffs), tolerance),
-        _edge(spectrum, contact, ("large", cutoffs[::-1]), tolerance),
-    )
+    cutoffs = np.geomspace(wavelengths[-1], wavelengths[0], CUTOFFS)
+    limits = logarithmic_limits(tolerance)
+    whole = closed_form(spectrum, contact).relative
 
+    def edge(side: str, cutoffs: Floats) -> float:
+        """Return the critical wavelength (nm) of a side; from the end where no cutoff acts."""
+        curve = [0.0]
+        for cutoff in cutoffs[1:]:
+            part = filtered_spectrum(spectrum, side, cutoff)
+            curve.append(np.log(closed_form(part, contact).relative / whole))
+            if not limits[0] <= curve[-1] <= limits[1]:
+                break
+        return critical_wavelength(cutoffs[: len(curve)], np.array(curve), limits)
 
-def _edge(
-    spectrum: Spectrum, contact: Contact, filters: tuple[str, Floats], tolerance: float
-) -> float:
-    """Return the critical wavelength (nm) of a side; cutoffs from the end where none acts."""
-    side, cutoffs = filters
-    lower, upper = logarithmic_limits(tolerance)
-    curve, whole = [0.0], closed_form(spectrum, contact).relative
-    for cutoff in cutoffs[1:]:
-        part = filtered_spectrum(spectrum, side, cutoff)
-        curve.append(np.log(closed_form(part, contact).relative / whole))
-        if not lower <= curve[-1] <= upper:
-            break
-    return critical_wavelength(cutoffs[: len(curve)], np.array(curve), (lower, upper))
+    return edge("small", cutoffs), edge("large", cutoffs[::-1])

@@ -1,6 +1,6 @@
 """The closed form beside forces computed on random surfaces of the same spectrum."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -9,12 +9,7 @@ import xarray as xr
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.contact import Contact as ArrayContact
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight.closed_form import (
-    Contact,
-    closed_form,
-    edges,
-    filtered_spectrum,
-)
+from hardcontact.insight.closed_form import Contact, closed_form, edges
 from hardcontact.insight.summits import banded
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import student_log_interval
@@ -27,15 +22,13 @@ SOURCES = ["spectrum", "contacts"]
 
 @dataclass(frozen=True)
 class Trial:
-    """Surfaces that the closed form is tried on, and what touches them."""
+    """Random surfaces that the closed form is held to, and what touches them."""
 
     pixels: int  #: Of each periodic surface along an edge.
     realizations: int  #: Surfaces of each size.
     sizes: tuple[float, ...]  #: Edges of the surfaces in nm.
     ranges: tuple[float, ...]  #: Of adhesion in nm.
-    #: Wavelengths (nm) below which ("small") and above which ("large") roughness is removed.
-    cutoffs: Mapping[str, Sequence[float]]
-    contact: ArrayContact  #: On each.
+    contact: ArrayContact
     work: float  #: W in J/m².
     rho: float  #: The range (nm) of the edges.
     tolerance: float  #: Change of the force that counts for an edge.
@@ -59,29 +52,24 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
 def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Dataset:
     """Return computed and predicted forces, and what the closed form says of all scales.
 
-    Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
-    realizations with its interval over realizations; also over source ("spectrum": closest approach
-    expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
-    ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
-    ``computed_approach`` and ``predicted_approach`` in nm. Of the whole spectra ``whole_force``
-    (N), ``whole_freezing`` and ``regime`` over (surface, rho), ``edge`` (surface, side) in nm, and
-    ``filtered_ratio`` (surface, side, cutoff_wavelength), the force without the waves of a side
-    over that with all; NaN at cutoffs of the other side.
+    Returns
+    -------
+    xarray.Dataset
+        Over (surface, map_size, rho): ``computed_force`` in N, mean plastic force over contacts and
+        realizations with its interval over realizations; also over source ("spectrum": closest
+        approach expected, "contacts": that computed) ``predicted_force``, ``first_term_force`` (N),
+        ``freezing``, and ``error``, predicted over computed. Over (surface, map_size)
+        ``predicted_approach`` in nm. Of the whole spectra ``whole_freezing`` and ``regime`` over
+        (surface, rho), and ``edge`` (surface, side) in nm.
     """
     compared = [
-        [_compared(name, one, size, trial) for size in trial.sizes] for name, one in spectra.items()
+        [_compare(name, spectrum, size, trial) for size in trial.sizes]
+        for name, spectrum in spectra.items()
     ]
     grids = xr.combine_nested(compared, ["surface", "map_size"], combine_attrs="drop")
-    interval = student_log_interval(grids.force, trial.confidence, "realization")
-    computed = grids.force.mean("realization")
-    result = grids.drop_vars("force").assign(
-        computed_force=computed.assign_attrs(units="N"),
-        computed_force_interval=interval.assign_attrs(units="N"),
-        error=(grids.predicted_force / computed).assign_attrs(units="1"),
-    )
-    whole = [_whole(one, trial) for one in spectra.values()]
+    whole = [_describe_whole(spectrum, trial) for spectrum in spectra.values()]
     return (
-        result.merge(xr.concat(whole, "surface", combine_attrs="drop"))
+        grids.merge(xr.concat(whole, "surface", combine_attrs="drop"))
         .assign_coords(
             surface=list(spectra),
             map_size=("map_size", list(trial.sizes), {"units": "nm"}),
@@ -89,17 +77,11 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
             source=SOURCES,
             side=list(SIDES),
         )
-        .assign_attrs(
-            sphere_radius=trial.contact.radius,
-            work_of_adhesion=trial.work,
-            range_of_adhesion=trial.rho,
-            scale_tolerance=trial.tolerance,
-            confidence=trial.confidence,
-        )
+        .assign_attrs(range_of_adhesion=trial.rho, confidence=trial.confidence)
     )
 
 
-def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dataset:
+def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dataset:
     """Return computed and predicted forces of one surface and size of map."""
     pixel_size = size / trial.pixels
     forces, approaches = [], []
@@ -113,44 +95,39 @@ def _compared(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Da
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
     area = trial.contact.pixels(pixel_size) * pixel_size**2
     contacts = [Contact(trial.contact.radius, rho, trial.work, area) for rho in trial.ranges]
-    given = {"spectrum": None, "contacts": np.array(approaches)}
-    formulas = [[closed_form(waves, one, given[source]) for one in contacts] for source in SOURCES]
-    first, over, newton = formulas[0][0], ("source", "rho"), {"units": "N"}
-    smooth = first.force / first.relative
-    predicted = [[one.force for one in row] for row in formulas]
-    of_first_term = [[one.first_term * smooth for one in row] for row in formulas]
-    freezing = [[one.freezing for one in row] for row in formulas]
+    forms = [
+        [closed_form(waves, contact, heights) for contact in contacts]
+        for heights in (None, np.array(approaches))
+    ]
+    smooth = forms[0][0].force / forms[0][0].relative
+    realizations = xr.DataArray(np.array(forces), dims=("realization", "rho"))
+    computed = realizations.mean("realization")
+    interval = student_log_interval(realizations, trial.confidence, "realization")
+    predicted = [[form.force for form in row] for row in forms]
+    first_term = [[form.first_term * smooth for form in row] for row in forms]
+    freezing = [[form.freezing for form in row] for row in forms]
+    over, newton, one = ("source", "rho"), {"units": "N"}, {"units": "1"}
     return xr.Dataset(
         {
-            "force": (("realization", "rho"), np.array(forces), newton),
+            "computed_force": computed.assign_attrs(newton),
+            "computed_force_interval": interval.assign_attrs(newton),
             "predicted_force": (over, predicted, newton),
-            "first_term_force": (over, of_first_term, newton),
-            "freezing": (over, freezing, {"units": "1"}),
-            "computed_approach": ((), np.mean(approaches), {"units": "nm"}),
-            "predicted_approach": ((), first.closest_approach, {"units": "nm"}),
+            "first_term_force": (over, first_term, newton),
+            "freezing": (over, freezing, one),
+            "error": (over, predicted / computed.values, one),
+            "predicted_approach": ((), forms[0][0].closest_approach, {"units": "nm"}),
         }
     )
 
 
-def _whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
+def _describe_whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
     """Return what the closed form says of a spectrum of all scales."""
     contact = Contact(trial.contact.radius, trial.rho, trial.work, trial.contact.area)
-    formulas = [closed_form(spectrum, replace(contact, rho=rho)) for rho in trial.ranges]
-    whole, ratios = closed_form(spectrum, contact).force, []
-    for side in SIDES:
-        cutoffs = list(trial.cutoffs[side])
-        parts = (filtered_spectrum(spectrum, side, cutoff) for cutoff in cutoffs)
-        forces = [closed_form(part, contact).force / whole for part in parts]
-        ratios.append(xr.DataArray(forces, {"cutoff_wavelength": cutoffs}))
-    ratio: xr.DataArray = xr.concat(ratios, "side", join="outer")
-    ratio["cutoff_wavelength"].attrs["units"] = "nm"
-    found = edges(spectrum, contact, trial.tolerance)
+    forms = [closed_form(spectrum, replace(contact, rho=rho)) for rho in trial.ranges]
     return xr.Dataset(
         {
-            "whole_force": ("rho", [one.force for one in formulas], {"units": "N"}),
-            "whole_freezing": ("rho", [one.freezing for one in formulas], {"units": "1"}),
-            "regime": ("rho", [one.regime for one in formulas]),
-            "edge": ("side", np.array(found), {"units": "nm"}),
-            "filtered_ratio": ratio.assign_coords(side=list(SIDES)).assign_attrs(units="1"),
+            "whole_freezing": ("rho", [form.freezing for form in forms], {"units": "1"}),
+            "regime": ("rho", [form.regime for form in forms]),
+            "edge": ("side", list(edges(spectrum, contact, trial.tolerance)), {"units": "nm"}),
         }
     )

@@ -6,21 +6,17 @@ t = z/sigma. The surface is Gaussian.
 Points above a high level come in clumps, one a summit. Where sigma² - r(d), r the autocorrelation
 at the distance d, is 1/t² of sigma², heights are still those of the same summit: d = delta(t), and
 a clump covers pi delta² on average. On a smooth surface this is the density of summits above a
-level of Nayak, J. Lubr. Technol. 93 (1971) 398, and the Euler characteristic of Adler, The Geometry
-of Random Fields (1981), section 6.9: (2 pi)^-1.5 (m2/m0) t exp(-t²/2), with the spectral moments m0
-and m2 of profiles. On a rough one it is that of Pickands (Trans. Am. Math. Soc. 145 (1969) 51), but
-for his constants: fine roughness makes many maxima and no more clumps.
-
+level of Nayak, J. Lubr. Technol. 93 (1971) 398; on a rough one that of Pickands (Trans. Am. Math.
+Soc. 145 (1969) 51), but for his constants: fine roughness makes many maxima and no more clumps.
 Clumps are independent at high levels (Aldous, Probability Approximations via the Poisson Clumping
-Heuristic, 1989), so that their number above a sphere is Poisson's, and the highest point Gumbel's:
-`scipy.stats.gumbel_r`, which is `genextreme` of shape 0.
+Heuristic, 1989), so that their number above a sphere is Poisson's, and the highest point Gumbel's.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy import special, stats
+from scipy import special
 
 from hardcontact.surfaces.spectrum import Floats, Spectrum
 
@@ -55,14 +51,14 @@ class Approaches(NamedTuple):
 
 def banded(spectrum: Spectrum, lowest: float, highest: float) -> Spectrum | None:
     """Return the waves of a spectrum between wavevectors (rad/nm) on a grid of its own, if any."""
-    known = spectrum.wavevector[spectrum.density > 0]
-    if not len(known):
+    rough = spectrum.wavevector[spectrum.density > 0]
+    if not len(rough):
         return None
-    low, high = max(lowest, known[0]), min(highest, known[-1])
+    low, high = max(lowest, rough[0]), min(highest, rough[-1])
     if high <= low * (1 + 1e-9):
         return None
     wavevector = np.geomspace(low, high, WAVES)
-    return Spectrum(wavevector, spectrum(np.minimum(wavevector, known[-1])))
+    return Spectrum(wavevector, spectrum(np.minimum(wavevector, rough[-1])))
 
 
 def moment(waves: Spectrum, order: int) -> float:
@@ -141,7 +137,7 @@ def clumps_above(waves: Spectrum, radius: float) -> tuple[Floats, Floats, Floats
     That is in nm, as the radius of the sphere is, the mean number of clumps above the sphere, and
     the mean area above it in nm².
     """
-    radii, tail = clump_radius(waves, LEVELS), stats.norm.sf(LEVELS)
+    radii, tail = clump_radius(waves, LEVELS), special.ndtr(-LEVELS)
     reach = 2 * np.pi * radius * np.sqrt(moment(waves, 0))
     return radii, reach * _above(tail / (np.pi * radii**2)), reach * _above(tail)
 

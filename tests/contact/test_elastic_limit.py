@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from published_contact import MODULUS
 
-from hardcontact.insight.elastic_limit import SLOPE_OVER_PRESSURE, slope_index
+from hardcontact.contact.elastic_limit import SLOPE_OVER_PRESSURE, slope_index
 from hardcontact.surfaces.spectrum import Spectrum, all_scales_moments
 
 
