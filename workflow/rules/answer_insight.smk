@@ -7,16 +7,20 @@ OF_INSIGHT_PAGE = [
     "macros.html",
     "style.css",
     "page.js",
+    "verdicts.html",
     "insight.html",
     *(f"insight/{name}.html" for name in OF_INSIGHT),
 ]
+#: The dataset of each figure, and the band.
+INSIGHT_SOURCES = ["band", *(describe(name).inputs[0] for name in OF_INSIGHT)]
 
 
 rule answer_insight:
     """Write the page on what decides the band."""
     input:
-        datasets=[PATTERNS.dataset(describe(name).inputs[0]) for name in OF_INSIGHT],
-        band=PATTERNS.dataset("band"),
+        **{source: PATTERNS.dataset(source) for source in INSIGHT_SOURCES},
+        claims=PATTERNS.result("insight_claims.csv"),
+        statements="resources/paper/insight_claims.csv",
         figures=[PATTERNS.figure(name, "svg") for name in OF_INSIGHT],
         captions=[f"workflow/hardcontact/figures/{name}.py" for name in OF_INSIGHT],
         templates=[f"workflow/report/templates/{name}" for name in OF_INSIGHT_PAGE],
@@ -44,5 +48,4 @@ rule insight:
     """Make the chapter on what decides the band: datasets, figures, page."""
     input:
         rules.answer_insight.output,
-        PATTERNS.result("insight_claims.csv"),
         [getattr(rules, f"draw_{name}").output for name in OF_INSIGHT],

@@ -3,20 +3,28 @@
 from pathlib import Path
 
 from hardcontact.answer.captions import caption
-from hardcontact.answer.insight_page import insight_page
+from hardcontact.answer.insight import insight_page
+from hardcontact.claims.evaluation import read_statements
+from hardcontact.claims.verdicts import read_verdicts
+from hardcontact.figures.listing import OF_INSIGHT, describe
 from hardcontact.insight.prediction import validated_errors
 from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    datasets, figures = {}, {}
-    for dataset, figure in zip(this.input.datasets, this.input.figures, strict=True):
-        name = Path(figure).stem
-        figures[name] = Path(figure).read_bytes(), caption(name, this.parameters)
-        datasets[name] = read(dataset)
-    constants = published.constants(this.input.published_constants)
-    band, pixels = read(this.input.band), this.parameters["scan"]["pixels"]
-    errors = validated_errors(this.input.validation)
-    page = insight_page(datasets, band, figures, constants, pixels, errors)
+    figures = {}
+    for path in map(Path, this.input.figures):
+        figures[path.stem] = path.read_bytes(), caption(path.stem, this.parameters)
+    names = ["band", *(describe(figure).inputs[0] for figure in OF_INSIGHT)]
+    claims = read_verdicts(this.input.claims)
+    statements = read_statements(this.input.statements)[["id", "dataset", "quantity"]]
+    page = insight_page(
+        {name: read(this.input[name]) for name in names},
+        figures,
+        claims.merge(statements, on="id"),
+        published.constants(this.input.published_constants),
+        this.parameters["scan"]["pixels"],
+        validated_errors(this.input.validation),
+    )
     this.write_text(page, "page")

@@ -1,14 +1,14 @@
 """The facts of predicted and measured forces of own surfaces, and of the fit to the latter."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.answer.artificial import NEARLY_ALL, parts_of_change, reliable_share
 from hardcontact.answer.datasets import Datasets, at_range, model_of
-from hardcontact.answer.facts import Row, between, number_of, with_reason
+from hardcontact.answer.quantities import between, number_of
 from hardcontact.numbers.number import Number
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -18,6 +18,28 @@ LOPSIDED = 2.0
 #: J/m², to part diamond along (111): no known solids adhere more strongly. Source: J. E. Field, The
 #: Properties of Diamond (Academic Press, 1979).
 STRONGEST = 10.6
+
+
+class Row(NamedTuple):
+    """A row of the table of an answer: a number whose name and source are codes.
+
+    What else is known of it is `reason` of an open edge, `measured_share` of an edge or a force
+    that comes from reliable wavelengths, `side`, `start` and `end` of continued roughness, `tests`
+    of a measured force.
+    """
+
+    fact: Number
+    about: dict[str, Any]
+
+
+def with_reason(fact: Number, source: xr.DataArray) -> Number:
+    """Return a number of which no end of the interval is known with the reason as its status.
+
+    The source of intervals is that of the dataset: "none" if every contact feels all of a scan.
+    """
+    if np.isfinite([fact.low, fact.high]).any() or fact.status not in ("", "not_bounded"):
+        return fact
+    return fact._replace(status="whole_scan" if source.item() == "none" else "few_parts")
 
 
 def differing_sides(data: xr.Dataset) -> list[str]:

@@ -17,8 +17,8 @@ from hardcontact.answer.artificial import (
     single,
 )
 from hardcontact.answer.datasets import Datasets, at_range
-from hardcontact.answer.facts import between, number_of
 from hardcontact.answer.force_facts import continuation, continued_fact, differing_sides
+from hardcontact.answer.quantities import between, number_of
 from hardcontact.answer.surface_facts import EDGES, edge_fact, resolves_nothing
 from hardcontact.numbers.number import Number
 from hardcontact.scales.critical_band import computed_cutoffs

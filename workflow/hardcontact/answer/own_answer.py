@@ -7,10 +7,9 @@ import numpy as np
 
 from hardcontact.answer.artificial import LENGTHS, measurements, single
 from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.answer.facts import Row, number_of
-from hardcontact.answer.force_facts import fit_facts, of_answer
+from hardcontact.answer.force_facts import Row, fit_facts, of_answer
 from hardcontact.answer.limits import Limit, limits
-from hardcontact.answer.quantities import Quantity, numbers_within, quantity
+from hardcontact.answer.quantities import Quantity, number_of, numbers_within, quantity
 from hardcontact.answer.surface_facts import (
     answer_rows,
     next_measurements,

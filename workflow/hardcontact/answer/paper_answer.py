@@ -10,8 +10,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.answer.captions import Caption
-from hardcontact.answer.facts import number_of, on_scans
-from hardcontact.answer.quantities import Quantity, quantity
+from hardcontact.answer.quantities import Quantity, number_of, on_scans, quantity
 from hardcontact.answer.report_pages import claim_facts
 from hardcontact.answer.table1 import table1_rows
 from hardcontact.answer.templates import rendered

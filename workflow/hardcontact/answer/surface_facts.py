@@ -16,8 +16,15 @@ from hardcontact.answer.artificial import (
     single,
 )
 from hardcontact.answer.datasets import Datasets, Setting, at_range
-from hardcontact.answer.facts import Row, bare, between, ends, number_of, with_reason
-from hardcontact.answer.force_facts import force_rows, measured_rows, of_answer, pair_rows
+from hardcontact.answer.force_facts import (
+    Row,
+    force_rows,
+    measured_rows,
+    of_answer,
+    pair_rows,
+    with_reason,
+)
+from hardcontact.answer.quantities import bare, between, ends, number_of
 from hardcontact.numbers.number import Number
 from hardcontact.surfaces.synthesis import SIDES
 

@@ -7,8 +7,8 @@ import re
 from pathlib import Path
 from typing import Any
 
-from hardcontact.answer.facts import bare, printed
-from hardcontact.numbers.number import plain
+from hardcontact.answer import quantities
+from hardcontact.numbers.number import Number
 from hardcontact.numbers.printing import print_as_paper, print_share
 
 FOLDER = Path(__file__).parents[2] / "report/templates"
@@ -33,8 +33,12 @@ def rendered(template: str, **facts: Any) -> str:
         trim_blocks=True, lstrip_blocks=True,
     )  # fmt: skip
     environment.filters |= {
-        "printed": printed, "bare": bare, "as_paper": print_as_paper, "percent": print_share,
-        "plain": plain, "unbroken": _unbroken, "base64": _base64,
+        "printed": quantities.printed, "words": quantities.in_words, "bare": quantities.bare,
+        "in_percent": quantities.in_percent, "percent": print_share, "as_paper": print_as_paper,
+        "surfaces": quantities.surfaces, "unbroken": _unbroken, "base64": _base64,
+    }  # fmt: skip
+    environment.globals |= {
+        "number_of": quantities.number_of, "span": quantities.span, "Number": Number,
     }  # fmt: skip
     environment.tests["known"] = math.isfinite
     script = _file("page.js")

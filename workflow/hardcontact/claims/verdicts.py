@@ -144,8 +144,8 @@ def read_verdicts(path: str | Path) -> pd.DataFrame:
         raise ValueError(
             f"{path}: expected a whole table, found one that is cut short; delete it and run again"
         )
-    text = ["follows_from", "note"]
-    return pd.read_csv(path, dtype=dict.fromkeys(text, str)).fillna(dict.fromkeys(text, ""))
+    text = dict.fromkeys(["unit", "follows_from", "note"], str)
+    return pd.read_csv(path, dtype=text).fillna({"follows_from": "", "note": ""})
 
 
 def summary(evaluated: pd.DataFrame) -> pd.DataFrame:
