@@ -1,10 +1,11 @@
-"""The tables of `config/README.md`, made from the models of the configuration.
+"""The configuration of the paper and the tables of `config/README.md`, made from the model.
 
-``python -m hardcontact.config.key_tables``, in the top folder, writes them between their markers.
+``python -m hardcontact.config.key_tables``, in the top folder, writes both.
 """
 
 import ast
 import inspect
+import textwrap
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from pathlib import Path
@@ -16,12 +17,27 @@ from pydantic.fields import FieldInfo
 
 from hardcontact.config import model, selection
 
-README = Path("config/README.md")
-COLUMNS = ("key", "meaning", "values", "default", "paper", "recomputes")
-#: Lists of more entries are given by their number, first and last entry.
+CONFIGURATION, README = Path("config/config.yaml"), Path("config/README.md")
+HEAD = """\
+# The paper: the defaults of the study, made from workflow/hardcontact/config/model.py by
+# python -m hardcontact.config.key_tables
+# README.md beside this file has the values that each key may have. Another study: a file with the
+# few keys that differ, given as  snakemake --configfile my-study.yaml
+"""
+COLUMNS = ("key", "meaning", "values", "default", "paper")
+#: The string below a field, by the names of its model and of the field.
+Meanings = dict[tuple[str, str], str]
+#: A space at which no line is broken.
+NO_BREAK = "\u00a0"
+#: Lists of more entries are given in tables by their number, first and last entry.
 LIST_LIMIT = 4
 #: Values of keys whose types have no bounds.
 VALUES = {"scans": "`all` or a list: 1 to 9999", "quick": "a mapping"}
+
+
+def configuration() -> str:
+    """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
+    return "\n".join([HEAD, *_yaml(model.Study, "", _meanings(model))]) + "\n"
 
 
 def documented(text: str) -> str:
@@ -45,7 +61,7 @@ def _inserted(text: str, name: str, lines: str) -> str:
     return f"{before}{begin}\n{lines}\n\n{end}{after.partition(end)[2]}"
 
 
-def _meanings(module: ModuleType) -> dict[tuple[str, str], str]:
+def _meanings(module: ModuleType) -> Meanings:
     """Return the string below each field of the models of a module, by their names."""
     return {
         (part.name, field.target.id): " ".join(str(string.value.value).split())
@@ -57,47 +73,56 @@ def _meanings(module: ModuleType) -> dict[tuple[str, str], str]:
     }
 
 
+def _subsection(field: FieldInfo) -> type[BaseModel] | None:
+    """Return the model of a field that is a section of keys, or None for a key."""
+    kind = field.annotation
+    return kind if isinstance(kind, type) and issubclass(kind, BaseModel) else None
+
+
+def _paper(field: FieldInfo) -> str:
+    """Return the section of the paper that a default comes from, or nothing."""
+    about: Any = field.json_schema_extra or {}
+    return str(about.get("paper", ""))
+
+
+def _yaml(section: type[BaseModel], indent: str, meanings: Meanings) -> Iterator[str]:
+    """Yield the lines of the keys of a section, and of those within it."""
+    for name, field in section.model_fields.items():
+        if subsection := _subsection(field):
+            yield f"\n{indent}{name}:"
+            yield from _yaml(subsection, f"{indent}  ", meanings)
+        else:
+            paper = f" ({_paper(field)})" if _paper(field) else ""
+            yield textwrap.indent(
+                "\n".join(textwrap.wrap(meanings[section.__name__, name] + paper, 96)),
+                f"{indent}# ",
+            )
+            lines = textwrap.wrap(_written(field.default, space=NO_BREAK), 90 - len(name))
+            yield f"{indent}{name}: " + f"\n{indent}  ".join(lines).replace(NO_BREAK, " ")
+
+
 def _sections() -> Iterator[str]:
     """Yield heading, table and text of the keys at the top, and of each section of keys."""
     meanings = _meanings(model)
-    sections: dict[str, type[BaseModel]] = {"": model.Study, **_subsections(model.Study)}
-    for prefix, section in sections.items():
-        heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
-        yield f"### {heading.rstrip('.')}"
-        rows = [_cells(*row, meanings) for row in _keys(prefix, section, nested=bool(prefix))]
-        yield _table(COLUMNS, rows)
-        yield from (" ".join(text.split()) for text in texts)
+    parts = {name: _subsection(field) for name, field in model.Study.model_fields.items()}
+    for name, section in {"": model.Study, **parts}.items():
+        if section:
+            heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
+            yield f"### {heading.rstrip('.')}"
+            yield _table(COLUMNS, [*_rows(section, name, meanings)])
+            yield from (" ".join(text.split()) for text in texts)
 
 
-def _subsections(section: type[BaseModel]) -> dict[str, type[BaseModel]]:
-    """Return the sections of a section, by their names with a dot."""
-    parts = {f"{name}.": field.annotation for name, field in section.model_fields.items()}
-    return {
-        name: part
-        for name, part in parts.items()
-        if isinstance(part, type) and issubclass(part, BaseModel)
-    }
-
-
-def _keys(
-    prefix: str, section: type[BaseModel], *, nested: bool
-) -> Iterator[tuple[str, str, str, FieldInfo]]:
-    """Yield full name, model, name and field of the keys of a section, of all levels if nested."""
-    subsections = _subsections(section)
+def _rows(section: type[BaseModel], above: str, meanings: Meanings) -> Iterator[tuple[str, ...]]:
+    """Yield the cells of the keys of a section, and of those within it unless it is the top."""
     for name, field in section.model_fields.items():
-        if f"{name}." not in subsections:
-            yield f"{prefix}{name}", section.__name__, name, field
-        elif nested:
-            yield from _keys(f"{prefix}{name}.", subsections[f"{name}."], nested=True)
-
-
-def _cells(
-    key: str, owner: str, name: str, field: FieldInfo, meanings: dict[tuple[str, str], str]
-) -> tuple[str, ...]:
-    about: Any = field.json_schema_extra
-    values = VALUES.get(key) or _values(field)
-    default = _default(field.default)
-    return f"`{key}`", meanings[owner, name], values, default, about["paper"], about["recomputes"]
+        key, subsection = f"{above}.{name}".strip("."), _subsection(field)
+        if not subsection:
+            values = VALUES.get(key) or _values(field)
+            meaning = meanings[section.__name__, name]
+            yield f"`{key}`", meaning, values, _default(field.default), _paper(field)
+        elif above:
+            yield from _rows(subsection, key, meanings)
 
 
 def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
@@ -112,7 +137,7 @@ def _values(field: FieldInfo) -> str:
             return part.expects
     kind: Any = field.annotation
     if get_origin(kind) is Literal:
-        return " or ".join(_code(value) for value in get_args(kind) if value)
+        return " or ".join(f"`{value}`" for value in get_args(kind) if value)
     if get_origin(kind) is list:
         return f"a list: {_values(FieldInfo.from_annotation(get_args(kind)[0]))}"
     if kind is bool:
@@ -127,15 +152,20 @@ def _values(field: FieldInfo) -> str:
     return f"{limits['ge']} to {limits['le']}{multiple}"
 
 
+def _written(value: Any, space: str = " ") -> str:
+    """Return a default as it stands in YAML, with this space between numbers and units."""
+    if isinstance(value, list):
+        return f"[{', '.join(str(item).replace(' ', space) for item in value)}]"
+    return str(value).lower() if isinstance(value, bool) else str(value)
+
+
 def _default(value: Any) -> str:
+    """Return a default as it stands in a table."""
     if isinstance(value, list) and len(value) > LIST_LIMIT:
-        return f"{len(value)} values, {_code(value[0])} to {_code(value[-1])}"
-    return f"`[{', '.join(map(str, value))}]`" if isinstance(value, list) else _code(value)
-
-
-def _code(value: Any) -> str:
-    return f"`{str(value).lower() if isinstance(value, bool) else value}`"
+        return f"{len(value)} values, `{value[0]}` to `{value[-1]}`"
+    return f"`{_written(value)}`"
 
 
 if __name__ == "__main__":
+    CONFIGURATION.write_text(configuration(), "utf-8")
     README.write_text(documented(README.read_text("utf-8")), "utf-8")

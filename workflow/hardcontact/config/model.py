@@ -1,8 +1,8 @@
 """The keys of a study: one model has their types, units, limits, defaults and documentation.
 
-The defaults are the paper's. The string below a key says what it means; `key` names what a change
-of it recomputes, and the section of the paper that the default comes from. The tables of
-config/README.md are made from this module: ``python -m hardcontact.config.key_tables``.
+The defaults are the paper's. The string below a key says what it means, `key` names the section of
+the paper that the default comes from. config/config.yaml and the tables of config/README.md are
+made from this module: ``python -m hardcontact.config.key_tables``.
 Bounds are generous: what lies beyond has no physical meaning here, or no computer holds it.
 """
 
@@ -190,9 +190,9 @@ def nm(*lengths: float) -> list[str]:
     return [f"{length:g} nm" for length in lengths]
 
 
-def key(default: Any, recomputes: str, *, paper: str = "") -> Any:
-    """Describe a key: its default, what a change of it recomputes, the section of the paper."""
-    return Field(default=default, json_schema_extra={"recomputes": recomputes, "paper": paper})
+def key(default: Any, paper: str = "") -> Any:
+    """Describe a key: its default, the section of the paper that this comes from."""
+    return Field(default=default, json_schema_extra={"paper": paper})
 
 
 class Keys(BaseModel):
@@ -204,12 +204,10 @@ class Keys(BaseModel):
 class SphereKeys(Keys):
     """The sphere."""
 
-    surface: SurfaceId = key("ruby", "all forces", paper="Methods")
+    surface: SurfaceId = key("ruby", "Methods")
     """Surface of the table that is the sphere's; `smooth` for a sphere without roughness, with
     `published: none`."""
-    radius: Radius = key(
-        "250 um", "scans of the sphere, all forces", paper="Methods: diameter 0.5 mm"
-    )
+    radius: Radius = key("250 um", "Methods: diameter 0.5 mm")
     """Radius; it is subtracted from the scans of the sphere."""
 
 
@@ -221,22 +219,16 @@ class ScanKeys(Keys):
     pixels keep its rms heights.
     """
 
-    pixels: ScanPixels = key(512, "substitute scans, all forces", paper="Methods")
+    pixels: ScanPixels = key(512, "Methods")
     """Pixels along an edge of a substitute scan."""
-    size: Length = key("2500 nm", "substitute scans, all forces", paper="Methods")
+    size: Length = key("2500 nm", "Methods")
     """Edge of a substitute scan."""
-    undefined_pixels: Literal["refuse", "harmonic"] = key(
-        "refuse", "measured scans, their spectra and their forces"
-    )
+    undefined_pixels: Literal["refuse", "harmonic"] = "refuse"
     """Measured scans with undefined pixels: `refuse` them, or fill the pixels with a `harmonic`
     function."""
-    unit: Literal["none", "m", "mm", "um", "nm", "pm"] = key(
-        "none", "measured scans, their spectra and their forces"
-    )
+    unit: Literal["none", "m", "mm", "um", "nm", "pm"] = "none"
     """Unit of length of all measured scans whose files state none; `none`: these are refused."""
-    levelling: Literal["plane", "lines"] = key(
-        "plane", "measured scans, their spectra and their forces"
-    )
+    levelling: Literal["plane", "lines"] = "plane"
     """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first."""
 
 
@@ -246,12 +238,10 @@ class TopographyKeys(Keys):
     Substitutes are calibrated to Table 1, and claims compared with it, under these definitions.
     """
 
-    slope: Literal["gradient", "profile"] = key(
-        "gradient", "substitute scans, all forces", paper="Table 1, not defined"
-    )
+    slope: Literal["gradient", "profile"] = key("gradient", "Table 1, not defined")
     """What Table 1 calls rms slope: of the `gradient` (2D), or of the `profile` along x."""
     curvature: Literal["half_laplacian", "laplacian"] = key(
-        "half_laplacian", "substitute scans, all forces", paper="Table 1, not defined"
+        "half_laplacian", "Table 1, not defined"
     )
     """What Table 1 calls rms curvature."""
 
@@ -259,15 +249,13 @@ class TopographyKeys(Keys):
 class ContactKeys(Keys):
     """Contact."""
 
-    hardness: Pressure = key("25 GPa", "all forces", paper="Intrinsic Work of Adhesion")
-    """Pressure on contact pixels, that of the softer body."""
-    preload: Force = key(
-        "10 uN", "all forces", paper="Numerical Analysis (`5 uN` is also printed, in Methods)"
-    )
+    hardness: Pressure = key("25 GPa", "Intrinsic Work of Adhesion")
+    """Pressure on contact pixels, that of the softer body: ruby."""
+    preload: Force = key("10 uN", "Numerical Analysis (`5 uN` is also printed, in Methods)")
     """Load that the contact pixels carry."""
-    window: Length = key("12500 nm", "all forces", paper="Intrinsic Work of Adhesion")
+    window: Length = key("12500 nm", "Intrinsic Work of Adhesion")
     """Edge of the square around a contact over which the force is summed."""
-    count: Count = key(20, "all forces", paper="Intrinsic Work of Adhesion")
+    count: Count = key(20, "Intrinsic Work of Adhesion")
     """Contacts along an edge of the array, over one period of the stitched scan."""
 
 
@@ -279,12 +267,11 @@ class AdhesionKeys(Keys):
     contacts; `force.nc` of own surfaces uses `adhesion.work` and `scales.range`.
     """
 
-    work: Work = key("46.3 mJ/m2", "`force.nc`", paper="Intrinsic Work of Adhesion")
+    work: Work = key("46.3 mJ/m2", "Intrinsic Work of Adhesion")
     """With `published: none`: work of adhesion of the predicted force."""
     ranges: Ranges = key(
         nm(0.05, 0.1, 0.2, 0.35, 0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5, 5.6, 7, 8, 10, 14, 20, 28, 40),
-        "forces of the scans",
-        paper="Fig. 4",
+        "Fig. 4, and beyond on both sides",
     )
     """Ranges of adhesion ρ that forces are computed at, ascending; between them forces are
     interpolated."""
@@ -293,33 +280,22 @@ class AdhesionKeys(Keys):
 class InferenceKeys(Keys):
     """Inference."""
 
-    samples: Annotated[int, Field(ge=20, le=10000)] = key(
-        1000, "`inference.nc`, `band.nc`, `robustness.nc`, `classical.nc`; of own surfaces `fit.nc`"
-    )
+    samples: Annotated[int, Field(ge=20, le=10000)] = 1000
     """Random samples of means over scans, or realizations, that intervals follow from."""
-    confidence: Fraction = key(
-        0.95,
-        "`topography.nc`, `inference.nc`, `band.nc`, `robustness.nc`, `classical.nc`; of own "
-        "surfaces `edges.nc`, `force.nc`, `fit.nc`",
-    )
+    confidence: Fraction = 0.95
     """Confidence of all intervals."""
 
 
 class SmallScaleKeys(Keys):
     """Masters of small scales."""
 
-    pixels: MasterPixels = key(
-        8192, "small-scale masters", paper="Determining the Most Relevant Length-scales"
-    )
-    """Pixels along an edge of the small-scale master, whose edge is two scans."""
-    transition: Length = key(
-        "20 nm", "small-scale masters", paper="Determining the Most Relevant Length-scales"
-    )
+    pixels: MasterPixels = key(8192, "Determining the Most Relevant Length-scales")
+    """Pixels along an edge of the small-scale master, whose edge is two scans: 0.610 nm a pixel
+    (0.625 nm in the paper)."""
+    transition: Length = key("20 nm", "Determining the Most Relevant Length-scales")
     """Wavelength below which roughness is artificial."""
     cutoffs: Lengths = key(
-        nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500),
-        "the forces of masters of this side, and `closed_form.nc`",
-        paper="Fig. 6a",
+        nm(5, 10, 20, 30, 36, 43, 52, 62, 80, 120, 250, 500, 1000, 2500), "Fig. 6a"
     )
     """Short-wavelength cutoffs, ascending: all roughness below is removed."""
 
@@ -327,46 +303,34 @@ class SmallScaleKeys(Keys):
 class LargeScaleKeys(Keys):
     """Masters of large scales."""
 
-    pixels: Pixels = key(
-        8192, "large-scale masters", paper="Determining the Most Relevant Length-scales"
-    )
+    pixels: Pixels = key(8192, "Determining the Most Relevant Length-scales")
     """Pixels along an edge that forces are computed on at large scales."""
-    tiles: Tiles = key(
-        4, "large-scale masters", paper="Determining the Most Relevant Length-scales: 20 µm"
-    )
-    """Stitched scans along an edge of the large-scale master."""
-    transition: Length = key(
-        "1000 nm", "large-scale masters", paper="Determining the Most Relevant Length-scales"
-    )
+    tiles: Tiles = key(4, "Determining the Most Relevant Length-scales: 20 µm")
+    """Stitched scans along an edge of the large-scale master; the printed pixels, 8192 of 4.883 nm,
+    would be 8."""
+    transition: Length = key("1000 nm", "Determining the Most Relevant Length-scales")
     """Wavelength above which roughness is artificial."""
     cutoffs: Lengths = key(
         nm(100, 250, 500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500, 5000, 10000),
-        "the forces of masters of this side, and `closed_form.nc`",
-        paper="Fig. 6b",
+        "Fig. 6b",
     )
     """Long-wavelength cutoffs, ascending: all roughness above is removed."""
 
 
 class ScalesKeys(Keys):
-    """Scales."""
+    """Scales.
 
-    range: Range = key(
-        "5.6 nm",
-        "forces of the masters; how much a wider window changes the forces of the scans; these "
-        "forces, unless the range is one of `adhesion.ranges`",
-        paper="Determining the Most Relevant Length-scales",
-    )
+    More realizations add masters; those there are stay.
+    """
+
+    range: Range = key("5.6 nm", "Determining the Most Relevant Length-scales")
     """Range of adhesion of Fig. 6, and of the predicted force; always among those computed."""
-    tolerance: Fraction = key(
-        0.1,
-        "`band.nc`, `robustness.nc`; of own surfaces `edges.nc`",
-        paper="Determining the Most Relevant Length-scales",
-    )
+    tolerance: Fraction = key(0.1, "Determining the Most Relevant Length-scales")
     """Relative change of the force that counts as none."""
-    realizations: Realizations = key(5, "the masters added")
+    realizations: Realizations = 5
     """Masters of each substrate and side; realization k is built on scan k, from the first again
     when scans are used up."""
-    sphere_roughness: bool = key(False, "forces of the masters", paper="not stated")
+    sphere_roughness: bool = key(False, "not stated")
     """`true`: the sphere has the roughness of its first scan."""
     small: SmallScaleKeys = SmallScaleKeys()
     large: LargeScaleKeys = LargeScaleKeys()
@@ -375,18 +339,18 @@ class ScalesKeys(Keys):
 class SphereMaterialKeys(Keys):
     """The material of the sphere."""
 
-    modulus: Modulus = key("365 GPa", "elastic contacts", paper="Effective Work of Adhesion")
+    modulus: Modulus = key("365 GPa", "Effective Work of Adhesion")
     """Young's modulus of the sphere."""
-    poisson_ratio: PoissonRatio = key(0.29, "elastic contacts", paper="Effective Work of Adhesion")
+    poisson_ratio: PoissonRatio = key(0.29, "Effective Work of Adhesion")
     """Poisson's ratio of the sphere."""
 
 
 class SubstrateMaterialKeys(Keys):
     """The material of the substrates."""
 
-    modulus: Modulus = key("1010 GPa", "elastic contacts", paper="Effective Work of Adhesion")
+    modulus: Modulus = key("1010 GPa", "Effective Work of Adhesion")
     """Young's modulus of the substrates."""
-    poisson_ratio: PoissonRatio = key(0.22, "elastic contacts", paper="Effective Work of Adhesion")
+    poisson_ratio: PoissonRatio = key(0.22, "Effective Work of Adhesion")
     """Poisson's ratio of the substrates."""
 
 
@@ -400,7 +364,7 @@ class ElasticKeys(Keys):
 
     sphere: SphereMaterialKeys = SphereMaterialKeys()
     substrate: SubstrateMaterialKeys = SubstrateMaterialKeys()
-    contacts: Contacts = key(2, "elastic contacts")
+    contacts: Contacts = 2
     """Contacts solved on each scan, drawn at random; at most `contact.count` squared, which solves
     all."""
 
@@ -408,45 +372,37 @@ class ElasticKeys(Keys):
 class IndentKeys(Keys):
     """Indents."""
 
-    surface: SurfaceId = key("ncd", "`indent.nc`", paper="The Role of Plasticity")
+    surface: SurfaceId = key("ncd", "The Role of Plasticity")
     """Substrate whose contacts indent the sphere (Fig. 5a)."""
-    preloads: SomeForces = key(
-        ["10 uN", "20 uN"], "`indent.nc`", paper="The Role of Plasticity: `20 uN`"
-    )
+    preloads: SomeForces = key(["10 uN", "20 uN"], "The Role of Plasticity: `20 uN`")
     """Loads, ascending; the contact drawn is that of median depth at the largest."""
 
 
 class AsperitiesKeys(Keys):
     """Asperities."""
 
-    contacts: Contacts = key(16, "asperities")
+    contacts: Contacts = 16
     """Contacts examined on each scan, drawn at random; at most `contact.count` squared."""
-    ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"], "asperities")
+    ranges: Ranges = key(["1 nm", "2 nm", "5.6 nm", "10 nm"])
     """Ranges of adhesion, ascending."""
 
 
 class SetSmallScaleKeys(Keys):
     """Small-scale masters of the sets."""
 
-    pixels: Pixels = key(4096, "forces of the small-scale masters of the sets and of robustness")
+    pixels: Pixels = 4096
     """Pixels along an edge of the small-scale masters."""
-    cutoffs: Lengths = key(
-        nm(20, 30, 36, 43, 52, 62, 80, 120, 250),
-        "forces of the small-scale masters of the sets and of robustness",
-    )
-    """Short-wavelength cutoffs, ascending; all of a master in one job."""
+    cutoffs: Lengths = key(nm(20, 30, 36, 43, 52, 62, 80, 120, 250))
+    """Short-wavelength cutoffs, ascending."""
 
 
 class SetLargeScaleKeys(Keys):
     """Large-scale masters of the sets."""
 
-    pixels: Pixels = key(4096, "forces of the large-scale masters of the sets and of robustness")
+    pixels: Pixels = 4096
     """Pixels along an edge that forces are computed on at large scales."""
-    cutoffs: Lengths = key(
-        nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500),
-        "forces of the large-scale masters of the sets and of robustness",
-    )
-    """Long-wavelength cutoffs, ascending; all of a master in one job."""
+    cutoffs: Lengths = key(nm(500, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500))
+    """Long-wavelength cutoffs, ascending."""
 
 
 class SetsKeys(Keys):
@@ -454,18 +410,19 @@ class SetsKeys(Keys):
 
     Many equally good sets of substitute scans, drawn from a pool, in place of the one set of the
     study; each claim tells in how many sets it holds. Robustness is computed at the same size.
+    A larger `pool` and more realizations add scans and masters; those there are stay.
     """
 
-    replicates: Annotated[int, Field(ge=1, le=10000)] = key(100, "`sets.nc`")
+    replicates: Annotated[int, Field(ge=1, le=10000)] = 100
     """Sets drawn."""
-    pool: Annotated[int, Field(ge=2, le=10000)] = key(60, "the scans added and their forces")
+    pool: Annotated[int, Field(ge=2, le=10000)] = 60
     """Independent scans of each substrate that sets are drawn from."""
-    amplitudes: Annotated[int, Field(ge=4, le=50)] = key(7, "forces of the pool")
+    amplitudes: Annotated[int, Field(ge=4, le=50)] = 7
     """Heights that forces of each scan of the pool are computed at; between them forces are
     interpolated."""
-    count: Count = key(10, "forces of the sets and of robustness")
+    count: Count = 10
     """Contacts along an edge of the array."""
-    realizations: Realizations = key(20, "the masters added")
+    realizations: Realizations = 20
     """Masters of each substrate and side that bands are drawn from."""
     small: SetSmallScaleKeys = SetSmallScaleKeys()
     large: SetLargeScaleKeys = SetLargeScaleKeys()
@@ -474,9 +431,9 @@ class SetsKeys(Keys):
 class HeightsKeys(Keys):
     """Other distributions of heights."""
 
-    surface: SurfaceId = key("polished_uncd", "the substitutes added and their forces")
+    surface: SurfaceId = "polished_uncd"
     """Substrate whose substitutes get other heights."""
-    skewness: Skewnesses = key([-1, -0.5, 0.5, 1], "the substitutes added and their forces")
+    skewness: Skewnesses = [-1, -0.5, 0.5, 1]
     """Other skewness of its heights; one that it has already is not made again."""
 
 
@@ -490,69 +447,63 @@ class RobustnessKeys(Keys):
     row.
     """
 
-    preloads: Forces = key(
-        ["5 uN", "20 uN"],
-        "forces of robustness",
-        paper="`5 uN`: Methods; `20 uN`: The Role of Plasticity",
-    )
+    preloads: Forces = key(["5 uN", "20 uN"], "`5 uN`: Methods; `20 uN`: The Role of Plasticity")
     """Other preloads, ascending."""
-    hardnesses: Pressures = key(["16 GPa", "47 GPa"], "forces of robustness")
+    hardnesses: Pressures = key(["16 GPa", "47 GPa"])
     """Other hardnesses, ascending."""
     heights: HeightsKeys = HeightsKeys()
-    tip_radii: TipRadii = key(["10 nm", "17 nm", "26 nm"], "the substitutes added and their forces")
+    tip_radii: TipRadii = key(["10 nm", "17 nm", "26 nm"])
     """Radii of tips that image the substitutes of the reference surface, ascending."""
-    realizations: Realizations = key(3, "the masters added")
+    realizations: Realizations = 3
     """Masters of each substrate and side, the first of those of `sets`."""
 
 
 class LawSmallScaleKeys(Keys):
     """Small-scale masters for other laws."""
 
-    pixels: Pixels = key(2048, "forces of `laws.nc` and `scaling.nc`")
+    pixels: Pixels = 2048
     """Pixels along an edge of the small-scale masters."""
-    cutoffs: Lengths = key(["25 nm", "43 nm", "75 nm", "200 nm"], "forces of `laws.nc`")
+    cutoffs: Lengths = key(["25 nm", "43 nm", "75 nm", "200 nm"])
     """Short-wavelength cutoffs, ascending."""
 
 
 class LawLargeScaleKeys(Keys):
     """Large-scale masters for other laws."""
 
-    pixels: Pixels = key(2048, "forces of `laws.nc`")
+    pixels: Pixels = 2048
     """Pixels along an edge that forces are computed on at large scales."""
-    tiles: Tiles = key(2, "forces of `laws.nc`")
+    tiles: Tiles = 2
     """Stitched scans along an edge of the large-scale master."""
-    cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"], "forces of `laws.nc`")
+    cutoffs: Lengths = key(["700 nm", "1300 nm", "2000 nm", "3500 nm"])
     """Long-wavelength cutoffs, ascending."""
 
 
 class ScalingSmallScaleKeys(Keys):
     """Small-scale masters whose edges are scaled."""
 
-    cutoffs: Lengths = key(nm(10, 20, 30, 43, 62, 90, 150, 300), "forces of `scaling.nc`")
+    cutoffs: Lengths = key(nm(10, 20, 30, 43, 62, 90, 150, 300))
     """Short-wavelength cutoffs, ascending."""
 
 
 class ScalingLargeScaleKeys(Keys):
     """Large-scale masters whose edges are scaled."""
 
-    pixels: Pixels = key(4096, "forces of `scaling.nc`")
+    pixels: Pixels = 4096
     """Pixels along an edge that forces are computed on at large scales."""
-    tiles: Tiles = key(4, "forces of `scaling.nc`")
+    tiles: Tiles = 4
     """Stitched scans along an edge of the large-scale master."""
-    cutoffs: Lengths = key(
-        nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000), "forces of `scaling.nc`"
-    )
+    cutoffs: Lengths = key(nm(120, 250, 500, 800, 1200, 1800, 2700, 5000, 10000))
     """Long-wavelength cutoffs, ascending."""
 
 
 class ScalingKeys(Keys):
     """Edges of the band over sphere, range and contact area."""
 
-    radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"], "forces of `scaling.nc`")
+    radii: Radii = key(["5 um", "62.5 um", "250 um", "1000 um"])
     """Radii of the spheres that edges of the band are found for, ascending."""
-    ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"], "forces of `scaling.nc`")
+    ranges: Ranges = key(["1.4 nm", "5.6 nm", "11.2 nm"])
     """Ranges of adhesion that edges are found for, ascending."""
-    preloads: SomeForces = key(["1.25 uN", "10 uN", "80 uN"], "forces of `scaling.nc`")
+    preloads: SomeForces = key(["1.25 uN", "10 uN", "80 uN"])
     """Preloads that edges are found for, ascending; over the hardness they are the contact
     areas."""
     small: ScalingSmallScaleKeys = ScalingSmallScaleKeys()
@@ -563,23 +514,22 @@ class InsightKeys(Keys):
     """Insight.
 
     Beyond the paper: what decides the critical band, and how far the method can be trusted; the
-    chapter that `snakemake insight` makes.
+    chapter that `snakemake insight` makes. `small`, `large` and `reach` are of `laws.nc`,
+    `scaling` is of `scaling.nc`; all else is of `closed_form.nc` and `statistics.nc`.
     """
 
-    realizations: Realizations = key(
-        3, "the random surfaces, and forces of the scans and masters added"
-    )
+    realizations: Realizations = 3
     """Random surfaces of each size beside the closed form, scans with masters for other laws, of
     each substrate; surfaces in repeated contact."""
-    count: Count = key(8, "forces of `closed_form.nc`, `laws.nc` and `scaling.nc`")
+    count: Count = 8
     """Contacts along an edge of the array."""
-    ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20), "`closed_form.nc`, `statistics.nc`")
+    ranges: Ranges = key(nm(0.5, 1, 2, 3.5, 5.6, 8, 14, 20))
     """Ranges of adhesion, ascending; `scales.range` is always one of them."""
-    pixels: Pixels = key(1024, "`closed_form.nc`")
+    pixels: Pixels = 1024
     """Pixels along an edge of the random surfaces beside the closed form."""
-    sizes: Lengths = key(["5000 nm", "20000 nm"], "`closed_form.nc`, `repeated_contact.nc`")
+    sizes: Lengths = key(["5000 nm", "20000 nm"])
     """Edges of these surfaces, ascending; repeated contact is on the largest."""
-    reach: Length = key("80 um", "forces of `laws.nc`")
+    reach: Length = key("80 um")
     """Edge of the window within which these laws attract, at least `contact.window`."""
     small: LawSmallScaleKeys = LawSmallScaleKeys()
     large: LawLargeScaleKeys = LawLargeScaleKeys()
@@ -587,35 +537,32 @@ class InsightKeys(Keys):
 
 
 class Study(Keys):
-    """The study."""
+    """The study.
 
-    study: StudyName = key("paper", "nothing of the store")
+    Studies of other names share what is in the store; a new store is filled from nothing.
+    """
+
+    study: StudyName = "paper"
     """Name; results go to `results/<study>/`."""
-    store: Folder = key("results/store", "everything, in the new folder")
+    store: Folder = "results/store"
     """Folder of the intermediates, which studies may share."""
-    surfaces: TablePath = key("config/surfaces.tsv", "what the changed rows concern")
+    surfaces: TablePath = "config/surfaces.tsv"
     """Path of the table of surfaces."""
-    scans: ScanNumbers = key("all", "the scans added, their pairs, and masters whose scan changes")
+    scans: ScanNumbers = key("all")
     """Numbers of the scans used, e.g. `[1, 2]`."""
-    published: Literal["paper", "none"] = key("paper", "nothing of the store")
+    published: Literal["paper", "none"] = "paper"
     """Published numbers that the study is compared with: those of the `paper`, or `none` in a study
     of own surfaces, which makes what its scans and forces allow and needs nothing of the paper."""
-    forces: TablePath = key("none", "`fit.nc`")
+    forces: TablePath = "none"
     """With `published: none`: path of a table of pull-off forces measured on these surfaces, or
     `none`."""
-    reference_surface: SurfaceId = key(
-        "uncd", "`topography.nc`, `inference.nc`, `robustness.nc`", paper="Fig. 4b"
-    )
+    reference_surface: SurfaceId = key("uncd", "Fig. 4b")
     """With `published: paper`: substrate that ratios of forces are taken to."""
-    seed: Annotated[int, Field(ge=0, le=4294967295)] = key(
-        2021,
-        "substitutes, masters, the choice of contacts for elastic contact and asperities, samples "
-        "of means",
-    )
+    seed: Annotated[int, Field(ge=0, le=4294967295)] = 2021
     """Every random number follows from it and from the names of what it is for."""
-    effort: Literal["full", "quick"] = key("full", "what the keys under `quick` say")
+    effort: Literal["full", "quick"] = "full"
     """`quick`: the keys under `quick` replace those above, for a first answer."""
-    quick: dict[Any, Any] = key({}, "what its keys say")
+    quick: dict[Any, Any] = {}
     """Keys as at the top, which count with `effort: quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
