@@ -2,7 +2,7 @@
 
 Each is a function that the jobs and commands of the study call, or a few of them in their order.
 Lengths and heights are in nm, wavevectors in rad/nm, forces in N, works of adhesion in J/m²,
-pressures in Pa. What cannot be computed is a ValueError with a line for each fault.
+pressures in Pa. All raise ValueError with a line for each fault of their input.
 """
 
 import math
@@ -53,12 +53,11 @@ def read_scan(
         Any format that SurfaceTopography reads, or a container of scans.
     dataset : str
         The member of a container; of any other file the channel, or empty for its own choice.
-    undefined_pixels : str
-        ``"refuse"`` or ``"harmonic"``, which fills them.
-    levelling : str
-        ``"plane"``, or ``"lines"``, which aligns the scan lines first.
+    undefined_pixels, levelling : str
+        ``"refuse"``, or ``"harmonic"``, which fills them; ``"plane"``, or ``"lines"``, which aligns
+        the scan lines first.
     sphere_radius : float or None
-        In nm, of the sphere that the scan shows and that is subtracted.
+        Of the sphere that the scan shows and that is subtracted.
 
     Returns
     -------
@@ -93,7 +92,7 @@ def read_spectrum(
     dataset : str
         The only member of a container that counts; empty: all of them.
     tip_radius : float or None
-        In nm, of scans whose files do not state it.
+        Of scans whose files do not state it.
     undefined_pixels, levelling, sphere_radius : str, str, float or None
         As of `read_scan`.
     continued : bool
@@ -139,20 +138,15 @@ def pull_off_forces(
     ----------
     scan : HeightMap
         Levelled; one that is not periodic is stitched to its mirror images.
-    radius : float
-        Of the sphere in nm.
-    preload, hardness : float
-        In N, and of the softer body in Pa.
-    ranges : sequence of float
-        Of adhesion in nm.
-    work : float
-        Of adhesion in J/m².
-    window : float
-        Edge in nm of the square about each contact that is summed over; the paper's if not given.
-    count : int
-        Contacts along an edge of the array; there are count x count.
+    radius, preload, hardness : float
+        Of the sphere, on a contact, and of the softer body.
+    ranges, work : sequence of float, float
+        Of adhesion.
+    window, count : float, int
+        Edge of the square about each contact that is summed over; contacts along an edge of the
+        array.
     sphere : HeightMap or None
-        Levelled roughness of the sphere where it touches; None of a smooth one.
+        Levelled roughness of the sphere where it touches; None for a smooth one.
 
     Returns
     -------
@@ -207,24 +201,20 @@ def force_ratios(
     scan : HeightMap
         As of `pull_off_forces`.
     cutoffs : mapping of str to sequence of float
-        In nm, each more than two pixels; of ``"small"``, below which wavelengths are removed, of
+        Each more than two pixels; of ``"small"``, below which wavelengths are removed, of
         ``"large"``, above which they are, or of both.
-    radius, preload, hardness : float
-        As of `pull_off_forces`.
-    rho : float
-        Range of adhesion in nm.
-    tolerance : float
-        Relative change of the force that counts.
-    window, count, sphere : float, int, HeightMap or None
+    rho, tolerance : float
+        Range of adhesion; relative change of the force that counts.
+    radius, preload, hardness, window, count, sphere
         As of `pull_off_forces`.
 
     Returns
     -------
     xarray.Dataset
-        Over side ``edge`` in nm, the cutoff where the force leaves its tolerance; ``edge_status``,
-        ``"found"`` or why it is open; ``edge_bound`` in nm, above which an open edge is where
+        Over side ``edge``, the cutoff where the force leaves its tolerance; ``edge_status``,
+        ``"found"`` or why it is open; ``edge_bound``, above which an open edge is where
         ``edge_at_least`` is 1, else below. Over side and cutoff_wavelength ``ratio`` of the mean
-        plastic force to that on the whole scan, NaN at cutoffs of the other side.
+        plastic force to that on the unfiltered scan, NaN at cutoffs of the other side.
 
     Examples
     --------
@@ -282,20 +272,16 @@ def predict(
     ----------
     spectrum : Spectrum
         C_iso in nm⁴ over growing wavevectors in rad/nm, without gaps.
-    radius, preload, hardness, work : float
-        As of `pull_off_forces`.
-    rho : float
-        Range of adhesion in nm.
-    tolerance : float
-        Relative change of the force that counts for an edge.
+    radius, preload, hardness, work, rho, tolerance : float
+        As of `pull_off_forces` and `force_ratios`.
 
     Returns
     -------
     dict of str to Number
-        By name, such as ``pull_off_force`` (N), ``short_edge`` and ``long_edge`` (nm): ``value``,
-        ``unit``, ``low`` and ``high`` of its interval, and ``status``, a code; the numbers that
-        ``--json`` writes, but for the Tabor parameter. The force is ``"outside"`` where its error
-        is not known; that the end of a continued spectrum is artificial does not count.
+        By name, such as ``pull_off_force``, ``short_edge`` and ``long_edge``: ``value``, ``unit``,
+        ``low`` and ``high`` of its interval, and ``status``; the numbers that ``--json`` writes,
+        but for the Tabor parameter. The status of a force whose error is not known is
+        ``"outside"``; that the end of a continued spectrum is artificial does not count.
 
     Examples
     --------
