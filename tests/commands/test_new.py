@@ -259,11 +259,6 @@ def test_a_colloidal_probe(folder, monkeypatch, capsys):
         assert config["contact"]["preload"] == 1e-7 and config["contact"]["hardness"] == 5e9
 
 
-def test_the_command_is_installed():
-    text = (ROOT / "pyproject.toml").read_text()
-    assert 'hardcontact = "hardcontact.commands.new:main"' in text
-
-
 @pytest.mark.parametrize(
     ("label", "surface"),
     [("UNCD", "uncd"), ("Coated (II)", "coated_ii"), ("3 nm", "surface_3_nm"), ("ü", "surface"),

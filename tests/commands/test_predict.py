@@ -26,6 +26,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
 #: How an interval is told.
 LIKELY = "of ten surfaces like this nine lie between"
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
+BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 
 
 @pytest.fixture
@@ -98,16 +99,23 @@ def test_every_fault_of_a_table_is_told(table, lines, parts):
     assert_says(message.replace("wavevector and wavelength", "wavelength"), *parts)
 
 
-def test_faults_of_options_and_table_are_told_together(tmp_path):
-    arguments = predict_arguments([str(tmp_path / "none.csv"), "--range", "5", "--work", "1 nm"])
-    message = refusal(predict, arguments)
-    assert_says(message, "--range", "--work", "none.csv", "found no file")
-    assert len(message.splitlines()) == 3
+@pytest.mark.parametrize(
+    ("options", "parts"),
+    [
+        (["--range", "5", "--work", "1 nm"], ["--range", "--work"]),
+        (["--preload", "10mN", "--hardness", "100MPa"], ["--preload: expected less than"]),
+        (["--json", "-", "--csv", "-"], ["--csv: expected a file"]),
+    ],
+)
+def test_faults_of_options_and_table_are_told_together(tmp_path, options, parts):
+    message = refusal(predict, predict_arguments([str(tmp_path / "none.csv"), *options]))
+    assert_says(message, "none.csv", "found no file", *parts)
+    assert len(message.splitlines()) == 1 + len(parts)
 
 
 def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
     spectrum = rough(17, 1000, 0.8, 20)
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(spectrum))
+    path = table(BY_WAVEVECTOR, *of(spectrum))
     line = ["hardcontact", "predict", path, "--radius", "250 um", "--range", "8nm"]
     monkeypatch.setattr(sys, "argv", [*line, "--work", "50 mJ/m2"])
     assert new.main() == 0
@@ -123,29 +131,19 @@ def test_the_prediction_is_that_of_the_closed_form(table, monkeypatch, capsys):
 
 
 def test_rows_without_roughness_are_left_out_and_counted(table):
-    header, rows = "wavevector,wavevector_unit,c_iso,c_iso_unit", of(rough(17, 1000, 0.8, 20))
+    rows = of(rough(17, 1000, 0.8, 20))
     zeros = [f"{q},rad/nm,0,nm4" for q in (1e-7, 2e-7, 1e3)]
-    first, ends, *_ = predict(predict_arguments([table(header, *rows, *zeros)])).splitlines()
+    first, ends, *_ = predict(predict_arguments([table(BY_WAVEVECTOR, *rows, *zeros)])).splitlines()
     assert first == "left out: 3 rows of the table with a density of 0, no roughness there"
-    shortest = 2 * np.pi / table_spectrum(table(header, *rows)).wavevector[-1]
+    shortest = 2 * np.pi / table_spectrum(table(BY_WAVEVECTOR, *rows)).wavevector[-1]
     assert ends.startswith(f"spectrum: {shortest:.3g} nm to ")
-
-
-def test_waves_that_the_table_lacks_are_told(table):
-    header = "wavevector,wavevector_unit,c_iso,c_iso_unit"
-    short = rough(60, 2e4, 0.8, 20)  # it rolls off beyond the table
-    kept = short.wavevector > 2 * np.pi / 3000
-    cut = type(short)(short.wavevector[kept], short.density[kept])
-    told = predict(predict_arguments([table(header, *of(cut))]))
-    assert_says(told, "take care: waves longer than", "error not known")
 
 
 def test_short_waves_that_the_table_lacks_are_continued(table, monkeypatch, capsys):
     """A spectrum of optical resolution: what it lacks changes the force, unless it ends with 0."""
-    header = "wavevector,wavevector_unit,c_iso,c_iso_unit"
     rows = of(rough(17, 4000, 0.8, 1500))
-    told = numbers_of(capsys, monkeypatch, table(header, *rows))
-    spectrum = table_spectrum(table(header, *rows))
+    told = numbers_of(capsys, monkeypatch, table(BY_WAVEVECTOR, *rows))
+    spectrum = table_spectrum(table(BY_WAVEVECTOR, *rows))
     variance = np.full(spectrum.density.shape, CALIBRATION**2)
     density, _ = continued_spectrum(spectrum.wavevector, spectrum.density, variance)
     whole = Spectrum(WAVEVECTORS, density)
@@ -155,21 +153,39 @@ def test_short_waves_that_the_table_lacks_are_continued(table, monkeypatch, caps
     assert told["pull_off_force"]["status"] == "outside"
     atoms = of(rough(17, 1000, 0.8, 0.1))
     for whole in ([*rows, "1,rad/nm,0,nm4"], atoms):
-        ended = numbers_of(capsys, monkeypatch, table(header, *whole))
+        ended = numbers_of(capsys, monkeypatch, table(BY_WAVEVECTOR, *whole))
         assert "continued_force" not in ended
         assert ended["continued_change"]["status"] == "negligible"
 
 
+def without(spectrum, kept):
+    """Return a spectrum without some of its wavelengths."""
+    return Spectrum(spectrum.wavevector[kept], spectrum.density[kept])
+
+
+KNOWN = rough(17, 1000, 0.8, 20)
+GAP = np.abs(np.log(KNOWN.wavevector * 200 / 2 / np.pi)) > np.log(2.5)
+LONG = rough(60, 2e4, 0.8, 20)  # it rolls off beyond 3 um
+SHORT = 2 * np.pi / np.array([100.0, 90, 80, 70, 60])
+SHORT = Spectrum(SHORT, 1e-4 * (2 * np.pi / SHORT) ** 4)
+
+
 @pytest.mark.parametrize(
-    ("options", "parts"),
+    ("spectrum", "options", "parts"),
     [
-        (["--range", "0.3nm"], ["ranges of 0.5", "not at 0.3 nm"]),
-        (["--radius", "1um", "--preload", "100nN"], ["radii of 5.", "not at 1 µm"]),
-        (["--preload", "500uN"], ["contact area over the roll-off"]),
+        (rough(17, 300, 0.8, 20), ["--range", "0.3nm"], ["ranges of 0.5", "not at 0.3 nm"]),
+        (
+            rough(17, 300, 0.8, 20), ["--radius", "1um", "--preload", "100nN"],
+            ["radii of 5.", "not at 1 µm"],
+        ),
+        (rough(17, 300, 0.8, 20), ["--preload", "500uN"], ["contact area over the roll-off"]),
+        (without(LONG, LONG.wavevector > 2 * np.pi / 3000), [], ["take care: waves longer than"]),
+        (SHORT, [], ["waves longer than 100 nm", "cannot tell"]),
+        (without(KNOWN, GAP), [], ["a factor of 6.3 apart"]),
     ],
-)
-def test_what_lies_outside_of_what_was_tried_is_told(table, options, parts):
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 300, 0.8, 20)))
+)  # fmt: skip
+def test_where_the_error_is_not_known_is_told(table, spectrum, options, parts):
+    path = table(BY_WAVEVECTOR, *of(spectrum))
     told = predict(predict_arguments([path, *options]))
     assert_says(told, "error not known", *parts)
     assert LIKELY not in told
@@ -177,7 +193,7 @@ def test_what_lies_outside_of_what_was_tried_is_told(table, options, parts):
 
 def test_a_compliant_sphere_is_no_hard_contact(table):
     """Tabor's number of a smooth sphere, by hand: (R W²/(E*² rho³))^(1/3)."""
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 1000, 0.8, 20)))
+    path = table(BY_WAVEVECTOR, *of(rough(17, 1000, 0.8, 20)))
     hard, soft = (
         predict(predict_arguments([path, "--modulus", text])) for text in ("290GPa", "1MPa")
     )
@@ -194,15 +210,8 @@ def test_wavelengths_of_a_wrong_unit_are_refused(table, factor, unit):
     assert len(message.splitlines()) == 1
 
 
-def test_faults_of_contact_and_table_are_told_together(tmp_path):
-    arguments = [str(tmp_path / "none.csv"), "--preload", "10mN", "--hardness", "100MPa"]
-    message = refusal(predict, predict_arguments(arguments))
-    assert_says(message, "--preload: expected less than", "none.csv", "found no file")
-    assert len(message.splitlines()) == 2
-
-
 def test_a_contact_that_is_wider_than_the_attraction_is_refused(table):
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(17, 1000, 0.8, 20)))
+    path = table(BY_WAVEVECTOR, *of(rough(17, 1000, 0.8, 20)))
     options = ["--preload", "10mN", "--hardness", "100MPa"]
     message = refusal(predict, predict_arguments([path, *options]))
     assert_says(message, "--preload: expected less than 880 µN", "found 10 mN", "smooth sphere")
@@ -210,11 +219,11 @@ def test_a_contact_that_is_wider_than_the_attraction_is_refused(table):
 
 def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
     """Of a surface that is all but smooth nothing is lost, whatever the contact."""
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(0.02, 1000, 0.8, 20)))
+    path = table(BY_WAVEVECTOR, *of(rough(0.02, 1000, 0.8, 20)))
     options = ["--radius", "5um", "--hardness", "100MPa"]
     told = predict(predict_arguments([path, *options]))
     assert_says(told, "1 of the 2.", "µN of a smooth surface", "regime: smooth")
-    rougher = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(4, 1000, 0.8, 20)))
+    rougher = table(BY_WAVEVECTOR, *of(rough(4, 1000, 0.8, 20)))
     wider = predict(predict_arguments([rougher, *options, "--preload", "15uN"]))
     assert_says(wider, "closest approach: -", "regime: smooth", "long edge: no wavelength")
 
@@ -223,16 +232,9 @@ def test_a_wide_contact_counts_on_the_smooth_surface_too(table):
 def test_a_power_in_a_wrong_unit_is_refused(table, factor):
     spectrum = rough(17, 1000, 0.8, 20)
     wrong = type(spectrum)(spectrum.wavevector, factor * spectrum.density)
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(wrong))
+    path = table(BY_WAVEVECTOR, *of(wrong))
     message = refusal(predict, predict_arguments([path]))
     assert_says(message, "rms height of 0.01 nm", "is the unit right?")
-
-
-def test_faults_end_the_command_with_a_line_each(table, monkeypatch, capsys):
-    monkeypatch.setattr(sys, "argv", ["hardcontact", "predict", table(HEADER, "1,s,2,nm3")])
-    assert new.main() == 1
-    lines = capsys.readouterr().err.splitlines()
-    assert len(lines) == 2 and all(line.startswith("error: ") for line in lines)
 
 
 def numbers_of(capsys, monkeypatch, *arguments):
@@ -244,7 +246,7 @@ def numbers_of(capsys, monkeypatch, *arguments):
 
 def test_files_of_numbers_hold_those_of_the_closed_form(table, tmp_path, monkeypatch, capsys):
     spectrum = rough(17, 1000, 0.8, 20)
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(spectrum))
+    path = table(BY_WAVEVECTOR, *of(spectrum))
     rows = tmp_path / "new/numbers.csv"
     given = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
     told = numbers_of(capsys, monkeypatch, path, *given)
@@ -273,35 +275,13 @@ def test_files_of_numbers_hold_those_of_the_closed_form(table, tmp_path, monkeyp
 
 def test_what_is_unknown_is_no_number(table, monkeypatch, capsys):
     """Of an all but smooth surface no edge is found; where the error was not measured is said."""
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(rough(0.02, 1000, 0.8, 20)))
+    path = table(BY_WAVEVECTOR, *of(rough(0.02, 1000, 0.8, 20)))
     told = numbers_of(capsys, monkeypatch, path, "--radius", "5um")
     assert told["short_edge"] == {"value": None, "unit": "nm", "status": "none"}
     assert told["freezing"]["status"] == "smooth"
     assert told["pull_off_force"]["status"] == "outside"
     assert "interval" not in told["pull_off_force"]
     assert told["tried_modulus"]["status"] == "outside"
-
-
-def test_a_spectrum_too_short_to_tell_what_it_lacks_has_no_error(table):
-    lengths = (100, 90, 80, 70, 60)
-    path = table(HEADER, *[f"{length},nm,{length**4}e-4,nm4" for length in lengths])
-    told = predict(predict_arguments([path]))
-    assert_says(told, "waves longer than 100 nm", "cannot tell", "error not known")
-
-
-def test_a_spectrum_with_a_wide_gap_has_no_error(table):
-    spectrum = rough(17, 1000, 0.8, 20)
-    kept = np.abs(np.log(spectrum.wavevector * 200 / 2 / np.pi)) > np.log(2.5)
-    cut = type(spectrum)(spectrum.wavevector[kept], spectrum.density[kept])
-    path = table("wavevector,wavevector_unit,c_iso,c_iso_unit", *of(cut))
-    told = predict(predict_arguments([path]))
-    assert_says(told, "a factor of 6.3 apart", "error not known")
-
-
-def test_two_files_cannot_go_to_stdout(tmp_path):
-    arguments = [str(tmp_path / "none.csv"), "--json", "-", "--csv", "-"]
-    message = refusal(predict, predict_arguments(arguments))
-    assert_says(message, "--csv: expected a file", "none.csv")
 
 
 @pytest.mark.parametrize("kind", ["map", "line"])
