@@ -74,7 +74,7 @@ def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
 def axis_ratio(measurement: Measurement) -> Floats:
     """Return how many times C_1D along one axis of a map exceeds that along the other: (bins,).
 
-    The ratio is 1 or more, and 1 in empty bins, and of a profile, which has one axis.
+    The ratio is 1 or more; it is 1 in empty bins and for a profile.
     """
     if measurement.kind != "map":
         return np.ones(len(BIN_CENTRES))
@@ -127,8 +127,8 @@ def bias_of_log(waves: Floats) -> Floats:
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
     """Return d ln C / d ln q of a spectrum without gaps, fitted to half a decade around each bin.
 
-    The bins count by the inverse variance of their ln C. Beside the slopes (bins,) stand their
-    standard errors; they are NaN and infinity where fewer than two bins lie within the half decade.
+    The bins count by the inverse variance of their ln C. Also returns standard errors (bins,).
+    Slope and error are NaN and infinity where fewer than two bins lie within the half decade.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     near = np.abs(distance) <= HALF_WIDTH

@@ -197,8 +197,8 @@ FINENESS = 2
 def imaged_by_tip(surface: HeightMap, radius: float) -> HeightMap:
     """Return the image of a surface by a spherical tip: the path of its lowest point.
 
-    The tip, of a radius in nm that is large beside the pixels, is half a sphere that goes up
-    vertically beyond; what lies beyond the edges of the map does not touch it.
+    The tip is half a sphere of a radius in nm, large beside the pixels. What lies beyond the edges
+    of the map does not touch it.
     """
     from scipy.ndimage import grey_dilation
 

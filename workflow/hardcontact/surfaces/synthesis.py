@@ -60,12 +60,11 @@ def refined(
 def small_scale_master(
     rng: np.random.Generator, stitched: HeightMap, pixels: int, transition: float, density: Density
 ) -> HeightMap:
-    """Return a scan with artificial roughness below the transition wavelength (nm).
+    """Return a mirror-stitched scan with artificial roughness below the transition wavelength (nm).
 
-    Wavelengths below the transition are removed from the mirror-stitched scan, which is then
-    interpolated to pixels x pixels; a random surface is added that follows C_iso below the
-    transition and is constant above it. Heights are in float32; the basis is that of the scan.
-    Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
+    Shorter wavelengths of the scan, interpolated to pixels x pixels, are replaced by a random
+    surface whose C_iso follows the density there, and is constant above the transition. Heights are
+    in float32. Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     band = lowpass(stitched, transition)
     limit = 2 * np.pi / transition
@@ -79,11 +78,11 @@ def small_scale_master(
 def large_scale_master(
     rng: np.random.Generator, stitched: HeightMap, tiles: int, transition: float, density: Density
 ) -> HeightMap:
-    """Return a scan, repeated, with artificial roughness above the transition wavelength (nm).
+    """Return a mirror-stitched scan with artificial roughness above the transition wavelength (nm).
 
-    The mirror-stitched scan is repeated `tiles` times along each edge and its wavelengths above the
-    transition are removed; a random surface is added that follows C_iso there and is zero below.
-    Pixels and basis are those of the scan, heights in float32. Source: as `small_scale_master`.
+    The scan is repeated `tiles` times along each edge, and its longer wavelengths are replaced by a
+    random surface that follows the density there. Heights are in float32. Source: as
+    `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     band = lowpass(repeated, transition)
@@ -108,10 +107,9 @@ def synthesized_master(
     scales: Mapping[str, Any],
     density: Density,
 ) -> HeightMap:
-    """Return the periodic master of one side, made of a periodic scan.
+    """Return the periodic master of one of SIDES, made of a periodic scan.
 
-    The side ``"small"`` adds roughness below the transition wavelength, ``"large"`` above. The
-    scales are ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large one.
+    The scales are ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large one.
     """
     synthesize, size = SYNTHESIS[side]
     return synthesize(rng, stitched, scales[size], scales["transition"], density)
