@@ -109,7 +109,7 @@ def synthesized_master(
 ) -> HeightMap:
     """Return the periodic master of one of SIDES, made of a periodic scan.
 
-    The scales are ``transition`` in nm, and ``pixels`` of a small-scale or ``tiles`` of a large one.
+    The scales are ``transition`` in nm, and ``pixels`` (small side) or ``tiles`` (large side).
     """
     synthesize, size = SYNTHESIS[side]
     return synthesize(rng, stitched, scales[size], scales["transition"], density)
