@@ -18,7 +18,7 @@ HYPOTHESIS = tempfile.TemporaryDirectory(prefix="hypothesis-")
 configuration.set_hypothesis_home_dir(HYPOTHESIS.name)
 
 #: Fixtures that compute a study.
-STUDIES = {"finished", "own_study"}
+STUDIES = {"finished", "own", "probe"}
 
 
 def pytest_unconfigure():

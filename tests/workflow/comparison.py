@@ -1,6 +1,9 @@
-"""Whether two results folders hold the same: every file of the studies and of their stores."""
+"""Whether two results folders hold the same, and are whole: files of the studies and stores."""
 
 import xarray as xr
+
+from hardcontact.records import dataset
+from hardcontact.records.whole_file import PART
 
 #: Folders of files that belong to one run and not to its results.
 OF_THE_RUN = {"logs", "benchmarks", ".origin"}
@@ -31,3 +34,15 @@ def differences(made, reference):
         if not same(made / path, reference / path)
     ]
     return sorted(lines)
+
+
+def damaged(results):
+    """Return what is wrong with the datasets in a folder that do not read: they must be whole."""
+    lines = []
+    for path in results.rglob("*.nc"):
+        if not path.name.startswith(PART):
+            try:
+                dataset.read(path)
+            except ValueError as error:
+                lines.append(str(error))
+    return lines

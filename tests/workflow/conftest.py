@@ -1,10 +1,14 @@
 """Results that several files of tests look at: of the paper, and of own surfaces."""
 
+import numpy as np
 import pandas as pd
 import pytest
 import xarray as xr
+import yaml
 from own_studies import forces_on, made, new, quick, rough, spm
 from repository import copy_repository
+from scan_files import container, scan, write_coordinates
+from SurfaceTopography import UniformLineScan
 
 from hardcontact.numbers.random import generator
 
@@ -23,28 +27,58 @@ def folder(tmp_path_factory):
     return folder
 
 
+def write_scans(scans):
+    """Write a rectangle and a line scan, a container of a map with gaps, and scans of a sphere."""
+    spm(scans / "rectangle.001", rough(generator(1), 128, rms=3.0)[:96], 2000.0)
+    profile = np.concatenate(rough(generator(2), 64, 20_000.0)[:8])
+    write_coordinates(UniformLineScan(profile, 160_000.0, unit="nm"), scans / "line.txt")
+    gaps = np.ma.masked_array(rough(generator(3), 128, rms=3.0).T, False)
+    gaps[5:9, 40] = np.ma.masked
+    scan(scans / "map.nc", gaps, (2500.0, 2500.0))
+    entry = {"name": "map", "datafile": {"original": "map.nc"}}
+    container(scans / "twin.zip", [entry], {"map.nc": scans / "map.nc"})
+    x = (np.arange(128) - 63.5) * 2500 / 128
+    shape = -(x[:, None] ** 2 + x**2) / (2 * 250e3)
+    for number in range(2):
+        ball = shape + rough(generator(6, number), rms=2.0)
+        spm(scans / f"ball-{number}.001", ball, 2500.0)
+
+
+#: A single realization of the masters is enough to look at what a study makes.
+FEW = {"quick": {"scales": {"realizations": 1}}}
+
+
 @pytest.fixture(scope="session")
-def measured(folder):
-    """Five scans each of two surfaces, on which forces were measured that follow RANGE and WORK."""
-    surfaces = []
-    for label, rms in (("bare", 4.0), ("coated", 15.0)):
-        files = [folder / f"scans/{label}-{number}.001" for number in range(5)]
-        for number, file in enumerate(files):
-            spm(file, rough(generator(8, label, number), rms=rms), 2500.0)
-        surfaces += ["--surface", label, *files]
+def own(folder):
+    """Make a study of files of all kinds on a rough sphere, whose forces follow RANGE and WORK.
+
+    Returns the folder of the repository: the study is `several-quick`. Not to be changed.
+    """
+    write_scans(folder / "scans")
+    choices = [
+        "--surface", "My film", "scans/rectangle.001", "scans/line.txt",
+        "--surface", "twin", "scans/twin.zip", "--tip", "5 nm",
+        "--sphere", "scans/ball-0.001", "scans/ball-1.001",
+    ]  # fmt: skip
+    (folder / "few.yaml").write_text(yaml.safe_dump(FEW))
+    assert new(folder, "several", *choices).returncode == 0
     # Forces are known once the contacts are computed.
-    assert new(folder, "pair", *surfaces).returncode == 0
-    run = quick(folder, "pair", "adhesion")
+    run = quick(folder, "several", "adhesion", overlays=["few.yaml"])
     assert run.returncode == 0, run.stdout[-3000:]
-    adhesion = xr.load_dataset(folder / "results/pair-quick/adhesion.nc")
+    adhesion = xr.load_dataset(folder / "results/several-quick/adhesion.nc")
     rng = generator(8, "tests")
     rows = [
         {"surface": surface, "value": f"{force:.4f}", "unit": "uN"}
-        for surface in ("bare", "coated")
+        for surface in adhesion.surface.values
         for force in forces_on(adhesion, surface, rng)
     ]
     pd.DataFrame(rows).to_csv(folder / "my.csv", index=False)
-    return made(folder, "pair", "--overwrite", *surfaces, "--forces", "my.csv")[0]
+    done = new(folder, "several", "--overwrite", *choices, "--forces", "my.csv")
+    assert done.returncode == 0, done.stderr
+    (folder / "said.txt").write_text(done.stdout)
+    run = quick(folder, "several", overlays=["few.yaml"])
+    assert run.returncode == 0, run.stdout[-3000:]
+    return folder
 
 
 @pytest.fixture(scope="session")

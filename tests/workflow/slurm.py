@@ -19,12 +19,10 @@ import time
 from collections import defaultdict
 from pathlib import Path
 
-import yaml
-
 sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the modules of tests/
 
 from comparison import differences, paths
-from repository import QUICK, ROOT, copy_repository, environment, run_snakemake
+from repository import QUICK, copy_repository, environment, run_snakemake
 
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
@@ -171,12 +169,13 @@ def stop(process, how):
 
 
 def computing(study):
-    """The SLURM job in which the rule to be cancelled computes; empty while there is none."""
+    """The SLURM job in which a rule to be cancelled computes; empty while there is none."""
     group, rule = CANCELLED
+    if not any((study / "results").glob(f"*/logs/{rule}/**/*.log")):  # A job begins with its log.
+        return ""
     for line in ask("squeue", "-h", "-t", "running", "-o", "%i %k").splitlines():
         job, comment = line.split(maxsplit=1)
-        logs = list((study / ".snakemake/slurm_logs").rglob(f"{job}.log"))
-        if comment.startswith(f"rule_{group}_") and logs and f"rule {rule}:" in logs[0].read_text():
+        if comment.startswith(f"rule_{group}_"):
             return job
     return ""
 
@@ -226,22 +225,6 @@ def check_recovery(cancelled, log):
     again = [numbers for numbers in submissions.values() if cancelled in numbers]
     assert len(again) == 1 and len(again[0]) == 2 and again[0][0] == cancelled, submissions
     print(f"recovered: SLURM job {cancelled} was submitted again as {again[0][1]}")
-    return jobs
-
-
-def show_requests(jobs):
-    """What the jobs of each group asked for, and the longest of them."""
-    groups = set(yaml.safe_load((ROOT / PROFILE / "profile.yaml").read_text())["groups"].values())
-    of_group = defaultdict(list)
-    for job in jobs.values():
-        name = job["Comment"].removeprefix("rule_")
-        of_group[next((g for g in groups if name.startswith(f"{g}_")), name)].append(job)
-    print(f"SLURM jobs: {len(jobs)}; most that one of a group asked for, and the longest:")
-    for group, members in sorted(of_group.items()):
-        memory, limit, taken = (
-            max(job[key] for job in members) for key in ("MinMemoryNode", "TimeLimit", "RunTime")
-        )
-        print(f"  {group:12s} {len(members):2d}  {memory:>6s}  {limit}  took {taken}")
 
 
 def compare(made, reference):
@@ -276,8 +259,7 @@ def main():
         temporary.chmod(0o755)  # munged wants others to reach its socket
         with slurm(temporary / "cluster"):
             cancelled = run_study(study, log, targets)
-            jobs = check_recovery(cancelled, log.read_text())
-        show_requests(jobs)
+            check_recovery(cancelled, log.read_text())
         compared = compare(study / "results", reference)
         assert targets or compared == len(paths(reference)), "files of the local run are missing"
         print(f"compared: {compared} files, none differs")

@@ -6,10 +6,21 @@ import pandas as pd
 import pytest
 import yaml
 from own_studies import changed, quick
-from refusals import assert_says
+
+pytestmark = pytest.mark.study
 
 
-@pytest.mark.study
+def planned(folder, *overlays):
+    """Return the rules of a dry run of the study that all tests share."""
+    run = quick(folder, "several", "-n", overlays=["few.yaml", *overlays])
+    assert run.returncode == 0, run.stdout
+    return set(re.findall(r"^(?:local)?rule (\w+):\n", run.stdout, re.M)) - {"all"}
+
+
+def test_a_second_run_has_nothing_to_do(own):
+    assert planned(own) == set()
+
+
 def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
     first = {name: (probe / name).read_bytes() for name in ("answer.json", "answer.html")}
     for made_of_it in (probe, folder / "results/store-probe-quick"):
@@ -19,13 +30,7 @@ def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
     assert {name: (probe / name).read_bytes() for name in first} == first
 
 
-@pytest.mark.study
-def test_a_second_run_has_nothing_to_do(folder, probe):
-    assert_says(quick(folder, "probe", "-n").stdout, "Nothing to be done")
-
-
 # What a change makes again
-
 
 PAGE = {"answer_surfaces", "keep_configuration", "describe_crate"}
 FORCES = {
@@ -40,56 +45,32 @@ SPECTRA = {"measure_spectrum", "aggregate_spectra"}
 TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_forces"}
 SCANS = {"prepare_scan", "measure_topography"} | TOPOGRAPHY
 
-#: Another value of a key, and what is made again.
-KEYS = {
-    "adhesion.work": ("60 mJ/m2", {"predict_force", "fit_forces"}),
-    "forces": ("none", set()),
-    "scan.levelling": ("lines", SCANS | SPECTRA | FORCES | MASTERS),
-    "scan.undefined_pixels": ("harmonic", {"read_scan"} | SCANS | SPECTRA | FORCES | MASTERS),
-    "contact.preload": ("20 uN", FORCES | {"filter_masters", "aggregate_scales",
-                                           "find_band_edges"}),
-}  # fmt: skip
 
-
-def planned(run):
-    """Return the rules of a dry run."""
-    assert run.returncode == 0, run.stdout
-    return set(re.findall(r"^(?:local)?rule (\w+):\n", run.stdout, re.M)) - {"all"}
-
-
-@pytest.mark.system
-@pytest.mark.parametrize("key", KEYS)
-def test_a_key_makes_again_what_depends_on_it(folder, measured, key):
-    value, rules = KEYS[key]
+@pytest.mark.parametrize(
+    ("key", "value", "rules"),
+    [
+        ("adhesion.work", "60 mJ/m2", {"predict_force", "fit_forces"}),
+        ("scan.levelling", "lines", SCANS | SPECTRA | FORCES | MASTERS),
+        ("contact.preload", "20 uN",
+         FORCES | {"filter_masters", "aggregate_scales", "find_band_edges"}),
+    ],
+)  # fmt: skip
+def test_a_key_makes_again_what_depends_on_it(own, key, value, rules):
     for part in reversed(key.split(".")):
         value = {part: value}
-    (folder / "other.yaml").write_text(yaml.safe_dump(value))
-    assert planned(quick(folder, "pair", "-n", overlays=["other.yaml"])) == rules | PAGE
+    (own / "other.yaml").write_text(yaml.safe_dump(value))
+    assert planned(own, "other.yaml") == rules | PAGE
 
 
-@pytest.mark.system
-def test_more_forces_make_the_fit_again(folder, measured):
-    path = folder / "my.csv"
-    with changed(path, path.read_text() + "bare,1.0,uN\n"):
-        assert planned(quick(folder, "pair", "-n")) == {
-            "fit_forces", "answer_surfaces", "describe_crate",
-        }  # fmt: skip
+def test_more_forces_make_the_fit_again(own):
+    path = own / "my.csv"
+    with changed(path, path.read_text() + "twin,1.0,uN\n"):
+        assert planned(own) == {"fit_forces", "answer_surfaces", "describe_crate"}
 
 
-#: Another text of a column in the last row of a surface, and what is made again.
-COLUMNS = {
-    "tip_radius": ("20 nm", SPECTRA | MASTERS | TOPOGRAPHY),
-    # Masters are made of the first scans, and spectra of all, whatever they are used for.
-    "use": ("spectrum", {"aggregate_adhesion", "find_band_edges"} | TOPOGRAPHY),
-}
-
-
-@pytest.mark.system
-@pytest.mark.parametrize("column", COLUMNS)
-def test_a_column_makes_again_what_depends_on_it(folder, measured, column):
-    text, rules = COLUMNS[column]
-    path = folder / "config/pair.tsv"
+def test_a_column_makes_again_what_depends_on_it(own):
+    path = own / "config/several.tsv"
     table = pd.read_csv(path, sep="\t", dtype=str, keep_default_na=False)
-    table.loc[len(table) - 1, column] = text
+    table.loc[table.surface == "twin", "tip_radius"] = "20 nm"
     with changed(path, table.to_csv(sep="\t", index=False)):
-        assert planned(quick(folder, "pair", "-n")) == rules | PAGE
+        assert planned(own) == SPECTRA | MASTERS | TOPOGRAPHY | PAGE

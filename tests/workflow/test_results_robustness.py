@@ -15,13 +15,6 @@ def robustness(results):
     return dataset.read(results / "robustness.nc")
 
 
-def test_variants_are_those_of_the_configuration(robustness):
-    names = "baseline laplacian skewness+0.5 tip-17nm rough_sphere preload-5uN hardness-47GPa"
-    groups = "baseline curvature heights tip sphere preload hardness".split()
-    assert robustness.variant.values.tolist() == names.split()
-    assert robustness.group.values.tolist() == groups
-
-
 def test_only_what_a_variant_concerns_is_another(robustness):
     fitted = [name for name in robustness if robustness[name].dtype.kind == "f"]
     fitted = robustness[[name for name in fitted if "side" not in robustness[name].dims]]
@@ -40,11 +33,6 @@ def test_variants_lie_in_their_intervals(robustness, name):
     value, (low, high) = robustness[name], bounds(robustness, name)
     known = np.isfinite(value)
     assert ((low <= value) | ~known).all() and ((value <= high) | ~known).all()
-
-
-def test_a_single_realization_has_no_interval(robustness):
-    assert robustness.attrs["realizations"] == 1
-    assert robustness.critical_wavelength_interval.isnull().all()
 
 
 def test_loads_that_as_many_pixels_carry_are_one(robustness):

@@ -1,0 +1,287 @@
+"""Kills, full disks, altered files and jobs that fail: one line says so, and nothing is lost.
+
+All on the small study of own surfaces, whose undisturbed results are the reference.
+"""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from contextlib import contextmanager, suppress
+from textwrap import indent
+
+import pytest
+from comparison import damaged, differences
+from own_studies import quick
+from refusals import assert_says
+from repository import ROOT, environment
+from scan_files import cut
+
+from hardcontact.records.whole_file import PART
+
+pytestmark = pytest.mark.study
+
+RESULTS, STORE = "results/several-quick", "results/store-several-quick"
+#: Seconds after which what a test waits for has failed.
+PATIENCE = 300
+
+
+def run(study, *arguments):
+    return quick(study, "several", *arguments, overlays=["few.yaml"])
+
+
+def errors(output):
+    """Return the different lines in which a run names its errors; a job that is retried repeats."""
+    assert "Traceback" not in output, output
+    return sorted({line for line in output.splitlines() if line.startswith("error:")})
+
+
+def until(condition, what):
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, f"waited {PATIENCE} s for {what}"
+        time.sleep(0.02)
+
+
+@pytest.fixture
+def copy(own, tmp_path):
+    """Copy the finished study, to be changed."""
+    return shutil.copytree(own, tmp_path / "copy", symlinks=True)
+
+
+@pytest.fixture
+def empty(own, tmp_path):
+    """Copy the study without what it made."""
+    made = shutil.ignore_patterns("results", ".snakemake")
+    return shutil.copytree(own, tmp_path / "empty", ignore=made)
+
+
+# Killed
+
+
+def start(study, target):
+    """Start a run in a process group of its own, which a kill ends as a whole."""
+    files = ["config/several.yaml", "few.yaml"]
+    command = [sys.executable, "-m", "snakemake", target, "--configfile", *files]
+    with open(study / "output", "w") as output:
+        return subprocess.Popen(
+            [*command, "--config", "effort=quick"],
+            cwd=study, env=environment(study), stdout=output, stderr=subprocess.STDOUT,
+            start_new_session=True,
+        )  # fmt: skip
+
+
+def processes(folder):
+    """Return the processes that work in a folder (as far as /proc tells)."""
+    for process in os.listdir("/proc"):
+        try:
+            if process.isdigit() and os.readlink(f"/proc/{process}/cwd") == str(folder):
+                yield process
+        except OSError:  # of another user, or ended meanwhile
+            continue
+
+
+def made(study):
+    return len(list((study / STORE).rglob("*.nc")))
+
+
+def kill(study, moment):
+    """Start a run, stop it at a moment, try a second one, and kill the first."""
+    process = start(study, "adhesion")
+    try:
+        until(lambda: moment() or process.poll() is not None, "a moment to kill")
+        os.killpg(process.pid, signal.SIGSTOP)
+        assert process.poll() is None, (study / "output").read_text()
+        if made(study):
+            refused = run(study, "adhesion")
+            assert refused.returncode != 0 and "cannot be locked" in refused.stdout
+    finally:
+        with suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+    until(lambda: not list(processes(study)), "processes to end")
+    assert "Traceback" not in (study / "output").read_text()
+    assert damaged(study / "results") == []
+    run(study, "--unlock")
+
+
+def test_killed_while_planning_and_computing_a_study_goes_on(empty, own):
+    kill(empty, lambda: "Planning" in (empty / "output").read_text())
+    kill(empty, lambda: made(empty) >= 1)
+    kill(empty, lambda: made(empty) >= 8)
+    done = run(empty, "adhesion")
+    assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
+    lines = differences(empty / "results", own / "results")
+    assert [line for line in lines if "several-quick" in line and "missing" not in line] == []
+    assert (empty / RESULTS / "adhesion.nc").is_file()
+    assert list((empty / "results").rglob(f"{PART}*")) == []
+    assert "Nothing to be done" in run(empty, "-n", "adhesion").stdout
+
+
+# Disks that are full, and folders that cannot be written to
+
+
+def mount(*arguments):
+    """Mount something, or skip the test where that is not permitted."""
+    try:
+        subprocess.run(["mount", *map(str, arguments)], check=True, capture_output=True, text=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        pytest.skip(f"mounting is not permitted here: {getattr(error, 'stderr', error)}")
+
+
+@contextmanager
+def disk(folder, size):
+    """Make a folder a disk of its own."""
+    folder.mkdir(exist_ok=True)
+    mount("-t", "tmpfs", "-o", f"size={size}", "tmpfs", folder)
+    try:
+        yield folder
+    finally:
+        subprocess.run(["umount", folder], check=True)
+
+
+def fill(folder, room):
+    """Leave so many bytes of a disk free; return the file that takes the others."""
+    path = folder / "filler"
+    with open(path, "wb", buffering=0) as file:
+        try:
+            while file.write(bytes(4096)):
+                pass
+        except OSError:
+            pass
+    os.truncate(path, path.stat().st_size - room)
+    return path
+
+
+JOB = """
+import numpy, xarray
+from hardcontact.records import dataset
+from hardcontact.records.job import job_log
+heights = (("y", "x"), numpy.ones((512, 512)), {})
+with job_log("a.log"):
+    dataset.write(xarray.Dataset({"heights": heights}), "made/a.nc")
+"""
+
+
+@pytest.mark.parametrize("room", [0, 100_000])
+def test_a_job_on_a_full_disk_ends_in_one_line(tmp_path, room):
+    """Even where there is no room for its log; netCDF must not crash."""
+    with disk(tmp_path / "disk", "400k") as folder:
+        fill(folder, room)
+        job = subprocess.run(
+            [sys.executable, "-c", JOB],
+            cwd=folder, env=environment(ROOT), capture_output=True, text=True,
+        )  # fmt: skip
+        assert len(job.stderr.splitlines()) == 1 and job.returncode == 1, job.stderr
+        expected = "error: made/a.nc: expected a file to be written, found:"
+        assert_says(job.stderr, expected, "MB of the disk are free")
+        assert list(folder.glob("made/*")) == []
+
+
+def test_after_a_full_disk_a_study_goes_on(empty, own):
+    with disk(empty / "results", "20M") as folder:
+        filler = fill(folder, 500_000)
+        full = run(empty, "topography")
+        assert full.returncode != 0
+        assert errors(full.stdout) and "free" in full.stdout, full.stdout
+        assert damaged(folder) == []
+        filler.unlink()
+        done = run(empty, "topography", "--cores", "1")
+        assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
+        lines = differences(folder, own / "results")
+        assert [line for line in lines if "missing" not in line] == []
+
+
+@contextmanager
+def read_only(folder):
+    """Let nothing be written in a folder; root is only stopped by a mount."""
+    mount("--bind", folder, folder)
+    try:
+        mount("-o", "remount,bind,ro", folder)
+        yield
+    finally:
+        subprocess.run(["umount", folder], check=True)
+
+
+def test_a_read_only_folder_is_named(copy):
+    # Other files cannot be replaced, which Snakemake tells before the study can.
+    (copy / RESULTS / "ro-crate-metadata.json").unlink()
+    with read_only(copy / RESULTS):
+        refused = run(copy)
+    assert refused.returncode != 0
+    (line,) = errors(refused.stdout)
+    assert_says(line, f"{RESULTS}: expected a folder to write to, found")
+
+
+# Altered files
+
+
+def flip_a_bit(path):
+    """Change a file so that neither its size nor its time tells."""
+    before, content = path.stat(), bytearray(path.read_bytes())
+    content[len(content) * 2 // 3] ^= 1
+    path.write_bytes(content)
+    os.utime(path, ns=(before.st_atime_ns, before.st_mtime_ns))
+
+
+def test_altered_files_are_never_used_and_made_again(copy, own):
+    scales, spectra = (copy / RESULTS / f"{name}.nc" for name in ("scales", "spectra"))
+    stitched = copy / STORE / "stitched/twin/study/scan-1-flat.nc"
+    flip_a_bit(scales)
+    flip_a_bit(stitched)
+    cut(spectra, 0.7)
+    (copy / RESULTS / "edges.nc").unlink()  # made from the scales
+    refused = run(copy)
+    assert refused.returncode != 0
+    said = "\n".join(errors(refused.stdout))
+    for path in (scales, spectra):
+        assert_says(said, f"{path.relative_to(copy)}: expected the file that the study wrote")
+    verified = run(copy, "verify")
+    assert verified.returncode == 1
+    for path in (scales, spectra, stitched):
+        assert f"{path.relative_to(copy)}: is not the file" in verified.stdout
+        path.unlink()
+    done = run(copy)
+    assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
+    # A scan from which nothing has to be made is not made again.
+    expected = [f"{stitched.relative_to(copy / 'results')}: missing"]
+    assert differences(copy / "results", own / "results") == expected
+
+
+# Jobs that fail
+
+
+def alter(study, script, lines):
+    """Put lines into a script, where its log has begun."""
+    path = study / f"workflow/scripts/{script}.py"
+    head, begin, rest = path.read_text().partition("(snakemake) as this:\n")
+    assert begin
+    path.write_text(f"{head}{begin}{indent(lines, '    ')}\n{rest}")
+
+
+FAILS_ONCE = """
+from pathlib import Path
+tried = Path("tried").exists()
+Path("tried").touch()
+if not tried:
+    raise RuntimeError("fails once")
+"""
+
+
+def test_a_job_that_fails_is_tried_again_and_does_not_stop_others(copy, own):
+    alter(copy, "keep_configuration", FAILS_ONCE)
+    alter(copy, "find_band_edges", 'raise RuntimeError("fails always")')
+    (copy / RESULTS / "fit.nc").unlink()
+    failed = run(copy)
+    assert failed.returncode == 1
+    edges = f"{RESULTS}/logs/find_band_edges.log"
+    assert errors(failed.stdout) == [
+        f"error: fails always (see {edges})",
+        f"error: fails once (see {RESULTS}/logs/keep_configuration.log)",
+    ]
+    assert_says(failed.stdout, "Error in rule find_band_edges:")
+    assert_says((copy / edges).read_text(), "Traceback", "RuntimeError: fails always")
+    for name in ("configuration.yaml", "fit.nc"):
+        assert (copy / RESULTS / name).is_file()
