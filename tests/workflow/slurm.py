@@ -1,11 +1,5 @@
-"""The quick study through a real SLURM on this machine: `python tests/workflow/slurm.py`.
+"""SLURM on this machine, for a test: installed if need be, with a configuration of its own."""
 
-Installs Debian's SLURM where there is none, starts it with a configuration of its own, runs the
-quick study with profiles/slurm, cancels a job that computes, and compares all that was made with
-a local run, value by value. Where it cannot run it says "skipped", why, and ends with 0.
-"""
-
-import argparse
 import contextlib
 import os
 import re
@@ -14,15 +8,10 @@ import signal
 import socket
 import subprocess
 import sys
-import tempfile
 import time
 from collections import defaultdict
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the modules of tests/
-
-from comparison import differences, paths
-from repository import QUICK, copy_repository, environment, run_snakemake
+from repository import QUICK, environment
 
 PROFILE = "profiles/slurm"
 PROGRAMS = ["munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol"]
@@ -62,7 +51,7 @@ def obstacle():
     """Why SLURM cannot run here, after an attempt to install it; empty if it can."""
     if os.geteuid() != 0:
         return "needs root"
-    if all(map(shutil.which, PROGRAMS)):
+    if all(shutil.which(program) for program in PROGRAMS):
         return ""
     if not shutil.which("apt-get"):
         return "neither SLURM nor apt-get here"
@@ -76,7 +65,8 @@ def obstacle():
         )
         if made.returncode:
             return f"apt-get {command}: {made.stderr.strip()[-200:]}"
-    return "" if all(map(shutil.which, PROGRAMS)) else "apt-get brought no whole SLURM"
+    missing = [program for program in PROGRAMS if not shutil.which(program)]
+    return f"apt-get brought no {', '.join(missing)}" if missing else ""
 
 
 def until(condition, what, seconds=120):
@@ -155,7 +145,6 @@ def slurm(folder):
                 until(lambda: not ask("squeue", "-h", "-t", "running,completing"), "jobs to end")
         for daemon in reversed(daemons):
             stop(daemon, signal.SIGTERM)
-        print(f"stopped: {', '.join(f'{daemon.args[0]} {daemon.pid}' for daemon in daemons)}")
 
 
 def stop(process, how):
@@ -180,29 +169,19 @@ def computing(study):
     return ""
 
 
-def run_study(study, log, targets):
+def run_and_cancel(study, log, targets):
     """Run targets of the quick study through SLURM and cancel one job; the number of this job."""
-    command = ["-m", "snakemake", *targets, "--workflow-profile", PROFILE]
-    command += ["--configfile", QUICK, *HERE]
+    command = [sys.executable, "-m", "snakemake", *targets, "--workflow-profile", PROFILE]
     with open(log, "w") as out:
         run = subprocess.Popen(
-            [sys.executable, *command],
-            cwd=study,
-            env=environment(study),
-            stdout=out,
-            stderr=subprocess.STDOUT,
-        )
+            [*command, "--configfile", QUICK, *HERE],
+            cwd=study, env=environment(study), stdout=out, stderr=subprocess.STDOUT,
+        )  # fmt: skip
     try:
-        started = time.monotonic()
         job = until(lambda: run.poll() is not None or computing(study), "a job to cancel", LIMIT)
-        assert run.poll() is None, "the run ended before a job could be cancelled"
+        assert run.poll() is None, f"ended before a job could be cancelled: {log.read_text()}"
         ask("scancel", job)
-        print(f"cancelled: SLURM job {job}, after {time.monotonic() - started:.0f} s")
-        assert run.wait(LIMIT) == 0, f"snakemake ended with {run.returncode}"
-        print(f"run through SLURM: {time.monotonic() - started:.0f} s")
-    except BaseException:
-        print(*log.read_text().splitlines()[-40:], sep="\n")
-        raise
+        assert run.wait(LIMIT) == 0, log.read_text()[-3000:]
     finally:
         if run.poll() is None:
             stop(run, signal.SIGINT)
@@ -224,46 +203,3 @@ def check_recovery(cancelled, log):
         submissions[one].append(number)
     again = [numbers for numbers in submissions.values() if cancelled in numbers]
     assert len(again) == 1 and len(again[0]) == 2 and again[0][0] == cancelled, submissions
-    print(f"recovered: SLURM job {cancelled} was submitted again as {again[0][1]}")
-
-
-def compare(made, reference):
-    """Expect that every file of a results folder is that of a local run; return how many."""
-    compared = paths(made)
-    lines = [line for line in differences(made, reference) if not line.endswith(": missing")]
-    assert compared and not lines, lines
-    return len(compared)
-
-
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--reference", type=Path, help="results folder of a local run")
-    parser.add_argument("targets", nargs="*", help="of the study; without any all of it")
-    arguments = parser.parse_args()
-    reference, targets = arguments.reference, arguments.targets
-    folders = [Path(sys.executable).parent, os.environ["PATH"], "/usr/sbin", "/sbin"]
-    os.environ["PATH"] = os.pathsep.join(map(str, folders))
-    if why := obstacle():
-        print(f"skipped: {why}")
-        return
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit("terminated"))
-    with tempfile.TemporaryDirectory(prefix="slurm-") as temporary:
-        temporary = Path(temporary)
-        if reference is None:
-            local = copy_repository(temporary / "local")
-            run = run_snakemake(local)
-            assert run.returncode == 0, run.stdout[-3000:]
-            reference = local / "results"
-        study, log = copy_repository(temporary / "study"), temporary / "run.log"
-        (temporary / "cluster").mkdir(mode=0o755)
-        temporary.chmod(0o755)  # munged wants others to reach its socket
-        with slurm(temporary / "cluster"):
-            cancelled = run_study(study, log, targets)
-            check_recovery(cancelled, log.read_text())
-        compared = compare(study / "results", reference)
-        assert targets or compared == len(paths(reference)), "files of the local run are missing"
-        print(f"compared: {compared} files, none differs")
-
-
-if __name__ == "__main__":
-    main()
