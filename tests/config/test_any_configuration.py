@@ -6,10 +6,11 @@ import time
 from functools import reduce
 
 import pytest
+import yaml
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from paper_numbers import SUBSTRATES
-from repository import PAPER, ROOT, ROWS, leaves
+from repository import PAPER, QUICK, ROOT, ROWS, leaves, merged
 from studies import changed
 
 from hardcontact.config import checks
@@ -116,8 +117,9 @@ def outcome(config, table=None):
     return message
 
 
-def test_the_study_of_the_paper_is_valid():
-    assert outcome(PAPER) is None
+@pytest.mark.parametrize("overlay", [{}, yaml.safe_load((ROOT / QUICK).read_text())])
+def test_the_study_of_the_paper_and_the_quick_one_are_valid(overlay):
+    assert outcome(merged(PAPER, overlay)) is None
 
 
 @bulk
@@ -261,8 +263,3 @@ def test_any_table(table_path, examples):
 def test_no_table(table_path, content):
     table_path.write_bytes(content)
     assert outcome(PAPER, table_path)
-
-
-@pytest.mark.parametrize("path", ["none.tsv", ".", "config", "/dev/zero", "/dev/null", "x" * 300])
-def test_no_file(path):
-    assert "config key surfaces" in outcome(PAPER | {"surfaces": path})

@@ -2,16 +2,12 @@
 
 import numpy as np
 import pytest
-import yaml
-from paper_numbers import SUBSTRATES
 from refusals import assert_says, refusal
-from repository import PAPER, QUICK, ROOT, merged
 from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
 from hardcontact.config.grids import Grid
 from hardcontact.config.limits import check_grids
-from hardcontact.config.model import configuration
 
 
 @pytest.mark.parametrize(
@@ -19,12 +15,9 @@ from hardcontact.config.model import configuration
     [
         (("scales.small.cutoffs", ["1.2 nm"]), ["scales.small.cutoffs", "1.221 nm", "found 1.2"]),
         (("scales.small.cutoffs", ["6 um"]), ["scales.small.cutoffs", "5000 nm", "found 6000"]),
-        (("scales.large.cutoffs", ["9 nm"]), ["scales.large.cutoffs", "9.766 nm", "found 9 nm"]),
         (("scales.large.cutoffs", ["21 um"]), ["scales.large.cutoffs", "20000 nm"]),
-        (("scales.small.cutoffs", ["9 nm", "5 nm"]), ["ascending", "found 5 nm after 9 nm"]),
         (("adhesion.ranges", ["1 nm", "0.001 um"]), ["ascending", "found 0.001 um after 1 nm"]),
         (("scales.small.transition", "9 nm"), ["scales.small.transition", "found 9 nm"]),
-        (("scales.small.pixels", 512), ["scales.small.pixels", "1024", "found 512"]),
         (("scales.large.pixels", 512), ["scales.large.pixels", "4096", "found 512"]),
         (
             ("scan.pixels", 32, "sphere.radius", "2500 nm"),
@@ -42,7 +35,6 @@ from hardcontact.config.model import configuration
         (("sphere.radius", "2 um"), ["sphere.radius", "2500 nm", "found 2000 nm"]),
         (("store", "results/paper/store"), ["store", "results/paper", "found results/paper/store"]),
         (("store", "workflow/store"), ["store", "in results or outside", "found workflow/store"]),
-        (("store", "results"), ["store", "apart from results/paper", "found results"]),
         (("effort", "quick"), ["effort", "no keys stand under quick", "config/quick.yaml"]),
         (("scan.size", "20 nm"), ["scan.size", "0.05 to 10000 nm", "found 0.0390625 nm"]),
         (("contact.window", "90 um"), ["contact.window", "16384", "found 18432"]),
@@ -57,28 +49,14 @@ from hardcontact.config.model import configuration
         ),
         (("sets.pool", 4), ["sets.pool", "the 5 scans of polished_uncd", "found 4"]),
         (("sphere.surface", "glass"), ["sphere.surface", "ruby", "found glass"]),
-        (("reference_surface", "glass"), ["reference_surface", "mcd", "found glass"]),
         (("reference_surface", "ruby"), ["reference_surface", "mcd", "found ruby"]),
         (("scans", [1, 7]), ["config key scans", "[1, 2, 3, 4, 5]", "found [7]"]),
         (("indent.surface", "glass"), ["indent.surface", "mcd", "found glass"]),
-        (("indent.surface", "ruby"), ["indent.surface", "mcd", "found ruby"]),
         (("elastic.contacts", 401), ["elastic.contacts", "400", "found 401"]),
         (("asperities.contacts", 401), ["asperities.contacts", "400", "found 401"]),
-        (("asperities.ranges", ["2 nm", "1 nm"]), ["asperities.ranges", "found 1 nm after 2 nm"]),
-        (("indent.preloads", ["1 uN", "1 N"]), ["indent.preloads", "at most 156 mN", "found 1 N"]),
         (("robustness.preloads", ["1 uN", "1 N"]), ["robustness.preloads", "found 1 N"]),
         (("robustness.hardnesses", ["0.1 MPa", "1 GPa"]), ["at least 0.0016 GPa"]),
-        (
-            ("robustness.hardnesses", ["2 GPa", "1 GPa"]),
-            ["found 1 GPa after 2 GPa"],
-        ),
-        (("robustness.tip_radii", ["17 nm", "10 nm"]), ["robustness.tip_radii", "ascending"]),
         (("robustness.heights.surface", "brass"), ["robustness.heights.surface", "found brass"]),
-        (("robustness.preloads", ["5 uN", "0.005 mN"]), ["found 0.005 mN after 5 uN"]),
-        (
-            ("indent.preloads", ["20 uN", "10 uN"]),
-            ["indent.preloads", "found 10 uN after 20 uN"],
-        ),
         (
             (
                 *("contact.preload", "20 mN", "contact.hardness", "1000 GPa"),
@@ -87,23 +65,10 @@ from hardcontact.config.model import configuration
             ["contact.preload", "at most 6.69 mN", "5000 nm", "found 20 mN"],
         ),
         (("sets.large.pixels", 4094), ["sets.large.pixels", "4096", "found 4094"]),
-        (("sets.small.cutoffs", ["2 nm"]), ["sets.small.cutoffs", "2.441 nm"]),
         (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
-        (
-            ("insight.scaling.large.pixels", 4094),
-            ["insight.scaling.large.pixels", "4096", "found 4094"],
-        ),
         (
             ("insight.scaling.small.cutoffs", ["2 nm"]),
             ["insight.scaling.small.cutoffs", "4.883 nm", "found 2 nm"],
-        ),
-        (
-            ("insight.scaling.preloads", ["80 uN", "10 uN"]),
-            ["insight.scaling.preloads", "found 10 uN after 80 uN"],
-        ),
-        (
-            ("insight.scaling.preloads", ["10 uN", "1 N"]),
-            ["insight.scaling.preloads", "a quarter of", "at most 156 mN", "found 1 N"],
         ),
         (
             ("insight.scaling.preloads", ["10 uN", "50 mN"], "insight.count", 200),
@@ -146,41 +111,12 @@ def test_limits_of_other_keys_may_be_reached(tmp_path, at_root):
     check(insight, tmp_path)
 
 
-def test_limits_of_insight_are_told_one_line_a_surface(tmp_path, at_root):
-    changes = [("insight.ranges", ["0.04 nm", "1 nm"]), ("insight.scaling.ranges", ["0.9 nm"])]
-    for key, values in changes:
-        lines = refusal(check, numbers(key, values), tmp_path).splitlines()
-        assert len(lines) == len(SUBSTRATES)
-        for surface, line in zip(SUBSTRATES, lines, strict=True):
-            start = f"config key {key}: expected at least"
-            assert line.startswith(start) and f" on {surface}, " in line
-
-
 def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(at_root):
     grids = {"glass": Grid(512, 4.883, 2500.0, 500.0)}
     for key, value in (("insight.ranges", "0.04 nm"), ("insight.scaling.preloads", "1 N")):
         config = numbers(key, [value])
         assert_says(refusal(check_grids, config, grids), f"config key {key}: expected")
         check_grids(config | {"published": "none"}, grids)
-
-
-def test_the_study_of_the_paper_and_the_quick_one_pass(tmp_path, at_root):
-    quick = yaml.safe_load((ROOT / QUICK).read_text())
-    for overlay in ({}, quick):
-        config = configuration(merged(PAPER, overlay))
-        check(config, tmp_path)
-
-
-def in_other_order(tree):
-    if not isinstance(tree, dict):
-        return tree
-    return {key: in_other_order(tree[key]) for key in reversed(tree)}
-
-
-def test_keys_may_come_in_any_order(tmp_path, at_root):
-    config = configuration(in_other_order(PAPER))
-    assert config == numbers()
-    check(config, tmp_path)
 
 
 # Measured scans

@@ -13,35 +13,24 @@ from hardcontact.config import configuration
     ("key", "value", "parts"),
     [
         ("studdy", "a", ["found studdy (did you mean study?)"]),
-        ("forcs", "a.csv", ["found forcs (did you mean forces?)"]),
         ("effort", "quik", ["config key effort: expected full or quick, found 'quik'"]),
         ("sphere.radius", 250, ["a length with a unit, such as 5.6 nm or 250 um, found 250"]),
         ("scan.pixel", 5, ["config key scan:", "pixels", "found pixel"]),
-        ("sphere.radius", "250 N", ["config key sphere.radius:", "nm", "'250 N'"]),
         ("contact.hardness", "25 GPa m", ["config key contact.hardness:", "Pa", "'25 GPa m'"]),
-        ("contact.hardness", "25 foo", ["config key contact.hardness:", "'25 foo'"]),
         ("sphere.radius", "-250 um", ["config key sphere.radius:", "10 to 1e+09 nm", "-250 um"]),
-        ("sphere.radius", "0 um", ["config key sphere.radius:", "10 to 1e+09 nm", "0 um"]),
         (
             "contact.preload",
             1.0e-5,
             ["config key contact.preload:", "a force with a unit, such as 10 uN,", "1e-05"],
         ),
-        ("contact.preload", "10", ["config key contact.preload:", "unit", "'10'"]),
-        ("contact.preload", "ten uN", ["config key contact.preload:", "'ten uN'"]),
         ("contact.preload", "nan uN", ["config key contact.preload:", "'nan uN'"]),
-        ("contact.preload", "inf uN", ["config key contact.preload:", "'inf uN'"]),
         ("contact.preload", "9**9**9 uN", ["config key contact.preload:", "'9**9**9 uN'"]),
         ("contact.count", 0, ["config key contact.count:", "at least 1", "found 0"]),
-        ("contact.count", "20", ["config key contact.count:", "a whole number", "found '20'"]),
         ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
         ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
         ("contact.count", True, ["contact.count:", "a whole number", "found True"]),
-        ("contact.count", 201, ["config key contact.count:", "at most 200", "found 201"]),
-        ("scan.pixels", 10**9, ["config key scan.pixels:", "at most 8192", "found 1000000000"]),
         ("scales.small.pixels", 8191, ["scales.small.pixels:", "a multiple of 2", "found 8191"]),
         ("scales.small.cutoffs", ["1e300 nm"], ["cutoffs.0:", "0.01 to 1e+09 nm", "'1e300 nm'"]),
-        ("store", "results/{scan}", ["config key store:", "letters", "'results/{scan}'"]),
         ("store", "results/../a", ["config key store:", "letters", "'results/../a'"]),
         ("study", "a\n", ["config key study:", "letters", "'a\\n'"]),
         ("inference.confidence", float("nan"), ["inference.confidence:", "a number", "nan"]),
@@ -53,23 +42,9 @@ from hardcontact.config import configuration
             ["config key scales.small.cutoffs.0:", "a length with a unit", "5"],
         ),
         ("scales.small.cutoffs", [], ["config key scales.small.cutoffs:", "at least 1 entries"]),
-        ("scan.undefined_pixels", "fill", ["scan.undefined_pixels:", "harmonic", "'fill'"]),
         ("scans", "some", ["config key scans:", "expected all", "a list", "'some'"]),
-        ("study", "../a", ["config key study:", "letters", "'../a'"]),
         ("inference.confidence", 95, ["inference.confidence:", "at most 0.999", "found 95"]),
         ("sphere", "ruby", ["config key sphere:", "a mapping", "found 'ruby'"]),
-        ("adhesion.ranges", [], ["at least 1 entries", "found []"]),
-        ("elastic.sphere.modulus", "4 GPa", ["5e+10 to 1e+13 Pa", "4 GPa"]),
-        ("elastic.sphere.modulus", "365 N", ["config key elastic.sphere.modulus:", "Pa"]),
-        ("elastic.sphere.poisson_ratio", 0.7, ["poisson_ratio:", "at most 0.5", "found 0.7"]),
-        ("elastic.contacts", 0, ["config key elastic.contacts:", "at least 1", "found 0"]),
-        ("indent.preloads", [], ["config key indent.preloads:", "at least 1 entries"]),
-        ("robustness.preloads", ["5 nm"], ["config key robustness.preloads.0:", "N", "'5 nm'"]),
-        (
-            "robustness.heights.skewness",
-            [2],
-            ["robustness.heights.skewness.0:", "at most 1", "found 2"],
-        ),
         (
             "robustness.heights.skewness",
             [0, 0.0],
@@ -79,6 +54,12 @@ from hardcontact.config import configuration
 )
 def test_key_refused(key, value, parts):
     assert_says(refusal(numbers, key, value), "config key", "expected", *parts)
+
+
+def test_quantities_become_numbers():
+    config = numbers("sphere.radius", "0.25 mm", "robustness.hardnesses", ["16 GPa", "0.047 TPa"])
+    assert config["sphere"]["radius"] == 250e3
+    assert config["robustness"]["hardnesses"] == [16e9, 47e9]
 
 
 def test_no_key_is_guessed_that_is_not_near():
@@ -113,15 +94,6 @@ def test_a_key_given_once(tmp_path, text):
     path = tmp_path / "a.yaml"
     path.write_text(text)
     configuration.refuse_repeated_keys(path)
-
-
-def test_quantities_become_numbers():
-    config = numbers("sphere.radius", "0.25 mm", "contact.preload", "1.0e-5 N")
-    assert config["sphere"]["radius"] == 250e3
-    assert config["contact"]["preload"] == 1e-5
-    assert config["scales"]["small"]["cutoffs"][0] == 5.0
-    assert config["elastic"]["sphere"] == {"modulus": 365e9, "poisson_ratio": 0.29}
-    assert config["robustness"]["hardnesses"] == [16e9, 47e9]
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,11 @@
 import numpy as np
 import pandas as pd
 import pytest
+from refusals import assert_says, refusal
 from repository import ROOT
 
 from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
+from hardcontact.config.grids import master_megabytes, refuse_beyond_memory
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
@@ -49,3 +51,18 @@ def test_rms_height_is_that_of_the_waves_of_the_domain(tmp_path):
 def test_a_substitute_of_the_paper_keeps_its_bound():
     grid = surface_grid(CONFIG, "mcd", rows(ROOT / "resources/spectra/mcd.csv"))
     assert grid.relief == SUBSTITUTE_RELIEF
+
+
+# Memory of masters: the default's as before, the largest within a machine of 24 GB
+
+
+def test_memory_grows_with_pixels_and_the_largest_master_fits_into_20_gb():
+    assert 4000 < master_megabytes(16384, 3000) < 6000
+    assert 15000 < master_megabytes(32768, 3000) < 20000
+
+
+def test_a_master_beyond_the_memory_is_refused():
+    refuse_beyond_memory("scales.small.pixels", 32768, 24000)
+    refuse_beyond_memory("scales.small.pixels", 16384, 100)  # accepted everywhere, as before
+    message = refusal(refuse_beyond_memory, "scales.small.pixels", 32768, 8000)
+    assert_says(message, "scales.small.pixels", "16384", "8 GB", "32768")
