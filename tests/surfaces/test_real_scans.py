@@ -110,7 +110,7 @@ def test_a_measured_surface_keeps_its_scans_in_every_variant(tmp_path):
     outputs = re.findall(r"^    output: (.*)$", run.stdout, re.M)
     assert any("/mcd/laplacian/" in output for output in outputs)
     own = [output for output in outputs if "/uncd/" in output]
-    assert any(re.search("/robustness/.*/uncd/study/forces.nc", o) for o in own)
+    assert any(re.search("/mean_forces/.*/uncd/study/", o) for o in own)
     # What the file holds is no variant's.
     others = [output for output in own if "/uncd/study/" not in output]
     assert [output for output in others if "/measurements/uncd/" not in output] == []
