@@ -109,7 +109,7 @@ def test_fits_and_pooled_edges_are_among_the_numbers():
 def test_cautions_are_codes_with_their_numbers():
     of_surface = quantities("contradiction")
     codes = {row["status"] for name, row in of_surface.items() if name.startswith("caution")}
-    assert {"contradiction", "spectrum_end_small"} <= codes
+    assert {"contradiction", "tail"} <= codes
     assert of_surface["contradiction_factor"]["value"] == pytest.approx(100, rel=0.2)
     assert quantities("no band")["answered"]["status"] == "no"
 

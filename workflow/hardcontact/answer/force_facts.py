@@ -85,8 +85,8 @@ def force_rows(of: Datasets) -> list[Row]:
     about = {"model": model_of(force), "bounded": bool(bounded)} | _origin_of_force(of)
     return [
         Row(with_reason(mean, force["interval_source"]), about),
-        Row(Number("force_median", median, "N"), {}),
         *continued,
+        Row(Number("force_median", median, "N"), {}),
         Row(between("force_middle", least, most, "N"), {"share": share}),
         Row(Number("smooth_sphere", float(smooth), "N"), {}),
         Row(number_of(force, "spread", "1", name="force_scatter"), _scatter(force)),

@@ -6,9 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from hardcontact.answer.artificial import LENGTHS, measurements, single
+from hardcontact.answer.cautions import Caution, cautions
 from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.force_facts import Row, fit_facts, of_answer
-from hardcontact.answer.limits import Limit, limits
 from hardcontact.answer.quantities import Quantity, number_of, numbers_within, quantity
 from hardcontact.answer.surface_facts import (
     answer_rows,
@@ -36,7 +36,7 @@ class OwnSurface(NamedTuple):
     label: str
     of: Datasets
     rows: list[Row]
-    limits: list[Limit]
+    cautions: list[Caution]
     next: list[Mapping[str, Any]]
 
     @property
@@ -94,7 +94,7 @@ def own_answer(given: Datasets, setting: Setting) -> OwnAnswer:
     for name, label in given.labels().items():
         of = given.of_surface(name)
         rows = answer_rows(of, pairs)
-        surfaces[name] = OwnSurface(label, of, rows, limits(of), next_measurements(of))
+        surfaces[name] = OwnSurface(label, of, rows, cautions(of), next_measurements(of))
     return OwnAnswer(given, setting, surfaces)
 
 
@@ -135,9 +135,9 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
         name = f"{row.fact.name}_{variant}".rstrip("_")
         yield row.fact._replace(name=name)
         yield from numbers_within(name, row.about)
-    for place, limit in enumerate(surface.limits, start=1):
-        yield Number(f"caution_{place}", np.nan, status=_code(limit))
-        yield from numbers_within(_code(limit), limit)
+    for place, caution in enumerate(surface.cautions, start=1):
+        yield Number(f"caution_{place}", np.nan, status=caution["code"])
+        yield from numbers_within(caution["code"], caution)
     for measurement in surface.next:
         yield from numbers_within(f"{measurement['edge']}_{measurement['code']}", measurement)
     for name in ("scan_size", "pixel_size"):
@@ -148,7 +148,3 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
     yield from numbers_within("all_scales", all_scales)
     for place, lengths in enumerate(surface.scan_lengths, start=1):
         yield from numbers_within(f"measurement_{place}", lengths)
-
-
-def _code(limit: Mapping[str, Any]) -> str:
-    return "_".join(filter(None, (limit["code"], limit.get("side"))))

@@ -8,7 +8,6 @@ import xarray as xr
 from hardcontact.answer import own_figures as figures
 from hardcontact.answer.artificial import measurement_name, measurements, single
 from hardcontact.answer.force_facts import of_answer
-from hardcontact.answer.limits import grave_limits
 from hardcontact.answer.own_answer import OwnAnswer, OwnSurface
 from hardcontact.answer.surface_facts import (
     contact_inputs,
@@ -60,7 +59,6 @@ def _shown(name: str, surface: OwnSurface) -> dict[str, Any]:
         "id": name,
         "basis": surface.basis,
         "verdict": verdict(surface.rows),
-        "grave": grave_limits(of),
         "scans": scan_inputs(of.spectra),
         "heights": [float(heights.min()), float(heights.max())],
         "size": float(of.topography["scan_size"]),

@@ -159,11 +159,12 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     of the one force from that of a smooth sphere come from wavelengths at which a scan is reliable,
     "no" if none does or there is no band, else "partly". `band` is "none" if nothing that they
     resolve changes the force, "overlapping" if the short edge is the longer one, else "found".
-    `edges` are the short and the long one, `forces` the least and the greatest, the same where the
-    scans say all.
+    `edges` are the short and the long one, `forces` that on the scans, then those with extrapolated
+    roughness where it matters.
     """
     facts = [bare(row.fact) for row in rows]
-    forces = _by_value([one for one in facts if one.name in ("force_mean", "force_continued")])
+    forces = [one for one in facts if one.name == "force_mean"]
+    forces += [one for one in facts if one.name == "force_continued"]
     edges = [one for one in facts if one.name in EDGES.values()]
     short, long = edges
     origins = {row.about["origin"] for row in rows if "origin" in row.about}
@@ -175,7 +176,7 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
         band = "none"
     if band == "none" or origins == {"artificial"}:
         answer = "no"
-    return {"answer": answer, "band": band, "edges": edges, "forces": [forces[0], forces[-1]]}
+    return {"answer": answer, "band": band, "edges": edges, "forces": forces}
 
 
 class Span(NamedTuple):

@@ -1,24 +1,17 @@
-"""What limits an answer: each limit is named where it holds, and only there."""
+"""What makes an answer less sure: each caution stands where it holds, and only there."""
 
 import numpy as np
 import pytest
 from answer_inputs import (
-    MEASUREMENTS,
     SURFACES,
-    continued,
     datasets,
-    edges,
     force,
-    open_edges,
     spectra,
-    topography,
-    unresolved_edges,
-    with_edge,
 )  # fmt: skip
 
 from hardcontact.adhesion.finite_scan import LEAST_TRIED
 from hardcontact.answer.artificial import measurement_name
-from hardcontact.answer.limits import grave_limits, limits
+from hardcontact.answer.cautions import cautions
 
 
 def of_first(**others):
@@ -26,30 +19,12 @@ def of_first(**others):
 
 
 def named(code, **others):
-    """The limits of a code."""
-    return [one for one in limits(of_first(**others)) if one["code"] == code]
+    """The cautions of a code."""
+    return [one for one in cautions(of_first(**others)) if one["code"] == code]
 
 
 def grave(**others):
-    return [one["code"] for one in grave_limits(of_first(**others))]
-
-
-def test_substitutes_are_named():
-    assert named("substitute", topography=topography(1, "substitute")) and not named("substitute")
-
-
-@pytest.mark.parametrize(("low", "high", "end"), [(np.nan, 50, "low"), (30, np.nan, "high")])
-def test_open_ends_of_intervals_are_named(low, high, end):
-    (found,) = named("open_interval", edges=with_edge(37.0, low, high))
-    assert (found["side"], found["end"]) == ("small", end)
-
-
-def test_edges_where_nothing_matters_are_no_bounds():
-    assert named("nothing_resolved", edges=unresolved_edges()) and not named("nothing_resolved")
-
-
-def test_an_edge_without_any_interval_has_no_open_ends():
-    assert not named("open_interval", edges=with_edge(37.0, np.nan, np.nan))
+    return [one["code"] for one in cautions(of_first(**others)) if one["grave"]]
 
 
 def test_finite_scans_have_their_numbers():
@@ -57,7 +32,7 @@ def test_finite_scans_have_their_numbers():
         finite_scan_ratio=(("surface", "bound"), [[2.0, 4.0]]), draw_size=("surface", [2560.0])
     )
     (found,) = named("small_scan", force=small)
-    assert found["share"].value == 0.25 and found["tried"] is None
+    assert found["share"].value == 0.25 and np.isnan(found["tried"].value)
     assert (found["ratio"].low, found["ratio"].high) == (2.0, 4.0)
     tiny = small.assign(draw_size=("surface", [64e3]))
     assert named("small_scan", force=tiny)[0]["tried"].value == LEAST_TRIED
@@ -66,18 +41,11 @@ def test_finite_scans_have_their_numbers():
 
 def test_a_window_that_cuts_forces_off_is_named():
     (here,) = named("window", force=force().assign(window_share=("rho", [1, 1, 0.36, 0.2, 0.1])))
-    assert here["from"] is None and here["share"].value == 0.36 and here["at"].value == 5.6
+    assert np.isnan(here["from"].value) and here["share"].value == 0.36 and here["at"].value == 5.6
     long = force().assign(window_share=("rho", [1, 1, 0.995, 0.95, 0.9]))
     (beyond,) = named("window", force=long)
     assert (beyond["from"].value, beyond["at"].value, beyond["share"].value) == (10.0, 14.0, 0.9)
     assert beyond["window"].value == 12.5e3 and not named("window")
-
-
-def test_forces_that_continued_roughness_changes_are_named():
-    small, large = named("continued", force=continued(force(), small=0.45, large=1.25))
-    assert small["force"].value == pytest.approx(288e-9) and small["end"].value == 5.0
-    assert (large["side"], large["start"].value) == ("large", 1000.0)
-    assert not named("continued")
 
 
 @pytest.mark.parametrize(
@@ -88,15 +56,6 @@ def test_pixels_larger_than_the_contact_are_named(area, code):
     found = [*named("one_pixel", force=data), *named("few_pixels", force=data)]
     assert [one["code"] for one in found] == ([code] if code else [])
     assert all(one["pixels"].value == area / 100 for one in found)
-
-
-def test_edges_between_cutoffs_far_apart_are_named():
-    data = edges()
-    kept = data.isel(cutoff_wavelength=~data["cutoff_wavelength"].isin([10, 40]).values)
-    (found,) = named("sparse_cutoffs", edges=kept)
-    assert found["side"] == "small"
-    assert (found["between"].low, found["between"].high) == (20.0, 80.0)
-    assert not named("sparse_cutoffs") and not named("sparse_cutoffs", edges=open_edges())
 
 
 def test_measurements_that_contradict_each_other_are_named():
@@ -126,8 +85,6 @@ def test_contacts_on_scans_that_are_reliable_nowhere_are_named():
     blind["reliable"].loc[{"measurement": 1}] = 0  # of the first, whose pixels contacts have
     assert "blind_scans" in grave(spectra=blind) and named("blind_scans", spectra=blind)
     assert not named("blind_scans")
-    (found,) = named("blind_measurements", spectra=blind)
-    assert found["measurements"] == ["scans/fine.spm"]
 
 
 def test_intervals_of_few_scans_are_conditional():
@@ -137,24 +94,16 @@ def test_intervals_of_few_scans_are_conditional():
     assert found["correlation"].value == 0.2 and found["scans"] == 3
 
 
-def test_ends_of_the_reliable_wavelengths_have_their_reason():
-    short, long = named("spectrum_end")
-    assert (short["at"].value, short["limited_by"]) == (55.0, "tip")
-    assert (long["at"].value, long["measurement"]) == (25e3, "scans/line.txt")
-    cut = spectra()
-    cut["spectrum"][:, np.flatnonzero(cut["spectrum"].values[0])[-1]] *= 0.01  # as where tails end
-    (tail,) = named("tail", spectra=cut)
-    assert tail["hurst"].value == pytest.approx(0.8) and tail["ends_at"].value < 0.33
-
-
-def test_unknown_tips_are_named():
-    (found,) = named("unknown_tips")
-    assert found["measurements"] == ["scans/coarse.spm", "scans/line.txt"]
-    sharp = {"fine.spm": MEASUREMENTS["fine.spm"]}
-    assert not named("unknown_tips", spectra=spectra(measured=sharp))
-
-
 def test_measurements_of_containers_have_both_names():
     data = spectra().sel(surface=SURFACES[0]).isel(measurement=0)
     assert measurement_name(data) == "scans/fine.spm"
     assert measurement_name(data.assign(dataset=((), "map-1"))) == "scans/fine.spm: map-1"
+
+
+def test_roughness_beyond_the_scans_is_named():
+    cut = spectra()
+    cut["spectrum"][:, np.flatnonzero(cut["spectrum"].values[0])[-1]] *= 0.01  # as where tails end
+    (tail,) = named("tail", spectra=cut)
+    assert tail["hurst"].value == pytest.approx(0.8) and tail["ends_at"].value < 0.33
+    (long,) = named("long_waves")
+    assert (long["above"].value, long["rolloff"].value) == (25e3, 37.5e3)
