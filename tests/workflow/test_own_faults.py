@@ -25,7 +25,7 @@ pytestmark = pytest.mark.study
 
 RESULTS, STORE = "results/several-quick", "results/store-several-quick"
 #: Seconds after which what a test waits for has failed.
-PATIENCE = 300
+PATIENCE = 600
 
 
 def run(study, *arguments):
