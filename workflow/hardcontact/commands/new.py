@@ -132,7 +132,10 @@ def _plan(
     Raises ValueError if the study would refuse these scans at either effort.
     """
     probe = Contact(
-        **{name: quantities[name].number for name in ("radius", "preload", "hardness", "range")}
+        radius=quantities["radius"].number,
+        preload=quantities["preload"].number,
+        hardness=quantities["hardness"].number,
+        range=quantities["range"].number,
     )
     sphere = SPHERE if arguments.sphere else None
     proposal = propose(entries, sphere, probe, quantities["range"].given)

@@ -164,11 +164,11 @@ def _fit(
     work_of_adhesion = target[:, None] / force
     best_range, best_work, best_error, exact_pairs = np.nan, np.nan, np.nan, 0
     if count > 1:
-        place, best_work, best_error = fit(force, target)
-        best_range = fine[place]
+        place, work, error = fit(force, target)
+        best_range, best_work, best_error = float(fine[place]), float(work), float(error)
     if count == 2:
         above = np.diff(np.log(work_of_adhesion), axis=0)[0] > 0
-        exact_pairs = np.count_nonzero(np.diff(above))
+        exact_pairs = int(np.count_nonzero(np.diff(above)))
     if exact_pairs:
         best_error = np.nan  # of the grid of ranges alone
     variables = with_interval(
@@ -176,10 +176,10 @@ def _fit(
         confidence,
     ) | {
         "region": (("rho", "bound"), region, ENERGY),
-        "best_range": ((), float(best_range), NM),
-        "best_work": ((), float(best_work), ENERGY),
-        "best_error": ((), float(best_error), ONE),
-        "exact_pairs": ((), int(exact_pairs), ONE),
+        "best_range": ((), best_range, NM),
+        "best_work": ((), best_work, ENERGY),
+        "best_error": ((), best_error, ONE),
+        "exact_pairs": ((), exact_pairs, ONE),
     }  # fmt: skip
     return xr.Dataset(variables, {"rho": ("rho", fine, NM)}).assign(_extent(region, fine))
 

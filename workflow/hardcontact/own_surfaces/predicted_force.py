@@ -72,7 +72,7 @@ def own_force(
         adhesion,
         work=contact.work,
         rho=contact.rho,
-        sizes=topography["scan_size"].to_series().to_dict(),
+        sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
         confidence=confidence,
     )
     continued = continued_force(scales, masters, contact.work, confidence)
