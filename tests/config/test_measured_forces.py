@@ -36,13 +36,6 @@ def test_single_tests_are_read_in_their_units(table):
     assert forces["count"].tolist() == [1, 1, 1]
 
 
-def test_summaries_are_read_whatever_the_order_of_columns(table):
-    forces = measured_forces(
-        table("unit,count,surface,median,mean", "µN,40,coating,0.31,0.4"), SURFACES
-    )
-    assert forces.iloc[0].tolist() == ["coating", 4e-7, 3.1e-7, 40]
-
-
 def test_a_spreadsheet_s_mark_and_line_ends_do_not_matter(tmp_path):
     path = tmp_path / "my.csv"
     path.write_bytes('\ufeffsurface,value,unit\r\n"bare", 1 ,nN\r\n'.encode())
@@ -50,7 +43,7 @@ def test_a_spreadsheet_s_mark_and_line_ends_do_not_matter(tmp_path):
 
 
 def test_semicolons_may_stand_between_decimal_commas(table):
-    commas = table("surface;mean;median;count;unit", "bare;11,749;1,0591e1;40;uN")
+    commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
     assert measured_forces(commas, SURFACES).iloc[0].tolist() == ["bare", 1.1749e-5, 1.0591e-5, 40]
     points = table("surface;value;unit", "bare;11.5;uN")
     assert measured_forces(points, SURFACES)["mean"].tolist() == [1.15e-5]

@@ -119,7 +119,7 @@ def _lines(model: type[BaseModel], error: ValidationError, where: str) -> list[s
         else:
             faults.setdefault(_key(place), _sentence(fault))
     for place, names in unknown.items():
-        faults[_key(place)] = _unknown(list(_section(model, place).model_fields), names)
+        faults[_key(place)] = _unknown(list(section(model, place).model_fields), names)
     return [f"{where}{key}: {faults[key]}" for key in sorted(faults)[:MAX_FAULTS]]
 
 
@@ -127,11 +127,11 @@ def _key(place: tuple[int | str, ...]) -> str:
     return ".".join(map(plain, place)) or "(top level)"
 
 
-def _section(model: type[BaseModel], place: tuple[int | str, ...]) -> type[BaseModel]:
-    """Return the model of a section of keys."""
+def section(model: type[BaseModel], place: Iterable[int | str]) -> type[BaseModel]:
+    """Return the model of a section of keys, by the names that lead to it."""
     for name in place:
-        section: Any = model.model_fields[str(name)].annotation
-        model = section
+        part: Any = model.model_fields[str(name)].annotation
+        model = part
     return model
 
 

@@ -25,6 +25,7 @@ from hardcontact.config.grids import (
     refuse_beyond_memory,
 )
 from hardcontact.config.model import PAPER
+from hardcontact.config.variants import study_contact
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import window_pixels
 from hardcontact.contact.smooth_sphere import effective_modulus
@@ -131,7 +132,7 @@ def _of_elastic_pair(
         print_quantity(contact["preload"], "N"),
     )
     if surface == config["indent"]["surface"]:
-        largest = replace(_contact(config), preload=max(config["indent"]["preloads"]))
+        largest = replace(study_contact(config), preload=max(config["indent"]["preloads"]))
         pixels = largest.pixels(pixel_size)
         within = f"2 to {INDENT_PIXELS} contact pixels of {pixel_size:.4g} nm at the largest"
         yield Limit(2 <= pixels <= INDENT_PIXELS, "indent.preloads", within, pixels)
@@ -247,21 +248,17 @@ def _loads(config: dict[str, Any], section: str) -> Iterator[tuple[str, Contact]
     Those of the study come first, unless all are the section's own; of several it is the largest.
     Robustness is computed at the size of the sets, at loads of its own.
     """
-    contact = _contact(config)
-    preloads: dict[str, list[float]] = {"contact.preload": [contact.preload]}
+    contact = study_contact(config)
     if section == "insight.scaling":
-        preloads = {"insight.scaling.preloads": [max(at(config, section)["preloads"])]}
-    elif section == "contact" and config["published"] == PAPER:
-        preloads["indent.preloads"] = [max(config["indent"]["preloads"])]
-    elif section == "sets":
-        preloads["robustness.preloads"] = config["robustness"]["preloads"]
-    for key, values in preloads.items():
-        for value in values:
-            yield key, replace(contact, preload=value)
-    for value in config["robustness"]["hardnesses"] if section == "sets" else ():
+        largest = max(at(config, section)["preloads"])
+        yield f"{section}.preloads", replace(contact, preload=largest)
+        return
+    yield "contact.preload", contact
+    if section == "contact" and config["published"] == PAPER:
+        yield "indent.preloads", replace(contact, preload=max(config["indent"]["preloads"]))
+    if section != "sets":
+        return
+    for value in config["robustness"]["preloads"]:
+        yield "robustness.preloads", replace(contact, preload=value)
+    for value in config["robustness"]["hardnesses"]:
         yield "robustness.hardnesses", replace(contact, hardness=value)
-
-
-def _contact(config: dict[str, Any]) -> Contact:
-    """Return the contact of the study."""
-    return Contact(radius=config["sphere"]["radius"], **config["contact"])

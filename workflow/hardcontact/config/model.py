@@ -25,7 +25,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.config.faults import Limit, refuse_lines, shortened, unmet, validated
+from hardcontact.config.faults import Limit, refuse_lines, section, shortened, unmet, validated
 from hardcontact.numbers.units import magnitude
 
 #: Value of the key `published` in a study that is compared with the paper.
@@ -612,20 +612,11 @@ class Study(Keys):
             yield Limit(not rough, "scales.sphere_roughness", expected, "true")
 
 
-def section(name: str) -> type[Keys]:
-    """Return the model of a section of keys, by its name with dots between its parts."""
-    model: Any = Study
-    for part in filter(None, name.split(".")):
-        model = model.model_fields[part].annotation
-    return model  # type: ignore[no-any-return]
-
-
 def quantity(key: str) -> Quantity:
     """Return the unit and the bounds of a key that is a quantity."""
-    above, _, name = key.rpartition(".")
-    return next(
-        part for part in section(above).model_fields[name].metadata if isinstance(part, Quantity)
-    )
+    *above, name = key.split(".")
+    field = section(Study, above).model_fields[name]
+    return next(part for part in field.metadata if isinstance(part, Quantity))
 
 
 def configuration(config: object, where: str = "") -> dict[str, Any]:
