@@ -25,8 +25,7 @@ SIZE = PIXELS * PIXEL_SIZE
 
 #: Scatter of forces over places, and the place of a surface among the regimes.
 SCATTER = {
-    "modulus": 0.5, "spread": 0.4, "contacts_needed": 80.0, "over_range": 5.6,
-    "approach_level": 2.8, "contact_over_rolloff": 0.02,
+    "modulus": 0.5, "spread": 0.4, "contacts_needed": 80.0,
 }  # fmt: skip
 
 

@@ -27,8 +27,7 @@ from repository import ROOT
 from snakemake.iocontainers import Namedlist
 
 from hardcontact.answer.own_answer import own_answer, own_head, own_quantities
-from hardcontact.answer.quantities import answer_json, quantity
-from hardcontact.numbers.number import Number
+from hardcontact.answer.quantities import answer_json
 from hardcontact.records import dataset
 from hardcontact.records.origin import canonical
 
@@ -68,12 +67,6 @@ def test_numbers_are_as_the_schema_describes(case):
     Draft202012Validator(SCHEMA).validate(content(case))
 
 
-def test_two_quantities_of_one_name_are_refused():
-    twice = [quantity(Number("force", 1.0)), quantity(Number("force", 2.0))]
-    with pytest.raises(ValueError, match="expected quantities with different names"):
-        answer_json({}, twice)
-
-
 def test_numbers_are_those_of_the_datasets():
     of_study, of_surface = quantities("one", ""), quantities("one")
     assert (of_study["range_of_adhesion"]["value"], of_study["work_of_adhesion"]["value"]) == (
@@ -96,14 +89,6 @@ def test_numbers_are_those_of_the_datasets():
 def test_open_edges_are_bounds():
     edge = quantities("open, one force")["long_edge"]
     assert (edge["value"], edge["status"], edge["high"]) == (2560.0, "open_above", None)
-
-
-def test_fits_and_pooled_edges_are_among_the_numbers():
-    of_study = quantities("two substitutes, forces", "")
-    assert of_study["fit_best_work"]["value"] == WORK
-    assert of_study["pooled_long_edge"]["value"] == 1500.0
-    of_twin = quantities("two substitutes, forces", "twin")
-    assert of_twin["measured_force_tests"]["value"] == 40
 
 
 def test_cautions_are_codes_with_their_numbers():

@@ -10,7 +10,6 @@ from answer_inputs import (
     CUTOFFS,
     LABELS,
     RHOS,
-    SCANS,
     SURFACES,
     datasets,
     edges,
@@ -20,7 +19,6 @@ from answer_inputs import (
     setting,
     spectra,
     topography,
-    unresolved_edges,
     without_interval,
 )  # fmt: skip
 from browser import WIDTHS, needs_browser, shown, used
@@ -28,8 +26,7 @@ from html_page import Page
 from matplotlib.text import Text
 
 from hardcontact.answer import own_figures as figures
-from hardcontact.answer.own_answer import own_answer
-from hardcontact.answer.own_page import own_page
+from hardcontact.answer.own_answer import own_answer, own_page
 
 FORCES = "two substitutes, forces"
 LONG = "scans/" + "a-very-long-name-of-a-scan-" * 5 + "1.spm"
@@ -93,15 +90,6 @@ def test_what_is_not_folded_is_short():
     assert len(verdict.replace("\u00a0", " ").split()) <= 25
 
 
-def test_every_surface_has_its_rows_and_figures():
-    rows = [[cell.strip() for cell in row] for row in page(FORCES).rows]
-    for name, label in zip(SURFACES, LABELS, strict=True):
-        assert sum(row[0] == f"{label} (substitute)" for row in rows) >= 8 + SCANS
-        assert {f"cutoffs-{name}", f"map-{name}", f"spectrum-{name}"} <= set(
-            page(FORCES).values("id")
-        )
-
-
 def test_names_of_the_user_are_escaped():
     hostile = "</script><b>x</b>\"'"
     given = datasets()
@@ -111,19 +99,6 @@ def test_names_of_the_user_are_escaped():
     given = given._replace(spectra=given.spectra.assign(path=paths))
     made = own_page(own_answer(given, setting([(hostile, "x & <b>y</b>")])))
     assert "<b>" not in made and Page(made).texts["h1"]
-
-
-def test_missing_scans_have_no_row():
-    data = topography()
-    data["rms_height"].loc[{"scan": SCANS}] = np.nan
-    without = Page(own_page(own_answer(datasets(topography=data), setting())))
-    assert len(page("one").rows) - len(without.rows) == 1
-
-
-def test_a_verdict_without_a_band_has_no_edges():
-    made = own_page(own_answer(datasets(edges=unresolved_edges()), setting()))
-    answer = re.search(r'<div class="answer">(.*?)</div>', made, re.DOTALL)[1]
-    assert "Nothing" in answer and "at least" not in answer and len(words(answer)) <= 25
 
 
 @pytest.mark.parametrize("exact", [0, 1, 2])

@@ -15,13 +15,11 @@ from repository import PAPER, ROOT
 
 from hardcontact.answer.paper_answer import (
     ANSWERS,
-    MAIN_FINDINGS,
     paper_head,
     paper_quantities,
 )
 from hardcontact.answer.quantities import answer_json
 from hardcontact.answer.table1 import decimals_of, table1_rows
-from hardcontact.claims.verdicts import summary
 from hardcontact.numbers.number import Number
 
 SCHEMA = json.loads((ROOT / "workflow/schemas/answer.schema.json").read_text("utf-8"))
@@ -63,29 +61,6 @@ def test_the_list_is_as_its_schema_says_and_holds_the_numbers_of_the_claims():
     for surface in SUBSTRATES:
         edge = rows[surface, "short_edge"]
         assert edge["value"] == table["computed"][f"edge_small_{surface}"]
-
-
-def test_counts_are_those_of_the_summary():
-    numbers = answer().numbers
-    for row in summary(claims()).itertuples():
-        name = "verdicts_" + row.verdict.replace(" ", "_")
-        assert (numbers[name].value, numbers[f"{name}_independent"].value) == (
-            row.claims, row.independent,
-        )  # fmt: skip
-
-
-def test_settings_are_those_of_the_datasets():
-    numbers = answer().numbers
-    expected = {
-        "range_of_band": 5.6, "tolerance": 0.1, "confidence": 0.9, "sets": 100, "realizations": 5,
-        "scan_pixels": 512, "scan_size": 2500.0, "contacts_per_side": 20,
-        "mirrored_scan_size": 2500.0, "large_surface_size": 40e3,
-    }  # fmt: skip
-    assert {name: numbers[name].value for name in expected} == expected
-
-
-def test_main_findings_are_statements_of_the_paper():
-    assert len(set(MAIN_FINDINGS)) == 12 and set(MAIN_FINDINGS) <= set(claims()["id"])
 
 
 def test_grids_coarser_than_the_papers_are_known():

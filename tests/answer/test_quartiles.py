@@ -2,11 +2,8 @@
 
 import numpy as np
 import xarray as xr
-from answer_inputs import datasets, setting, topography
-from html_page import Page
+from answer_inputs import datasets, topography
 
-from hardcontact.answer.own_answer import own_answer
-from hardcontact.answer.own_page import own_page
 from hardcontact.answer.surface_facts import quartile_spans, surfaces_with_quartiles
 
 WHOLE = ["crn", "crn_lower", "crn_upper"]
@@ -59,17 +56,3 @@ def test_forces_without_bounds_have_none():
     ends = given.force["force_interval"] * 0 + xr.DataArray([0.0, np.inf], dims="bound")
     *_, force = quartile_spans(given._replace(force=given.force.assign(force_interval=ends)))
     assert force.intervals.status == "not_bounded" and force.least.status == ""
-
-
-def test_open_edges_are_bounds():
-    unknown = [[np.nan] * 2] * 3
-    _, long, _ = quartile_spans(with_edges("large", [5e3, np.nan, np.nan], [np.nan, 8e3, 8e3],
-                                           unknown))  # fmt: skip
-    assert (long.least.value, long.least.status) == (5e3, "")
-    assert (long.most.value, long.most.status) == (8e3, "open_above")
-
-
-def test_spans_stand_on_the_page():
-    page = Page(own_page(own_answer(described(), setting()._replace(pairs=[]))))
-    rows = [row for row in page.rows if len(row) == 5]
-    assert len(rows) == 4

@@ -125,12 +125,6 @@ def test_a_chapter_is_a_page_without_links_into_the_repository():
     assert [cell["data-label"] for cell in shown.attributes["td"]] == ["surface", "made from"]
 
 
-def test_sections_of_a_chapter_have_anchors():
-    made = chapter(CHAPTER)
-    assert made.sections == [("substitute-scans", "Substitute scans")]
-    assert '<h2 id="substitute-scans">Substitute scans</h2>' in made.html
-
-
 @pytest.mark.parametrize("text", ["", "No title.\n", "## Second\n"])
 def test_a_chapter_without_a_title_is_refused(text):
     assert_says(refusal(chapter, text), "expected", "'# '", "found")

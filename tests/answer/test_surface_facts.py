@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from answer_inputs import (
-    MEASUREMENTS,
     PAIRS,
     SURFACES,
     WORK,
@@ -13,7 +12,6 @@ from answer_inputs import (
     fit,
     force,
     open_edges,
-    setting,
     spectra,
     unresolved_edges,
     with_edge,
@@ -30,23 +28,6 @@ def rows(own=None, **others):
     """Rows of the first surface, by name."""
     of = datasets(**others).of_surface(SURFACES[0])
     return {row.fact.name: row for row in facts.answer_rows(of._replace(fit=own))}
-
-
-def test_rows_hold_edges_and_forces_in_their_order():
-    found = rows()
-    assert list(found) == [
-        "short_edge", "long_edge", "force_mean", "force_median", "force_middle", "smooth_sphere",
-        "force_scatter", "range_sensitivity",
-    ]  # fmt: skip
-    long = found["long_edge"].fact
-    assert long[1:] == (1700.0, "nm", 1360.0, 2125.0, "", "measured")
-    mean = found["force_mean"].fact
-    assert (mean.value, mean.low, mean.high) == pytest.approx((0.64e-6, 0.512e-6, 0.8e-6))
-    assert found["force_median"].fact.value == pytest.approx(0.95 * 0.64e-6)
-    middle = found["force_middle"]
-    assert (middle.fact.low, middle.fact.high) == pytest.approx((0.4 * 0.64e-6, 1.8 * 0.64e-6))
-    assert middle.about["share"].value == pytest.approx(0.9)
-    assert found["smooth_sphere"].fact.value == pytest.approx(2 * np.pi * 250e-6 * WORK)
 
 
 @pytest.mark.parametrize(
@@ -229,25 +210,6 @@ def test_pooled_edges_are_of_several_surfaces_and_as_sure_as_the_least_sure():
     assert facts.pooled_rows(unresolved, [of_first, of_first]) == []
 
 
-def test_inputs_tell_where_they_come_from():
-    sources = {one["name"]: one["source"] for one in facts.contact_inputs(setting())}
-    assert sources == {
-        "sphere": "assumed", "radius of the sphere": "given", "hardness": "assumed",
-        "preload": "given",
-    }  # fmt: skip
-    rough = setting()._replace(contact={"sphere": "ball"})
-    assert facts.contact_inputs(rough)[0]["source"] == "file"
-
-
-def test_scans_that_are_alike_are_counted_together():
-    many = {f"{n}.spm": MEASUREMENTS["coarse.spm"] for n in range(3)}
-    data = spectra(measured=many | {"fine.spm": MEASUREMENTS["fine.spm"]}).sel(surface=SURFACES[0])
-    several, one = facts.scan_inputs(data)
-    assert (several["count"], several["kind"], one["count"]) == (3, "map", 1)
-    assert plain(several["tip_radius"])["status"] == "not_known"
-    assert one["tip_radius"].value == 10.0
-
-
 def fit_status(data):
     return force_facts.fit_facts(force_facts.of_answer(data))
 
@@ -266,11 +228,3 @@ def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():
     assert fit_status(nothing)["status"] == "none"
     nothing["work_of_adhesion_interval"] *= np.nan
     assert fit_status(nothing)["status"] == "no_interval"
-
-
-def test_gaps_of_a_region_are_found():
-    data = fit(2)
-    data["region"][:] = 1.0
-    data["region"].loc[{"rho": slice(2.0, 5.0)}] = np.nan
-    ((low, high),) = fit_status(data)["gaps"]
-    assert low < 2.0 and high > 5.0

@@ -3,8 +3,7 @@
 import pandas as pd
 
 from hardcontact.answer.datasets import Datasets, Setting
-from hardcontact.answer.own_answer import own_answer, own_head, own_quantities
-from hardcontact.answer.own_page import own_page
+from hardcontact.answer.own_answer import own_answer, own_head, own_page, own_quantities
 from hardcontact.answer.quantities import answer_json
 from hardcontact.records import dataset
 from hardcontact.records.job import job

@@ -95,8 +95,8 @@ def force_rows(of: Datasets) -> list[Row]:
 
 
 def _scatter(force: xr.Dataset) -> dict[str, Any]:
-    """Return where a surface lies on the map of the regimes, and what a mean force needs."""
-    names = ("modulus", "over_range", "approach_level", "contact_over_rolloff", "contacts_needed")
+    """Return the modulus of the regimes of a surface, and what a mean force needs."""
+    names = ("modulus", "contacts_needed")
     numbers = {name: number_of(force, name, "1", strict=False) for name in names}
     return numbers | {"distance": number_of(force, "draw_size", "nm", name="distance")}
 

@@ -1,11 +1,13 @@
-"""The answer of a study of own surfaces: computed once, for its page and for answer.json."""
+"""The answer of a study of own surfaces: its page, and its numbers for answer.json."""
 
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
+import xarray as xr
 
-from hardcontact.answer.artificial import LENGTHS, measurements, single
+from hardcontact.answer import own_figures as figures
+from hardcontact.answer.artificial import LENGTHS, measurement_name, measurements, single
 from hardcontact.answer.cautions import Caution, cautions
 from hardcontact.answer.datasets import Datasets, Setting
 from hardcontact.answer.force_facts import Row, fit_facts, of_answer
@@ -17,6 +19,7 @@ from hardcontact.answer.surface_facts import (
     quartile_spans,
     verdict,
 )
+from hardcontact.answer.templates import rendered
 from hardcontact.numbers.number import Number
 
 #: Metrics of a scan, with their units.
@@ -28,6 +31,9 @@ METRICS = {
     "skewness": "1",
     "kurtosis": "1",
 }
+
+#: Texts of each measurement.
+MEASUREMENT_TEXTS = ("kind", "limited_by", "notes")
 
 
 class OwnSurface(NamedTuple):
@@ -148,3 +154,58 @@ def _numbers_of(surface: OwnSurface) -> Iterator[Number]:
     yield from numbers_within("all_scales", all_scales)
     for place, lengths in enumerate(surface.scan_lengths, start=1):
         yield from numbers_within(f"measurement_{place}", lengths)
+
+
+def own_page(answer: OwnAnswer) -> str:
+    """Return the page, HTML."""
+    given, setting, surfaces = answer
+    labels = {name: surface.label for name, surface in surfaces.items()}
+    return rendered(
+        "own.html",
+        study=setting.study,
+        effort=setting.effort,
+        citation=setting.citation,
+        left_out=setting.left_out,
+        tolerance=float(given.edges.attrs["tolerance"]),
+        confidence=float(given.edges.attrs["confidence"]),
+        surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
+        pooled=answer.pooled,
+        quartiles=quartile_spans(given),
+        contact=setting.contact,
+        of_paper=setting.of_paper,
+        forces=figures.svg(figures.force_figure(given.force, labels), "pull-off forces"),
+        fit=answer.fit,
+        works=None if given.fit is None else _works(given.fit, labels),
+    )
+
+
+def _works(fit: xr.Dataset, labels: Mapping[str, str]) -> dict[str, Any]:
+    """Return the figure of works of adhesion that fit own forces, and its contact model."""
+    of_model = of_answer(fit)
+    svg = figures.svg(figures.work_figure(of_model, labels), "works of adhesion")
+    return {"svg": svg, "model": str(of_model["contact_model"].item())}
+
+
+def _shown(name: str, surface: OwnSurface) -> dict[str, Any]:
+    """Return what the page shows of one surface."""
+    of = surface.of
+    heights = figures.heights_shown(of.topography)
+    lengths = zip(single(measurements(of.spectra)), surface.scan_lengths, strict=True)
+    return surface._asdict() | {
+        "id": name,
+        "basis": surface.basis,
+        "verdict": verdict(surface.rows),
+        "heights": [float(heights.min()), float(heights.max())],
+        "size": float(of.topography["scan_size"]),
+        "pixel": float(of.topography["pixel_size"]),
+        "map": figures.svg(figures.map_figure(of.topography), "height map"),
+        "ratio": figures.svg(figures.ratio_figure(of.edges, of.spectra), "force ratios"),
+        "spectrum": figures.svg(figures.spectrum_figure(of.spectra), "spectra"),
+        "roughness": surface.roughness,
+        "measurements": [
+            {"name": measurement_name(measurement), "reliable": bool(measurement["reliable"].any())}
+            | {text: str(measurement[text].item()) for text in MEASUREMENT_TEXTS}
+            | numbers
+            for measurement, numbers in lengths
+        ],
+    }

@@ -1,6 +1,5 @@
 """The facts of the answer of own surfaces: verdict, edges, and what they were made from."""
 
-from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -9,13 +8,11 @@ import xarray as xr
 
 from hardcontact.answer.artificial import (
     artificial_bands,
-    measurements,
     place_of_edge,
     reaches,
     share_at_edge,
-    single,
 )
-from hardcontact.answer.datasets import Datasets, Setting, at_range
+from hardcontact.answer.datasets import Datasets, at_range
 from hardcontact.answer.force_facts import (
     Row,
     force_rows,
@@ -226,35 +223,3 @@ def _span(label: str, facts: Sequence[Number], intervals: xr.DataArray) -> Span:
     least, *_, most = _by_value(known)
     whole = between("intervals", low, high, facts[0].unit, "not_bounded")
     return Span(label, known[0], least, most, whole)
-
-
-def contact_inputs(setting: Setting) -> list[dict[str, str]]:
-    """Return what contacts were computed for, as printed, and whether the user gave it."""
-    return [
-        {"name": name, "text": text, "source": _source(name, text, setting.of_paper)}
-        for name, text in setting.contact.items()
-    ]
-
-
-def _source(name: str, text: str, of_paper: Sequence[str]) -> str:
-    if name == "sphere":
-        return "assumed" if text == "smooth" else "file"
-    return "assumed" if name in of_paper else "given"
-
-
-def scan_inputs(spectra: xr.Dataset) -> list[dict[str, Any]]:
-    """Return the measurements of one surface: those alike are counted together."""
-    names = ("size", "pixel_size", "tip_radius")
-    alike = Counter(
-        # What is not a number would not equal itself.
-        (str(one["kind"].item()), *(np.nan_to_num(one[name].item()) for name in names))
-        for one in single(measurements(spectra))
-    )
-    return [
-        {"kind": kind, "count": count}
-        | {
-            name: Number(name, value or np.nan, "nm", source="file")
-            for name, value in zip(names, values, strict=True)
-        }
-        for (kind, *values), count in alike.items()
-    ]
