@@ -9,7 +9,6 @@ from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.contact import Contact as ArrayContact
 from hardcontact.contact.geometry import bodies
 from hardcontact.insight.closed_form import (
-    MANY_POINTS,
     SINGLE_PEAKS,
     SMOOTH,
     Contact,
@@ -77,16 +76,6 @@ def test_a_single_smooth_summit_is_a_sphere_of_its_radius():
     summit = length**2 / (sigma * level)  # its curvature is t m2/sigma
     assert found.regime == SINGLE_PEAKS
     assert found.relative == pytest.approx(summit / flat, rel=0.1)
-
-
-def test_regimes_lie_on_both_sides_of_freezing():
-    for rms, regime in ((4, MANY_POINTS), (100, SINGLE_PEAKS)):
-        found = closed_form(rough(rms), contact())
-        assert found.regime == regime
-        assert found.freezing == pytest.approx(
-            (found.rms_height / 5.6) / (found.closest_approach / found.rms_height)
-        )
-        assert (found.freezing > 1) == (regime == SINGLE_PEAKS)
 
 
 def test_force_is_linear_in_work_and_area_of_contact_attracts():

@@ -5,7 +5,6 @@ import pytest
 from known_spectra import rough
 
 from hardcontact.contact.contact import Contact as ArrayContact
-from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.insight.closed_form_errors import Trial, closed_form_errors, spectrum_of_grid
 from hardcontact.insight.summits import moment
 from hardcontact.numbers.random import generator
@@ -40,11 +39,3 @@ def test_errors_are_predicted_over_computed(found):
     inside = found.computed_force_interval
     assert (inside.sel(bound="low") <= found.computed_force).all()
     assert (found.computed_force <= inside.sel(bound="high")).all()
-
-
-def test_whole_spectra_are_those_of_the_closed_form(found):
-    expected = closed_form(rough(4, 500, 0.8, 40), Contact(20e3, 20.0, 0.05, 400.0))
-    at = found.sel(surface="a", rho=20.0)
-    assert at.whole_freezing.item() == expected.freezing
-    assert at.regime.item() == expected.regime
-    assert found.edge.dims == ("surface", "side")

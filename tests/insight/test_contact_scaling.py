@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-import pandas as pd
 import pytest
 import xarray as xr
 from known_spectra import rough
@@ -12,11 +11,9 @@ from scipy.special import erf
 from hardcontact.contact.contact import Contact as ContactArray
 from hardcontact.insight.closed_form import Contact, closed_form
 from hardcontact.insight.edge_scaling import (
-    CLOSED_FORM,
     COMPUTED,
     FORMULA,
     among_regimes,
-    designed_edges,
     edge_scaling,
     local_exponents,
 )
@@ -178,23 +175,3 @@ def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
     # The table has forty points a decade.
     roll_off = 20.0 / place["contact_over_rolloff"].item()
     assert roll_off == pytest.approx(2500, rel=0.5)
-
-
-def test_designed_surfaces_have_their_errors_and_spectra_without_edges_have_none():
-    computed = pd.DataFrame({
-        "surface": [0, 1], "held_back": [0, 1], "short_edge": [20.0, 30.0], "long_edge": [1e3, 2e3],
-        "short_edge_is": ["found", "at most"], "long_edge_is": ["at least", "found"],
-        "predicted_short_edge": [10.0, 10.0], "predicted_long_edge": [1e3, 1e3],
-    })  # fmt: skip
-    formulas = pd.DataFrame({
-        "surface": ["0", "1", "crn"], "over_range": [1.0, 5.0, 9.0], "level": [3.0, 2.0, 1.0],
-        "contact_over_rolloff": 0.01, "short_edge": [40.0, 30.0, 50.0], "long_edge": 1e3,
-    })  # fmt: skip
-    found = designed_edges(computed, formulas)
-    errors = found["designed_error"]
-    assert errors.sel(prediction=FORMULA, side="small").values.tolist()[:2] == [0.5, 1.0]
-    assert errors.sel(prediction=CLOSED_FORM, side="large").values.tolist()[:2] == [1.0, 2.0]
-    assert errors.sel(designed="crn").isnull().all()
-    assert found["designed_bound"].values.tolist() == [[0, -1, 0], [1, 0, 0]]
-    assert found["held_back"].values.tolist() == [0, 1, 0]
-    assert found["designed_level"].values.tolist() == [3.0, 2.0, 1.0]

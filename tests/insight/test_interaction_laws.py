@@ -35,15 +35,6 @@ def test_pressure_is_the_slope_of_the_energy_and_adds_up_to_the_work(law):
 
 
 @pytest.mark.parametrize("law", POWERS, ids=lambda law: law.name)
-def test_fine_mixture_is_the_energy_and_the_pressure_of_the_law(law):
-    rho, gap = 5.6, np.append(0.0, np.geomspace(1e-3, 1e3, 400))
-    ranges = range_grid(rho, 0.2, 1e-2, 1e15)
-    shares, decay = work_shares(law, rho, ranges), np.exp(-gap[:, None] / ranges)
-    np.testing.assert_allclose(decay @ shares, energy(law, gap, rho), rtol=1e-9)
-    np.testing.assert_allclose(decay @ (shares * rho / ranges), pressure(law, gap, rho), rtol=1e-9)
-
-
-@pytest.mark.parametrize("law", POWERS, ids=lambda law: law.name)
 @pytest.mark.parametrize(("anchor", "error"), [(5.6, 3e-4), (7.95, 6e-3), (8.4, 3e-4)])
 def test_ranges_of_the_study_give_the_pressure_of_every_law(law, anchor, error):
     ranges, gap = range_grid(anchor, **MIXED_RANGES), np.append(0.0, np.geomspace(0.01, 300.0, 100))

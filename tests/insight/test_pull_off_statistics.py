@@ -106,12 +106,6 @@ def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
     assert found == pytest.approx(expected / special.gamma(1 + power), rel=0.05)
 
 
-def test_many_clumps_scatter_as_the_root_of_two_over_their_number():
-    found = force_statistics(SURFACE, flat_contact(3.0, 100.0))
-    assert found.clumps > 50
-    assert found.spread == pytest.approx(np.sqrt(2 / found.clumps) / found.modulus, rel=0.1)
-
-
 @pytest.mark.parametrize("cover", [0.05, 0.3, 0.6])
 def test_numbers_of_hard_discs_scatter_as_their_compressibility_says(cover):
     def pressure(share):
@@ -126,13 +120,6 @@ def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
     found, sums = force_statistics(SURFACE, flat_contact(modulus)), drawn_sums(modulus)
     assert found.spread == pytest.approx(np.log(sums).std(), rel=0.1)
     assert found.median_over_mean == pytest.approx(np.median(sums) / sums.mean(), rel=0.05)
-
-
-def test_a_field_of_small_heights_scatters_as_its_mean_height():
-    contact = Contact(250e3, 400.0, 1.0, 0.0)
-    spot = 2 * contact.radius * contact.rho  # exp(-d²/2l²) averaged over exp(-d²/2 spot)
-    expected = SIGMA / contact.rho / np.sqrt(1 + spot / 100**2)
-    assert field_variation(banded(SURFACE, 0, np.inf), contact) == pytest.approx(expected, rel=0.02)
 
 
 def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
@@ -172,17 +159,6 @@ def test_scans_add_the_scatter_of_their_means():
     slope = np.log(ends[1] / ends[0]) / 0.2
     expected = np.hypot(places.spread, slope * 4.0 * 0.05)
     assert over_scans(rough(4.0), SPHERE, 0.05).spread == pytest.approx(expected, rel=0.02)
-
-
-def test_scans_far_apart_scatter_as_many_equally_probable_ones():
-    heights = stats.norm.ppf((np.arange(41) + 0.5) / 41, 4.0, 2.0)
-    laws = [force_statistics(rough(max(height, 0.0)), SPHERE) for height in heights]
-    means = np.array([law.force for law in laws])
-    squares = np.mean([law.force**2 * (1 + law.variation**2) for law in laws])
-    expected = np.sqrt(squares) / means.mean()
-    assert np.hypot(1, over_scans(rough(4.0), SPHERE, 0.5).variation) == pytest.approx(
-        expected, rel=0.05
-    )
 
 
 def test_the_shape_is_that_of_mean_and_median_and_means_keep_within_the_tolerance():

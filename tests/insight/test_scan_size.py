@@ -10,22 +10,19 @@ from repository import ROOT
 
 sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
-from scan_windows import Windows, filtered_forces, mean_forces, mirrored_windows, window_forces
+from scan_windows import Windows, filtered_forces, mean_forces, mirrored_windows
 from validate_scan_sizes import (
     TABLE,
     Case,
     ScanSizeRule,
     correction_errors,
     fitted_rule,
-    random_spectra,
-    ratio_of_means,
     window_edges,
 )
 
 from hardcontact.contact.contact import Contact
 from hardcontact.records import dataset
 from hardcontact.surfaces.height_map import HeightMap, level, mirror_stitch
-from hardcontact.surfaces.spectrum import all_scales_moments, roll_off
 
 CONTACT = Contact(radius=5e3, preload=10e-6, hardness=25e9, window=1280.0, count=2)
 WINDOWS = Windows([320.0, 640.0], 2, [2.0, 5.0], CONTACT)
@@ -76,31 +73,6 @@ def random_cases(seed, count=40):
     )
 
 
-def test_random_spectra_lie_within_their_bounds():
-    spectra = random_spectra(np.random.default_rng(1), 6)
-    heights = [all_scales_moments(spectrum)[0] for spectrum in spectra]
-    roll_offs = [roll_off(spectrum) for spectrum in spectra]
-    assert min(heights) > 1.99 and max(heights) < 121 and len(set(heights)) == 6
-    # The table of a spectrum has forty points a decade.
-    assert min(roll_offs) > 280 and max(roll_offs) < 4300
-
-
-def test_windows_of_a_flat_surface_have_its_force():
-    forces = window_forces(periodic(np.zeros((64, 64))), WINDOWS)
-    np.testing.assert_allclose(forces, np.broadcast_to(forces[-1:], (3, 2)))
-
-
-def test_windows_are_cut_along_the_diagonal_levelled_and_mirrored():
-    heights = random_heights(3.0)
-    scans = [
-        HeightMap(heights[part, part], 20.0, periodic=False, basis="substitute")
-        for part in (slice(0, 16), slice(32, 48))
-    ]
-    expected = [mean_forces(mirror_stitch(level(scan)), WINDOWS) for scan in scans]
-    forces = window_forces(periodic(heights), WINDOWS)
-    np.testing.assert_allclose(forces[0], np.mean(expected, axis=0))
-
-
 def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface():
     """A surface made of mirror images of one window has no wave that this window lacks."""
     heights = np.random.default_rng(2).normal(0, 4, (16, 16))
@@ -111,15 +83,6 @@ def test_a_window_that_holds_all_waves_has_ratios_and_force_of_the_whole_surface
     on_whole = filtered_forces(whole, CUTOFFS, replace(WINDOWS, contact=replace(CONTACT, count=4)))
     np.testing.assert_allclose(on_window[:-1], on_whole[:-1], rtol=1e-5)
     assert np.isnan(on_window[-1]) and on_whole[-1] == pytest.approx(1, abs=1e-6)
-
-
-def test_cutoffs_above_a_single_wave_keep_the_force_and_those_below_that_of_a_flat_surface():
-    wave = 4 * np.cos(2 * np.pi * np.arange(64) / 16)  # of 320 nm
-    surface, flat = periodic(wave[:, None] + wave), periodic(np.zeros((64, 64)))
-    forces = filtered_forces(surface, CUTOFFS, WINDOWS)
-    without = mean_forces(flat, WINDOWS)[0] / mean_forces(surface, WINDOWS)[0]
-    assert abs(np.log(without)) > 0.3
-    np.testing.assert_allclose(forces[1:], [without, without, 1, 1], rtol=1e-5)
 
 
 def test_the_ratio_is_that_of_a_surface_less_its_long_waves():
@@ -151,14 +114,3 @@ def test_edges_are_where_known_ratios_leave_the_tolerance_or_open():
     assert np.isnan(edges["long_edge"][1]) and edges["long_edge_bound"][1] == 1000
     assert edges["long_edge_status"][1] == "beyond the cell" and edges["long_edge_at_least"][1]
     assert edges["force_over_largest"].values.tolist() == [2.0, 3.0, 1.0]
-
-
-def test_the_ratio_of_means_has_the_interval_of_single_ratios():
-    forces = xr.DataArray([[2.0, 3.0], [8.0, 3.0]], dims=("realization", "edge_size"))
-    reference = xr.DataArray([1.0, 1.0], dims="realization")
-    ratio, interval = ratio_of_means(forces, reference)
-    assert ratio.values.tolist() == [5.0, 3.0]
-    # The logarithms of 2 and 8 have a standard error of ln 2: 12.7 of them on either side.
-    about = np.array([-1, 1]) * 12.706 * np.log(2)
-    assert np.log(interval[0] / 5).values == pytest.approx(about, rel=1e-4)
-    assert interval[1].values == pytest.approx([3.0, 3.0])

@@ -96,11 +96,6 @@ def test_a_sphere_follows_flat_waves():
     assert summits.rough_waves(Spectrum(spectrum.wavevector, 0 * spectrum.density), RADIUS) is None
 
 
-def test_mean_is_weighted():
-    approaches = summits.Approaches(np.array([1.0, 3.0]), np.array([0.25, 0.75]), 5.0)
-    assert approaches.mean() == 2.5 and approaches.mean([0, 4]) == 3
-
-
 @pytest.mark.parametrize(("rms_height", "radius"), [(4.0, 50e3), (8.0, 20e3), (2.0, 100e3)])
 def test_the_highest_points_lie_within_the_draw_size_of_the_apex(rms_height, radius):
     pixels, pixel = 256, 40.0
