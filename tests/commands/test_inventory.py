@@ -1,4 +1,4 @@
-"""What files hold: heights, sizes and reliable wavelengths of scans whose truth is known."""
+"""What files hold: heights of scans whose truth is known, and all that cannot be used."""
 
 from dataclasses import replace
 
@@ -8,7 +8,7 @@ from refusals import assert_says
 from scan_files import container, scan
 
 from hardcontact.commands import inventory as module
-from hardcontact.commands.inventory import inventory, printed_table
+from hardcontact.commands.inventory import inventory, table_rows
 from hardcontact.commands.request import Source
 
 
@@ -30,22 +30,15 @@ def wave(pixels=64, size=640.0, height=2.0, slope=0.05):
     return height * np.cos(16 * np.pi * x)[:, None] + slope * size * np.ones((pixels, 1)) * x
 
 
-def test_a_map(tmp_path):
+def test_roughness_is_without_the_tilt_and_the_shape_of_the_sphere(tmp_path):
     entry = only_entry(scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)))
-    assert (entry.kind, entry.pixels, entry.file_unit) == ("map", 64, "nm")
-    assert entry.size == pytest.approx(640)
     assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)  # of a cosine of 2 nm
     assert entry.peak_to_valley == pytest.approx(4 * np.cos(np.pi / 8), rel=1e-3)
     assert entry.relief > 30  # with the tilt, as the study sees it
-
-
-def test_the_shape_of_the_sphere_is_no_roughness(tmp_path):
     x = (np.arange(64) - 31.5) * 10.0
     ball = -(x[:, None] ** 2 + x**2) / 2000 + wave(slope=0)
-    path = scan(tmp_path / "ball.nc", ball, (640.0, 640.0))
-    levelled = only_entry(path, sphere_radius=1000.0).rms_height
-    assert levelled == pytest.approx(np.sqrt(2), rel=1e-3)
-    assert only_entry(path).rms_height > 10 * levelled
+    entry = only_entry(scan(tmp_path / "ball.nc", ball, (640.0, 640.0)), sphere_radius=1000.0)
+    assert entry.rms_height == pytest.approx(np.sqrt(2), rel=1e-3)
 
 
 def test_a_member_of_a_container_that_cannot_be_read_stops_nothing(tmp_path):
@@ -60,13 +53,12 @@ def test_a_member_of_a_container_that_cannot_be_read_stops_nothing(tmp_path):
     ((entry,), (line,), problems) = inventory([source(twin)], None)
     assert entry.dataset == "good.nc" and not problems
     assert_says(line, "twin.zip: bad.txt: expected")
-    # Alone, it is a problem.
-    twin = container(tmp_path / "bad.zip", members[1:], files)
-    entries, unreadable, problems = inventory([source(twin)], None)
+    alone = container(tmp_path / "bad.zip", members[1:], files)
+    entries, unreadable, problems = inventory([source(alone)], None)
     assert not entries and not unreadable and len(problems) == 1
 
 
-def test_all_problems_at_once_and_twins_among_them(tmp_path):
+def test_all_problems_are_told_at_once_and_twins_among_them(tmp_path):
     (tmp_path / "text.txt").write_text("no scan")
     paths = [
         tmp_path / "none.di",
@@ -85,36 +77,14 @@ def test_all_problems_at_once_and_twins_among_them(tmp_path):
     assert_says(twin, "again.nc", "expected each scan once", "first.nc")
 
 
-def test_the_table_says_what_was_found(tmp_path):
-    heights = np.ma.masked_array(wave(), np.zeros((64, 64), bool))
-    heights.mask[3, 4] = True
-    paths = [
-        scan(tmp_path / "wave.nc", wave() / 1e3, (0.64, 0.64), "um"),
-        scan(tmp_path / "gap.nc", heights, (640.0, 640.0)),
-    ]
-    entries, _, _ = inventory([source(path) for path in paths], 12.0)
-    assert [entry.undefined for entry in entries] == [0, 1]
-    head, first, second, *notes = printed_table(entries, ["contact", "spectrum"]).splitlines()
-    assert_says(head, "file", "channel", "kind", "peak to valley", "tip radius", "used for")
-    assert_says(second, "A", "gap.nc", "height map", "640 nm", "64 x 64", "1.41 nm", "12 nm")
-    assert first.endswith("contact") and second.endswith("spectrum")
-    assert "2: 1 undefined pixels of 4096 filled" in notes
-
-
-def test_what_a_file_states_of_its_tip_counts_before_what_is_given(tmp_path, monkeypatch):
-    path = scan(tmp_path / "wave.nc", wave(), (640.0, 640.0))
-    given, unknown = only_entry(path, 12.0), only_entry(path)
-    assert (given.tip_radius, given.tip_given) == (12.0, True)
-    assert (unknown.tip_radius, unknown.tip_given) == (None, False)
-    read = module.read_measurement
+@pytest.mark.parametrize(("stated", "used", "in_table"), [(None, 12.0, "12 nm"), (30.0, 30.0, "")])
+def test_what_a_file_states_of_its_tip_counts_before_what_is_given(
+    tmp_path, monkeypatch, stated, used, in_table
+):
+    path, read = scan(tmp_path / "wave.nc", wave(), (640.0, 640.0)), module.read_measurement
     monkeypatch.setattr(
-        module, "read_measurement", lambda *choices: replace(read(*choices), tip_radius=30.0)
+        module, "read_measurement", lambda *choices: replace(read(*choices), tip_radius=stated)
     )
-    stated = only_entry(path, 12.0)
-    assert (stated.tip_radius, stated.tip_given) == (30.0, False)
-
-
-def test_a_blunt_tip_cuts_short_wavelengths(tmp_path):
-    rough = np.random.default_rng(1).standard_normal((64, 64)).cumsum(0).cumsum(1) / 8
-    path = scan(tmp_path / "rough.nc", rough, (640.0, 640.0))
-    assert only_entry(path, 100.0).band.shortest > only_entry(path).band.shortest
+    entry = only_entry(path, 12.0)
+    assert entry.tip_radius == used
+    assert table_rows([entry], [entry], "12 nm")[0]["tip_radius"] == in_table

@@ -1,21 +1,127 @@
-"""What is chosen for scans of any size: the study accepts it, and it is what the rules say."""
+"""What is chosen for own scans: on which contacts are made, and keys that the study accepts."""
 
 import math
-from dataclasses import replace
+from collections import Counter
 
+import numpy as np
 import pytest
 from hypothesis import HealthCheck, event, given, settings
 from hypothesis import strategies as st
-from own_entries import both_efforts, check_study, entry, probe
+from random_scans import uncd
 from refusals import assert_says, refusal
+from repository import PAPER
 
-from hardcontact.commands.proposal import propose
+from hardcontact.commands.contact_scans import contact_scans, draw_sizes
+from hardcontact.commands.inventory import Entry
+from hardcontact.commands.new import nested
+from hardcontact.commands.proposal import Choice, propose
+from hardcontact.commands.request import Source
+from hardcontact.config.limits import check_grids
+from hardcontact.config.model import configuration
+from hardcontact.contact.contact import Contact
 from hardcontact.surfaces.reliable_band import ReliableBand
+from hardcontact.surfaces.spectrum import BIN_CENTRES
+
+#: Width of a bin in ln q.
+BIN = np.log(10) / 10
 
 
-def between(least, most):
+def density(size, pixel, rms):
+    """Return C_iso (bins,) in nm4 of an rms height, between two pixels and the size of a scan."""
+    wavelength = 2 * np.pi / BIN_CENTRES
+    values = uncd(BIN_CENTRES)
+    values[(wavelength < 2 * pixel) | (wavelength > size)] = np.nan
+    return values * (rms / np.sqrt(np.nansum(values * BIN_CENTRES**2) * BIN / (2 * np.pi))) ** 2
+
+
+def entry(size=2500.0, pixels=512, rms=17.0, surface="a", **others):
+    """Return a height map of a surface; lengths in nm."""
+    fields = {
+        "dataset": "", "channel": "height", "file_unit": "nm", "kind": "map",
+        "peak_to_valley": 6 * rms, "relief": 8 * rms, "tip_radius": None, "tip_given": False,
+        "band": ReliableBand(4 * size / pixels, size / 3, "pixels"),
+        "density": density(size, size / pixels, rms), "undefined": 0, "notes": (),
+    }  # fmt: skip
+    return Entry(
+        source=Source(surface, surface, "scans/one.nc", "scans/one.nc"), pixels=pixels,
+        pixel_size=size / pixels, rms_height=rms, **(fields | others),
+    )  # fmt: skip
+
+
+def probe(radius=250e3, preload=1e-5, hardness=25e9, rho=5.6):
+    """Return a sphere and its load; the paper's unless others are given."""
+    return Contact(radius=radius, preload=preload, hardness=hardness, range=rho)
+
+
+# Scans that contacts are made on
+
+BLIND = ReliableBand(3000.0, 2000.0, "tip")
+# Within 2 sqrt(2 R 4 nm) = 2.83 um a contact finds its summits; at an rms height of 17 nm, 5.83 um.
+SIZES = [500, 1000, 5000, 5000, 10000, 20000]
+BALL = [entry(size, rms=1.0, surface="sphere") for size in (2500, 2500, 6000)]
+
+
+@pytest.mark.parametrize(
+    ("entries", "radius", "expected"),
+    [
+        # The smallest size that holds the highest points; a small sphere finds them nearby.
+        ([entry(size, rms=4.0) for size in SIZES], 250e3, {5000: 2}),
+        ([entry(size, rms=17.0) for size in SIZES], 250e3, {10000: 1}),
+        ([entry(size, rms=400.0) for size in SIZES], 250e3, {20000: 1}),
+        ([entry(size, rms=17.0) for size in SIZES], 5e3, {1000: 1}),
+        # sqrt(2 R rho) = 1673 nm is 8.6 pixels of 195 nm: too coarse, unless all others are too.
+        ([entry(100e3), entry(5000)], 250e3, {5000: 1}),
+        ([entry(100e3), entry(300e3)], 250e3, {100000: 1}),
+        # Scans without a reliable wavelength come last, and line scans make no contacts.
+        ([entry(6000, band=BLIND), entry(2500)], 250e3, {2500: 1}),
+        ([entry(6000, band=BLIND)], 250e3, {6000: 1}),
+        ([entry(1e5, 3000, kind="profile"), entry()], 250e3, {2500: 1}),
+        # Surfaces are compared on one grid where they have one in common.
+        (
+            [entry(size, rms=rms, surface=name) for name, rms in (("a", 4.0), ("b", 17.0))
+             for size in (5000, 10000)], 250e3, {10000: 2},
+        ),
+        ([entry(5000, rms=4.0), entry(10000, rms=4.0, surface="b")], 250e3, {5000: 1, 10000: 1}),
+        # The sphere follows the substrates, but no scan is larger than the sphere itself.
+        ([entry(6000), *BALL], 250e3, {6000: 2}),
+        ([entry(7000), *BALL], 250e3, {7000: 1, 2500: 2}),
+        ([entry(6000), *BALL], 5e3, {6000: 1, 2500: 2}),
+    ],
+)  # fmt: skip
+def test_contacts_are_made_on_scans_that_hold_and_resolve_the_summits(entries, radius, expected):
+    sphere = "sphere" if entries[-1].source.surface == "sphere" else None
+    sizes = draw_sizes(entries, sphere, probe(radius))
+    chosen, _ = contact_scans(entries, sphere, probe(radius), sizes)
+    assert Counter(round(scan.size) for scan in chosen) == expected
+
+
+# Keys of the study
+
+
+def both_efforts(asked, proposal):
+    """Return the configurations of the study and of its quick effort."""
+    named = [
+        Choice("study", "own", ""),
+        Choice("published", "none", ""),
+        Choice("sphere.surface", "smooth", ""),
+        Choice("sphere.radius", f"{asked.radius:.12g} nm", ""),
+        Choice("contact.preload", f"{asked.preload:.12g} N", ""),
+        Choice("contact.hardness", f"{asked.hardness:.12g} Pa", ""),
+    ]
+    full = [*named, *proposal.choices]
+    return [configuration(nested(keys, PAPER)) for keys in (full, [*full, *proposal.quick])]
+
+
+def check_study(asked, proposal):
+    """Let the checks of the study look at a proposal for a smooth sphere, at both efforts."""
+    grids = {scan.source.surface: scan.grid for scan in proposal.contact}
+    for config in both_efforts(asked, proposal):
+        check_grids(config, grids)
+
+
+def between(low, high):
     """Give numbers of any size between two."""
-    return st.floats(math.log(least), math.log(most)).map(math.exp)
+    return st.floats(math.log(low), math.log(high)).map(math.exp)
 
 
 @st.composite
@@ -28,43 +134,24 @@ def scans(draw):
     return [entry(size, pixels, rms, band=band)] * draw(st.integers(1, 5))
 
 
-def longest_least(scan, asked):
-    """An upper bound on the shortest range of adhesion (nm) that a scan permits."""
-    depth = 1e9 * math.sqrt(asked.preload / asked.hardness)
-    pixels = 2 * scan.pixel_size**2 / asked.radius
-    return max(pixels, scan.relief / 500, depth / 25)
-
-
-def least_window(scan, asked):
-    """A lower bound on the edge (nm) of what carries the load."""
-    return min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.range))
-
-
-def check_any(found, asked):
-    """Expect a proposal that the study accepts, or a refusal of what it cannot accept."""
-    try:
-        proposal = propose(found, None, asked)
-    except ValueError as error:
-        for line in str(error).splitlines():
-            event(line.partition(":")[0])
-            if line.startswith("surface a: expected a height map"):
-                assert found[0].pixel_size < 0.05
-            elif line.startswith("--range"):
-                assert longest_least(found[0], asked) > 39.9, line
-            else:
-                area = 1e18 * asked.preload / asked.hardness
-                in_window = area / least_window(found[0], asked) ** 2
-                # What 16 contacts with a hundred images of each pixel keep in memory.
-                in_memory = area / found[0].pixel_size ** 2 / (2**26 / 16 / 100)
-                assert line.startswith("--preload")
-                assert in_window > 0.15 or in_memory > 1, line
-        return
-    event("accepted")
-    check_study(asked, proposal)
+def check_refusal(line, scan, asked):
+    """Expect that the study could not accept what a line refuses, by bounds of its own."""
+    area = 1e18 * asked.preload / asked.hardness
+    if line.startswith("surface a: expected a height map"):
+        assert scan.pixel_size < 0.05
+    elif line.startswith("--range"):
+        pixels = 2 * scan.pixel_size**2 / asked.radius
+        depth = math.sqrt(area)
+        assert max(pixels, scan.relief / 500, depth / 25) > 39.9, line
+    else:
+        window = min(2 * scan.size, 2 * math.sqrt(28 * asked.radius * asked.range))
+        # What 16 contacts with a hundred images of each pixel keep in memory.
+        in_memory = area / scan.pixel_size**2 / (2**26 / 16 / 100)
+        assert line.startswith("--preload") and (area / window**2 > 0.15 or in_memory > 1), line
 
 
 @pytest.mark.parametrize("examples", [20, pytest.param(1000, marks=pytest.mark.study)])
-def test_any_scan_gives_what_the_study_accepts(examples):
+def test_any_scan_gives_what_the_study_accepts_or_a_refusal_of_what_it_cannot(examples):
     @settings(
         max_examples=examples,
         deadline=None,
@@ -72,117 +159,78 @@ def test_any_scan_gives_what_the_study_accepts(examples):
         suppress_health_check=list(HealthCheck),
     )
     @given(scans(), st.builds(probe, between(1e3, 5e6), between(1e-9, 1e-3), between(1e8, 1e12)))
-    def check(found, asked):
-        check_any(found, asked)
+    def check(entries, asked):
+        try:
+            proposal = propose(entries, None, asked)
+        except ValueError as error:
+            for line in str(error).splitlines():
+                event(line.partition(":")[0])
+                check_refusal(line, entries[0], asked)
+        else:
+            event("accepted")
+            check_study(asked, proposal)
 
     check()
 
 
-def chosen(proposal):
-    """Values by key."""
-    return {choice.key: choice.value for choice in proposal.choices}
-
-
 def test_scans_of_the_paper_get_about_its_values():
-    (config, _) = both_efforts(probe(), propose([entry()] * 5, None, probe()))
-    assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
-    assert config["contact"]["count"] == 20
+    config, _ = both_efforts(probe(), propose([entry()] * 5, None, probe()))
     small, large = config["scales"]["small"], config["scales"]["large"]
-    assert small["transition"] == pytest.approx(20, rel=0.05)
-    assert large["transition"] == 1000
-    assert large["tiles"] == 4
-    assert small["pixels"] == large["pixels"] == 4096
-    assert config["scales"]["realizations"] == 5
-    assert config["scales"]["range"] == 5.6
-    assert 5.6 in config["adhesion"]["ranges"]
+    assert config["contact"]["window"] == pytest.approx(12500, rel=0.01)
+    assert small["transition"] == pytest.approx(20, rel=0.05) and large["transition"] == 1000
+    assert small["pixels"] == large["pixels"] == 4096 and large["tiles"] == 4
     # Both critical wavelengths of the paper lie well inside.
     assert small["cutoffs"][0] < 43 / 4 and small["cutoffs"][-1] == 2500
     assert large["cutoffs"][0] <= 100 and large["cutoffs"][-1] == 10000
 
 
-def test_a_colloidal_probe():
-    asked = probe(radius=5e3, preload=100e-9, hardness=5e9, rho=2.0)
-    for scan in (entry(), entry(10000, 512, 14), entry(1000, 256, 2)):
-        proposal = propose([scan], None, asked, True)
-        check_study(asked, proposal)
-        assert chosen(proposal)["scales.range"] == "2 nm"
-    # 20 nm² are less than a pixel of 19.5 nm, and more than one of 3.9 nm.
-    said = [
-        propose([scan], None, asked, True).cautions for scan in (entry(10000), entry(1000, 256, 2))
-    ]
-    assert "less than a pixel" in " ".join(said[0])
-    assert "less than a pixel" not in " ".join(said[1])
+@pytest.mark.parametrize("count", [1, 2, 3, 5, 7])
+def test_every_scan_makes_as_many_masters(count):
+    config, _ = both_efforts(probe(), propose([entry()] * count, None, probe()))
+    assert config["scales"]["realizations"] % count == 0
 
 
-def test_quick_costs_less():
-    full, quick = both_efforts(probe(), propose([entry()], None, probe()))
-    for side in ("small", "large"):
-        assert quick["scales"][side]["pixels"] == full["scales"][side]["pixels"] / 2
-        assert len(quick["scales"][side]["cutoffs"]) < len(full["scales"][side]["cutoffs"])
-        assert quick["scales"][side]["transition"] == full["scales"][side]["transition"]
-    assert quick["scales"]["realizations"] == 2
-    assert quick["scales"]["range"] in quick["adhesion"]["ranges"]
+@pytest.mark.parametrize(("shortest", "transition"), [(120.0, "120 nm"), (2000.0, "1000 nm")])
+def test_roughness_is_artificial_below_the_reliable_wavelengths(shortest, transition):
+    scan = entry(band=ReliableBand(shortest, 833.0, "tip"))
+    choices = propose([scan], None, probe()).choices
+    assert {choice.key: choice.value for choice in choices}["scales.small.transition"] == transition
 
 
-@pytest.mark.parametrize(("count", "realizations"), [(1, 5), (2, 4), (3, 6), (5, 5), (7, 7)])
-def test_every_scan_makes_as_many_masters(count, realizations):
-    assert chosen(propose([entry()] * count, None, probe()))["scales.realizations"] == realizations
+@pytest.mark.parametrize(
+    ("scan", "asked", "parts"),
+    [
+        (entry(band=BLIND), probe(), ["no wavelength is reliable, from 3 µm (the tip)"]),
+        # Of a relief of 5600 nm exponentials overflow below 11.2 nm.
+        (entry(20000, 512, 700.0), probe(), ["11.2 nm, not the usual 5.6 nm"]),
+        # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
+        (
+            entry(100, 512, 4.7), probe(),
+            [f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force",
+             "8 to 17 times too high"],
+        ),
+        # 20 nm² are less than a pixel of 19.5 nm.
+        (entry(10000), probe(5e3, 100e-9, 5e9, 2.0), ["less than a pixel"]),
+        (entry(10000, 512, 14, undefined=512**2 * 3 // 10), probe(), ["30% of its pixels"]),
+    ],
+)  # fmt: skip
+def test_what_spoils_the_forces_is_a_caution_with_numbers(scan, asked, parts):
+    assert_says(" ".join(propose([scan], None, asked).cautions), *parts)
+    assert not propose([entry(10000, 512, 14, undefined=99)], None, probe()).cautions
 
 
-def test_roughness_is_artificial_below_the_reliable_wavelengths():
-    band = ReliableBand(120.0, 833.0, "tip")
-    proposal = propose([entry(band=band), entry()], None, probe())
-    (transition,) = [one for one in proposal.choices if one.key == "scales.small.transition"]
-    assert transition.value == "120 nm" and "the tip" in transition.reason
-    blind = ReliableBand(2000.0, 833.0, "tip")
-    proposal = propose([entry(band=blind)], None, probe())
-    assert chosen(proposal)["scales.small.transition"] == "1000 nm"
-    assert "no wavelength is reliable, from 2 µm (the tip) to 833 nm" in " ".join(proposal.cautions)
-
-
-def test_a_usual_range_that_is_too_short_is_made_longer_and_said():
-    rough = entry(20000, 512, 700.0)  # relief 5600 nm: exponentials overflow below 11.2 nm
-    proposal = propose([rough], None, probe())
-    assert chosen(proposal)["scales.range"] == "11.2 nm"
-    assert "11.2 nm, not the usual 5.6 nm" in " ".join(proposal.cautions)
-    message = refusal(propose, [rough], None, probe(rho=6.0), True)
-    assert_says(message, "--range: expected at least 11.2 nm", "found 6 nm")
-
-
-def test_a_range_and_a_preload_are_refused_together():
-    asked = probe(preload=1.0, hardness=1e9, rho=0.02)
-    with pytest.raises(ValueError) as caught:
-        propose([entry()], None, asked, True)
-    lines = str(caught.value).splitlines()
-    assert [line.split(":")[0] for line in lines] == ["--range", "--preload"]
-    # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
-    assert "at most 6.25 mN" in lines[1] and "found 1 N" in lines[1]
-
-
-def test_too_small_a_scan_is_said_with_numbers():
-    said = " ".join(propose([entry(100, 512, 4.7)], None, probe()).cautions)
-    # erf(1000 nm / sqrt(2 R rho))^2 of the smooth sphere's force lie in a window of 2 um.
-    assert f"{math.erf(1000 / math.sqrt(2 * 250e3 * 5.6)) ** 2:.0%} of the force" in said
-    assert "the scans are 100 nm wide" in said and "8 to 17 times too high" in said
-    assert not propose([entry(10000, 512, 14)], None, probe()).cautions
-
-
-def test_two_surfaces_share_their_keys():
-    asked = probe()
-    similar = [entry(), entry(5000, 256, 50.0, surface="b")]
-    check_study(asked, propose(similar, None, asked))
-    message = refusal(propose, [entry(100), entry(1e5, surface="b")], None, asked)
-    assert_says(message, "100 nm on a", "195 nm on b", "a study of each")
-
-
-def test_gaps_are_filled_and_said():
-    choices = propose([entry(undefined=3)], None, probe()).choices
-    assert choices[0][:2] == ("scan.undefined_pixels", "harmonic")
-
-
-@pytest.mark.parametrize(("share", "told"), [(0.04, 0), (0.3, 1)])
-def test_many_undefined_pixels_are_a_caution(share, told):
-    scan = entry()
-    scan = replace(scan, undefined=int(share * scan.pixels**2))
-    cautions = propose([scan], None, probe()).cautions
-    assert sum("30% of its pixels are undefined" in caution for caution in cautions) == told
+@pytest.mark.parametrize(
+    ("entries", "asked", "expected"),
+    [
+        ([entry(1e5, 3000, kind="profile")], probe(), ["surface a: expected a height map"]),
+        ([entry(0.5)], probe(), ["0.05 to 10000 nm"]),  # pixels of 1 pm
+        ([entry(20000, 512, 700.0)], probe(rho=6.0), ["--range: expected at least 11.2 nm"]),
+        # A quarter of the stitched scan, 6.25 um2, carries 6.25 mN at 1 GPa.
+        ([entry()], probe(preload=1.0, hardness=1e9, rho=0.02), ["--range", "at most 6.25 mN"]),
+        ([entry(100), entry(1e5, surface="b")], probe(), ["100 nm on a and pixels of 195 nm on b"]),
+    ],
+)
+def test_what_the_scans_do_not_permit_is_refused_in_a_line_each(entries, asked, expected):
+    message = refusal(propose, entries, None, asked, True)
+    assert_says(message, *expected)
+    assert len(message.splitlines()) == len(expected)
