@@ -13,13 +13,13 @@ from hardcontact.answer.captions import caption
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.figures.listing import FIGURES, OF_INSIGHT, describe
 
-#: Modules that are no figure, but for what begins with the name of the figure that it belongs to.
+#: Modules that are no figure.
 SHARED = {"__init__", "drawing", "listing", "style", "tables"}
 
 
 def test_each_module_is_a_figure_or_shared():
     modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
-    assert modules - SHARED - {"fig4_error"} == set(FIGURES)
+    assert modules - SHARED == set(FIGURES)
 
 
 def test_published_tables_are_there():

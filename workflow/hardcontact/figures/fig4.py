@@ -1,5 +1,6 @@
 """Fig. 4: range and work of adhesion from the computed pull-off forces."""
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.artist import Artist
@@ -8,8 +9,8 @@ from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from hardcontact.figures import drawing, fig4_error, style, tables
-from hardcontact.numbers.printing import print_share
+from hardcontact.figures import drawing, style, tables
+from hardcontact.numbers.printing import print_formatted, print_share
 
 TITLE = "Fig. 4: range and work of adhesion"
 CHAPTER = "3. Adhesion"
@@ -22,7 +23,7 @@ same error over ρ and W.
 Contact is plastic, in (d) also rigid. (a) is at the published ρ and W. In (b) and (c) symbols
 are computed, bars their {{ inference.confidence | percent }} interval over scans, and bands
 hold 90 % of many equally good sets of substitute scans; bars that go on for more than a decade
-beyond all values end at the frame. Horizontal lines: published means, in (c) dotted medians.
+beyond all values end at the frame. Horizontal lines: published means.
 Cross at the foot of (b): the ρ that fits all published ratios best, with its
 {{ inference.confidence | percent }} interval. Open symbols in (c): at the best fit of ρ and W.
 In (d): star and rings, least and other minima with plastic contact; vertical line, and brackets
@@ -36,46 +37,17 @@ pull_off.csv of resources/paper.
 """
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+MODELS: dict[str, style.Look] = {
+    "plastic": {"color": "black", "ls": "-"},
+    "rigid": {"color": "0.45", "ls": "--"},
+}
 MEGAPASCAL = 1e6
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
+FAIR = 0.7  # the map shows the works of adhesion whose error gets below this somewhere
+FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
 AT_FIT: style.Look = {"mfc": "white", "ms": 5, "mew": 1.2}
 RATIO_FIT: style.Look = {"color": "black", "lw": 1.2, "marker": "P", "ms": 5}
-
-SHOWN = {  # panel, unit
-    "ratio": ("b", "1"),
-    "mean_force": ("c", "N"),
-    "mean_force_at_fit": ("c", "N"),
-    "median_force": ("c", "N"),
-    "range_from_ratios": ("b", "nm"),
-}
-
-Curves = dict[tuple[str, str], xr.Dataset]  # by quantity, and by what the values are over
-
-
-def _table(
-    contact: xr.Dataset,
-    inference: xr.Dataset,
-    sets: xr.Dataset,
-    published_constants: pd.DataFrame,
-    published_pull_off: pd.DataFrame,
-) -> pd.DataFrame:
-    """Return the curves and fitted values of Fig. 4, one row a point.
-
-    `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e), `value` with
-    `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the median and
-    SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error) stay in
-    contact.nc and inference.nc.
-    """
-    fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
-    curves = _force_curves(fit, of_sets, published_constants["value"]["work_of_adhesion"])
-    separation = pd.DataFrame({"x": contact["separation"].values, "value": contact["force"].values})
-    in_contact = {"panel": "a", "surface": contact.attrs["surface"], "origin": "computed"}
-    frames = [
-        separation.assign(**in_contact, quantity="force", unit="N"),
-        *_curve_rows(fit, curves, published_pull_off),
-        fig4_error.error_rows(inference, sets, CONTACT_MODEL, published_constants),
-    ]
-    return tables.tidy(frames, inference, "over", "x")
+ON_MAP: style.Look = {"frameon": True, "facecolor": "0.6", "framealpha": 0.9}
 
 
 def draw(
@@ -85,20 +57,26 @@ def draw(
     published_constants: pd.DataFrame,
     published_pull_off: pd.DataFrame,
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit."""
+    """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit.
+
+    In the table `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e),
+    `value` with `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the
+    median and SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error)
+    stay in contact.nc and inference.nc.
+    """
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
-    work = float(published_constants["value"]["work_of_adhesion"])
-    curves = _force_curves(fit, of_sets, work)
     figure, ((pressure, separation, key), (ratios, forces), (least, error)) = drawing.create_rows(
         7.6, inference, (1, (1.3, 1, 1)), (1.3, (1, 1)), (1.3, (1, 1))
     )
     _draw_pressure(pressure, contact)
-    _draw_separation(separation, contact)
+    frames = [
+        _draw_separation(separation, contact),
+        _draw_ratios(ratios, fit, of_sets, published_pull_off["mean_force"]),
+        _draw_forces(forces, fit, of_sets, published_constants, published_pull_off["mean_force"]),
+        _draw_least_error(least, inference, of_sets),
+        _draw_error_map(error, fit, published_constants),
+    ]
     separation.set_title(style.print_pair(published_constants["value"]), loc="left")
-    _draw_ratios(ratios, fit, curves, published_pull_off)
-    _draw_forces(forces, fit, curves, work, published_pull_off)
-    fig4_error.draw_least_error(least, inference, sets, CONTACT_MODEL)
-    fig4_error.draw_error_map(error, fit, published_constants)
     for axes in (ratios, forces, least, error):
         style.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
@@ -106,7 +84,7 @@ def draw(
         style.label_logarithmic(axes.xaxis, at=(1, 3))
     key.set_axis_off()
     key.legend(handles=_legend_handles(fit, published_constants), loc="center")
-    return _table(contact, inference, sets, published_constants, published_pull_off), figure
+    return tables.tidy(frames, inference, "over", "x"), figure
 
 
 def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[Artist]:
@@ -120,7 +98,6 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
         Line2D([], [], lw=0.7, label=f"{confidence} interval over scans (bars)", **grey),
         style.sets_handle(),
         Line2D([], [], lw=0.9, label="published mean", **grey),
-        Line2D([], [], lw=0.9, ls=":", label="published median", **grey),
         Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], label="ρ that fits the ratios best", **RATIO_FIT),
         Line2D([], [], marker="o", ls="none", label=of_fit, **grey, **AT_FIT),
@@ -143,114 +120,154 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     style.label_panel(axes, "a", str(contact.attrs["label"]))
 
 
-def _draw_separation(axes: Axes, contact: xr.Dataset) -> None:
+def _draw_separation(axes: Axes, contact: xr.Dataset) -> pd.DataFrame:
     """Draw the force (µN) against the separation (nm)."""
+    separation, force = contact["separation"].values, contact["force"].values
     axes.axhline(0, color="0.7", lw=0.6)
-    axes.plot(contact["separation"], contact["force"] / style.MICRONEWTON, color=style.PUBLISHED)
+    axes.plot(separation, force / style.MICRONEWTON, color=style.PUBLISHED)
     axes.set(xlabel="separation (nm)", ylabel="force (µN)")
     axes.locator_params(nbins=5)
-
-
-def _reference(fit: xr.Dataset) -> str:
-    """Return the surface the ratios refer to, whose own ratio is 1 everywhere."""
-    return str(abs(fit["ratio"] - 1).max("rho").idxmin("surface").item())
-
-
-def _force_curves(fit: xr.Dataset, of_sets: xr.Dataset, work: float) -> Curves:
-    """Return ratio and mean force (N) at a work of adhesion (J/m2), over "scans" and "sets"."""
-    return {
-        ("ratio", "scans"): tables.bounded(fit, "ratio"),
-        ("ratio", "sets"): tables.over_sets(of_sets["ratio"]),
-        ("mean_force", "scans"): tables.bounded(fit, "mean_force") * work,
-        ("mean_force", "sets"): tables.over_sets(of_sets["mean_force"]) * work,
-    }
-
-
-def _curve_rows(
-    fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
-) -> list[pd.DataFrame]:
-    """Return what panels b and c show: curves, values at the fit (nm, N), published values."""
-    at_fit = tables.bounded(fit.sel(pair="fitted"), "force_mean")
-    computed = {
-        **{name: values.rename(rho="x") for name, values in curves.items()},
-        ("mean_force_at_fit", "scans"): at_fit.assign(x=fit["range_of_adhesion"]),
-    }
-    published = _published(fit, published_pull_off).rename_axis("surface").reset_index()
-    best = pd.DataFrame([tables.value_and_bounds(fit, "range_from_ratios")])
-    rows = [
-        *(
-            ("computed", quantity, over, tables.as_rows(values))
-            for (quantity, over), values in computed.items()
-        ),
-        *(
-            ("published", quantity, None, published.assign(value=published[quantity]))
-            for quantity in ("ratio", "mean_force", "median_force")
-        ),
-        ("computed", "range_from_ratios", "scans", best),
-    ]
-    return [
-        frame.assign(origin=origin, quantity=quantity, over=over, panel=panel, unit=unit)
-        for origin, quantity, over, frame in rows
-        for panel, unit in [SHOWN[quantity]]
-    ]
-
-
-def _published(fit: xr.Dataset, published_pull_off: pd.DataFrame) -> pd.DataFrame:
-    """Return published mean and median (N) by surface, and the ratio of means."""
-    forces = published_pull_off.reindex(fit["surface"].values)
-    mean = forces["mean_force"]
-    return forces.assign(ratio=mean / mean[_reference(fit)])
+    rows = tables.rows_of("a", "force", "N", x=separation, value=force)
+    return rows.assign(surface=contact.attrs["surface"])
 
 
 def _draw_ratios(
-    axes: Axes, fit: xr.Dataset, curves: Curves, published_pull_off: pd.DataFrame
-) -> None:
-    """Draw the ratio of mean forces to the reference surface against rho (nm)."""
-    reference = _reference(fit)
-    _draw_curves(axes, curves["ratio", "scans"], curves["ratio", "sets"], skipped=reference)
-    ratios = _published(fit, published_pull_off)["ratio"]
-    _draw_levels(axes, ratios.drop(reference), fit, "-")
+    axes: Axes, fit: xr.Dataset, of_sets: xr.Dataset, published: pd.Series
+) -> pd.DataFrame:
+    """Draw the ratio of mean forces to the reference surface against rho (nm).
+
+    The reference is the surface whose own ratio is 1 everywhere.
+    """
+    reference = abs(fit["ratio"] - 1).max("rho").idxmin("surface").item()
+    scans, over_sets = tables.bounded(fit, "ratio"), tables.over_sets(of_sets["ratio"])
+    rows = _draw_curves(axes, scans, over_sets, published / published[reference])
     best = tables.value_and_bounds(fit, "range_from_ratios")
     along = [best[name] for name in ("low", "value", "high")]
-    style.end_near_values([axes])
     axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
     axes.set_ylabel(f"force / that of {fit['label'].sel(surface=reference).item()}")
     style.label_panel(axes, "b", "ratios of forces, for any $W$")
+    rows = rows.assign(panel="b", quantity="ratio", unit="1")
+    best_rows = tables.rows_of("b", "range_from_ratios", "nm", over="scans", **best)
+    return pd.concat([rows, best_rows])
 
 
 def _draw_forces(
-    axes: Axes, fit: xr.Dataset, curves: Curves, work: float, published_pull_off: pd.DataFrame
-) -> None:
-    """Draw the mean force (µN) at the published work of adhesion (J/m2) against rho (nm)."""
-    scans, of_sets = (curves["mean_force", over] / style.MICRONEWTON for over in ("scans", "sets"))
-    _draw_curves(axes, scans, of_sets)
-    published = _published(fit, published_pull_off) / style.MICRONEWTON
-    _draw_levels(axes, published["mean_force"], fit, "-")
-    _draw_levels(axes, published["median_force"], fit, ":")
-    fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean") / style.MICRONEWTON
-    for look, of_surface in style.by_surface(fitted):
-        style.draw_bars(
-            axes, fit["range_of_adhesion"], of_surface, elinewidth=1.2, zorder=4, **look | AT_FIT
-        )
-    style.end_near_values([axes])
+    axes: Axes,
+    fit: xr.Dataset,
+    of_sets: xr.Dataset,
+    published_constants: pd.DataFrame,
+    published: pd.Series,
+) -> pd.DataFrame:
+    """Draw the mean force (µN) at the published work of adhesion against rho (nm)."""
+    work = published_constants["value"]["work_of_adhesion"]
+    scans = tables.bounded(fit, "mean_force") * work
+    over_sets = tables.over_sets(of_sets["mean_force"]) * work
+    rows = _draw_curves(axes, scans, over_sets, published, style.MICRONEWTON)
+    fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean")
+    for look, force in style.by_surface(fitted / style.MICRONEWTON):
+        look = look | AT_FIT
+        style.draw_bars(axes, fit["range_of_adhesion"], force, elinewidth=1.2, zorder=4, **look)
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"
     style.label_panel(axes, "c", title)
+    at_fit = tables.computed_rows(fitted.assign(x=fit["range_of_adhesion"]), over="scans")
+    rows = pd.concat(
+        [rows.assign(quantity="mean_force"), at_fit.assign(quantity="mean_force_at_fit")]
+    )
+    return rows.assign(panel="c", unit="N")
 
 
-def _draw_curves(axes: Axes, scans: xr.Dataset, of_sets: xr.Dataset, skipped: str = "") -> None:
-    """Draw the value with its interval, and the band of the sets, of each but the skipped one."""
-    for look, curve in style.by_surface(scans):
+def _draw_curves(
+    axes: Axes, scans: xr.Dataset, over_sets: xr.Dataset, published: pd.Series, unit: float = 1
+) -> pd.DataFrame:
+    """Draw values with intervals, bands of the sets and published levels, in a printed unit."""
+    for look, curve in style.by_surface(scans / unit):
         surface = curve["surface"].item()
-        if surface != skipped:
-            band = of_sets.sel(surface=surface)
-            style.fill_interval(axes, band, "rho", look["color"])
-            style.draw_bars(axes, curve["rho"], curve, elinewidth=0.7, ms=2.5, **look)
+        style.fill_interval(axes, over_sets.sel(surface=surface) / unit, "rho", look["color"])
+        style.draw_bars(axes, curve["rho"], curve, elinewidth=0.7, ms=2.5, **look)
+        axes.axhline(published[surface] / unit, color=look["color"], lw=0.9)
     axes.set(xscale="log", yscale="log")
+    style.end_near_values([axes])
+    of_paper = published.reindex(scans["surface"].values).rename("value").rename_axis("surface")
+    frames = [
+        tables.computed_rows(scans, over="scans"),
+        tables.computed_rows(over_sets, over="sets"),
+        of_paper.reset_index().assign(origin="published"),
+    ]
+    return pd.concat(frames).rename(columns={"rho": "x"})
 
 
-def _draw_levels(axes: Axes, levels: pd.Series, fit: xr.Dataset, dashes: str) -> None:
-    """Draw a horizontal line for each surface with a published value."""
-    colours = style.colours(fit["surface"].values)
-    for surface, level in levels.dropna().items():
-        axes.axhline(level, color=colours[str(surface)], lw=0.9, ls=dashes)
+def _draw_least_error(axes: Axes, inference: xr.Dataset, of_sets: xr.Dataset) -> pd.DataFrame:
+    """Draw the error, least over W, against rho (nm), and the best fit of each set."""
+    fit = inference.sel(contact_model=CONTACT_MODEL)
+    threshold = inference.attrs["error_threshold"]
+    of_set: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
+    set_ranges, set_errors = of_sets["range_of_adhesion"].values, of_sets["best_error"].values
+    axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **of_set)
+    frames = [tables.rows_of("d", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
+    for model in [name for name in MODELS if name in inference["contact_model"]]:
+        curve = inference["error_of_range"].sel(contact_model=model)
+        ranges = curve["rho_fine"].values
+        axes.plot(ranges, curve, lw=1.2, label=f"{model} contact", **MODELS[model])
+        name = f"least_error_{model}"
+        frames.append(tables.rows_of("d", name, "1", x=ranges, value=curve.values))
+    best = tables.value_and_bounds(fit, "best_error")
+    axes.plot([fit["range_of_adhesion"]] * 2, [best["low"], best["high"]], color="black", lw=1.0)
+    style.draw_fit(axes, fit, "error")
+    axes.axhline(threshold, color="0.6", lw=0.8, zorder=0)
+    text, place = f"paper: below {threshold:g}", axes.get_yaxis_transform()
+    axes.text(0.02, threshold, text, transform=place, va="bottom", **style.NOTE)
+    axes.set(xscale="log", yscale="log", ylabel="mean relative error, least over $W$")
+    errors = [*set_errors, best["low"], best["value"], threshold]
+    axes.set_ylim(bottom=np.nanmin(errors) / 5)  # leaves room for the legend
+    style.label_logarithmic(axes.yaxis, at=(1, 2, 5))
+    axes.legend(loc="lower left", ncols=2, frameon=True, framealpha=1, edgecolor="white")
+    over = " over scans" if np.isfinite(best["low"]) else ""
+    style.label_panel(axes, "d", f"smallest error {print_formatted(best, '.2g')}{over}")
+    frames.append(tables.rows_of("d", "best_error", "1", **best))
+    return pd.concat([*frames, _minimum_rows(fit, "d", "error", "1")])
+
+
+def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
+    """Map the mean relative error over rho (nm) and W (mJ/m2), with fit and published values."""
+    error = fit["mean_relative_error"].transpose("work", "rho_fine")
+    rho, work = fit["rho_fine"].values, fit["work"].values / style.MILLIJOULE
+    norm = LogNorm(vmax=max(1.0, 3 * error.min().item()))
+    image = axes.pcolormesh(rho, work, error.values, norm=norm, cmap="cividis", **style.PIXELS)
+    threshold = fit.attrs["error_threshold"]
+    if (error < threshold).any():
+        axes.contour(rho, work, error.values, levels=[threshold], colors="white", linewidths=1.0)
+        axes.plot([], [], color="white", lw=1.0, label=f"error < {threshold:g}")
+    ranges, works = fit["sampled_range"].values, fit["sampled_work"].values
+    axes.plot([], [], "o", color="white", ms=2.5, label="samples of the scans")
+    look: style.Look = {"color": "white", "ms": 2, "alpha": 0.6, "mew": 0, "rasterized": True}
+    axes.plot(ranges, works / style.MILLIJOULE, ".", **look)
+    style.draw_published_fit(axes, published_constants)
+    axes.legend(loc="lower left", **ON_MAP)  # panel d names the marks of the fit
+    style.draw_fit(axes, fit, "work", style.MILLIJOULE)
+    axes.set(xscale="log", yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
+    fair = work[error.min("rho_fine").values < FAIR]
+    shown = [*fair, published_constants["value"]["work_of_adhesion"] / style.MILLIJOULE]
+    axes.set_ylim(max(work[0], min(shown) / 1.5), min(work[-1], max(shown) * 1.5))
+    style.label_logarithmic(axes.yaxis, at=(1,))
+    bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
+    style.label_logarithmic(bar.ax.yaxis)
+    style.label_panel(axes, "e")
+    return pd.concat(
+        [
+            tables.rows_of("e", "sampled_work", "J/m2", x=ranges, value=works),
+            _minimum_rows(fit, "e", "work", "J/m2"),
+            *(
+                tables.rows_of("e", name, unit, **tables.value_and_bounds(fit, name))
+                for name, unit in FITTED_UNITS.items()
+            ),
+            tables.published_rows(published_constants, FITTED_UNITS, "e"),
+        ]
+    )
+
+
+def _minimum_rows(fit: xr.Dataset, panel: str, height: str, unit: str) -> pd.DataFrame:
+    """Return work or error at each local minimum of the error along the range."""
+    minima = fit.dropna("minimum", subset=["minimum_range"])
+    name = f"minimum_{height}"
+    return tables.rows_of(panel, name, unit, x=minima["minimum_range"], value=minima[name])

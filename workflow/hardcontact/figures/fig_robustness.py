@@ -4,7 +4,8 @@ The error of the fit has several local minima along the range: beside the fit, w
 stand the others, so that a step from one to another is told from a shift of both.
 """
 
-from typing import Any, NamedTuple
+from collections.abc import Iterable
+from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -16,6 +17,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from hardcontact.figures import drawing, style, tables
+from hardcontact.scales.critical_band import POOLED
 
 TITLE = "How far the results depend on choices"
 CHAPTER = "7. Robustness"
@@ -43,7 +45,6 @@ inference.nc, band.nc and resources/paper/parameters.csv.
 
 BASELINE = "baseline"
 FULL = "the study itself"
-CONTACT_MODEL, GROUP = "plastic", "pooled"  # what the variants are computed with and for
 ABOVE = 0.4  # rows between the baseline and the study itself
 GAP = 0.4  # rows between groups of variants
 VARIANT: style.Look = {"color": "0.15", "marker": "o"}
@@ -52,64 +53,40 @@ MINIMUM: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white
 WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
 MISSING: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
 COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
+ENDS = ["value", "low", "high"]
 
 
 class _Quantity(NamedTuple):
     """The quantity of one panel, and how it is printed."""
 
-    panel: str
-    title: str
-    axis: str
+    variable: str
+    side: str  # of the band
     unit: str
     printed_unit: float  # in `unit`
-    ticks: tuple[int, ...]  # digits labelled in each decade
+    title: str
+    axis: str
     missing: str  # said of a variant without a value
     minimum: str = ""  # name of its values at all local minima of the error
 
 
 QUANTITIES = {  # by the name of the published constant
     "range_of_adhesion": _Quantity(
-        "a", "range of adhesion", "ρ (nm)", "nm", 1, (1, 3), "not affected", "minimum_range"
+        "range_of_adhesion", "", "nm", 1,
+        "range of adhesion", "ρ (nm)", "not affected", "minimum_range",
     ),
     "work_of_adhesion": _Quantity(
-        "b", "work of adhesion", "$W$ (mJ/m²)", "J/m2", 1e-3, (1, 3), "not affected", "minimum_work"
+        "work_of_adhesion", "", "J/m2", 1e-3,
+        "work of adhesion", "$W$ (mJ/m²)", "not affected", "minimum_work",
     ),
     "critical_wavelength_small": _Quantity(
-        "c", "short cutoff", "$λ_S$ (nm)", "nm", 1, (1, 2, 3, 4, 5, 7), "never reached"
+        "critical_wavelength", "small", "nm", 1,
+        "short cutoff", "$λ_S$ (nm)", "never reached",
     ),
     "critical_wavelength_large": _Quantity(
-        "d", "long cutoff", "$λ_L$ (µm)", "nm", 1000, (1, 2, 3, 5), "never reached"
+        "critical_wavelength", "large", "nm", 1000,
+        "long cutoff", "$λ_L$ (µm)", "never reached",
     ),
-}
-
-
-def _table(
-    robustness: xr.Dataset,
-    inference: xr.Dataset,
-    band: xr.Dataset,
-    published_constants: pd.DataFrame,
-) -> pd.DataFrame:
-    """Return the four quantities, one row each of a variant, of the study and of the paper.
-
-    Range of adhesion and critical wavelengths in nm, work of adhesion in J/m2, each with its
-    interval `low`, `high` (published: its +-), empty where a variant does not affect a quantity or
-    the force never leaves the band. Of range and work a row each of the other minima of the error
-    of a variant follows. `variant` is empty but for variants.
-    """
-    of_study = inference.sel(contact_model=CONTACT_MODEL).merge(
-        band.sel(group=GROUP), compat="override"
-    )
-    study = {"label": FULL, "origin": "computed"}
-    rows = [
-        {"panel": quantity.panel, "quantity": name, "unit": quantity.unit, **row}
-        for name, quantity in QUANTITIES.items()
-        for row in (
-            *_variant_rows(robustness, name, quantity.minimum),
-            {**study, **_result(of_study, name)},
-            {"origin": "published", **tables.published_value(published_constants, name)},
-        )
-    ]
-    return pd.DataFrame(rows)[COLUMNS]
+}  # fmt: skip
 
 
 def draw(
@@ -120,91 +97,93 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
-    The study itself, above them, has more contacts, pixels and realizations.
+    The study itself, above them, has more contacts, pixels and realizations. The table has a row
+    for each of the four quantities of a variant, of the study and of the paper: ranges and
+    wavelengths in nm, works in J/m2, with their intervals (published: its +-), empty where a
+    variant does not affect a quantity or the force never leaves the band. Of range and work a row
+    each of the other minima of the error of a variant follows. Only variants have a `variant`.
     """
-    rows = _table(robustness, inference, band, published_constants)
-    heights = _heights(robustness)
-    figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
-    row = figure.subplots(1, len(QUANTITIES), sharey=True)
-    for axes, quantity in zip(row, QUANTITIES.values(), strict=True):
-        _draw_quantity(axes, rows[rows["panel"] == quantity.panel], quantity, heights)
-    row[0].set_yticks(heights, robustness["variant_label"].values)
-    row[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
-    style.legend_above(figure, _legend_handles(robustness), 2)
-    return rows, figure
-
-
-def _result(data: xr.Dataset, name: str) -> dict[str, float]:
-    """Return value, low and high of a quantity of one variant, or of the study."""
-    variable, _, side = name.partition("_wavelength_")
-    if side:
-        return tables.value_and_bounds(data.sel(side=side), f"{variable}_wavelength")
-    return tables.value_and_bounds(data, name)
-
-
-def _variant_rows(robustness: xr.Dataset, name: str, minimum: str) -> list[dict[str, Any]]:
-    """Return one row a variant, then one for each local minimum of its error but the least."""
-    described = robustness[["variant_label", "group"]].to_dataframe()
-    variants = [
-        {"variant": variant, "label": label, "group": group, "origin": "computed"}
-        for variant, label, group in described[["variant_label", "group"]].itertuples()
-    ]
-    rows: list[dict[str, Any]]
-    rows = [{**one, **_result(robustness.sel(variant=one["variant"]), name)} for one in variants]
-    if minimum:
-        others = robustness[minimum].isel(minimum=slice(1, None))
-        rows += [
-            {**one, "quantity": minimum, "value": value}
-            for one in variants
-            for value in others.sel(variant=one["variant"]).values
-            if np.isfinite(value)
-        ]
-    return rows
-
-
-def _heights(robustness: xr.Dataset) -> np.ndarray:
-    """Return where each variant is drawn, downwards, with gaps between the groups."""
+    # The choices of the study that the variants are computed with and for.
+    study = inference.sel(contact_model="plastic").merge(band.sel(group=POOLED), compat="override")
     group = robustness["group"].values
-    return np.concatenate([[0], np.cumsum(1 + GAP * (group[1:] != group[:-1]))])
+    heights = np.concatenate([[0], np.cumsum(1 + GAP * (group[1:] != group[:-1]))])
+    figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
+    panels = figure.subplots(1, len(QUANTITIES), sharey=True)
+    frames = []
+    for letter, axes, (name, quantity) in zip("abcd", panels, QUANTITIES.items(), strict=True):
+        variants, minima = _results(robustness, quantity), _other_minima(robustness, quantity)
+        of_study = _results(study, quantity).assign(label=FULL)
+        of_paper = tables.published_rows(published_constants, {name: quantity.unit}, letter)
+        _draw_published(axes, of_paper.iloc[0], quantity.printed_unit)
+        _draw_minima(axes, minima, dict(zip(variants["variant"], heights, strict=True)), quantity)
+        _draw_results(axes, variants, heights, quantity, VARIANT)
+        _draw_results(axes, of_study, [-ABOVE], quantity, STUDY)
+        baseline = variants["value"][variants["group"] == BASELINE].item()
+        axes.axvline(baseline / quantity.printed_unit, color="0.15", lw=0.6, ls=":")
+        axes.set(xscale="log", xlabel=quantity.axis)
+        axes.tick_params(axis="y", length=0)
+        style.label_logarithmic(axes.xaxis, at=(1, 3) if quantity.minimum else (1, 2, 3, 5))
+        style.label_panel(axes, letter, quantity.title)
+        results = pd.concat([variants, of_study]).assign(quantity=name)
+        computed = pd.concat([results, minima.assign(quantity=quantity.minimum)])
+        computed = computed.assign(panel=letter, origin="computed", unit=quantity.unit)
+        frames.extend([computed, of_paper])
+    panels[0].set_yticks(heights, robustness["variant_label"].values)
+    panels[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
+    style.legend_above(figure, _legend_handles(robustness), 2)
+    return pd.concat(frames).reindex(columns=COLUMNS), figure
 
 
-def _draw_quantity(
-    axes: Axes, rows: pd.DataFrame, quantity: _Quantity, heights: np.ndarray
-) -> None:
-    """Draw one quantity: variants downwards, the study above them, the published value behind."""
-    published = rows[rows["origin"] == "published"].iloc[0]
-    factor = quantity.printed_unit
+def _results(data: xr.Dataset, quantity: _Quantity) -> pd.DataFrame:
+    """Return a quantity of the variants, or of the study, with its intervals, a row each."""
+    if quantity.side:
+        data = data.sel(side=quantity.side)
+    values = tables.bounded(data, quantity.variable)
+    if "variant" not in data.dims:
+        return pd.DataFrame([{str(end): number.item() for end, number in values.items()}])
+    described = data[["variant_label", "group"]].rename(variant_label="label")
+    return tables.as_rows(values.merge(described, compat="override"))
+
+
+def _other_minima(robustness: xr.Dataset, quantity: _Quantity) -> pd.DataFrame:
+    """Return a quantity at the local minima of the error of each variant but the least."""
+    if not quantity.minimum:
+        return pd.DataFrame({"variant": [], "value": []})
+    minima = robustness[["variant_label", "group", quantity.minimum]].isel(minimum=slice(1, None))
+    named = minima.rename({"variant_label": "label", quantity.minimum: "value"})
+    return tables.as_rows(named).dropna(subset=["value"])
+
+
+def _draw_published(axes: Axes, published: pd.Series, unit: float) -> None:
+    """Draw the published value as a line, and its uncertainty, if it has one, as a band."""
     if np.isfinite(published["low"]):
-        axes.axvspan(published["low"] / factor, published["high"] / factor, color="0.85", zorder=0)
-    axes.axvline(published["value"] / factor, color="0.4", lw=1.0, ls="--")
-    other = rows["quantity"] == quantity.minimum
-    variants = rows[rows["group"].notna() & ~other]
-    others = rows[other].groupby("variant")["value"]
-    for height, (_, variant) in zip(heights, variants.iterrows(), strict=True):
-        if variant["variant"] in others.groups:
-            minima = others.get_group(variant["variant"]) / factor
-            axes.plot(minima, [height] * len(minima), ls="none", **MINIMUM)
-        _draw_result(axes, height, variant, quantity, VARIANT)
-        if variant["group"] == BASELINE:
-            axes.axvline(variant["value"] / factor, color="0.15", lw=0.6, ls=":")
-            study = rows[rows["label"] == FULL].iloc[0]
-            _draw_result(axes, height - ABOVE, study, quantity, STUDY)
-    axes.set(xscale="log", xlabel=quantity.axis)
-    axes.tick_params(axis="y", length=0)
-    style.label_logarithmic(axes.xaxis, at=quantity.ticks)
-    style.label_panel(axes, quantity.panel, quantity.title)
+        axes.axvspan(published["low"] / unit, published["high"] / unit, color="0.85", zorder=0)
+    axes.axvline(published["value"] / unit, color="0.4", lw=1.0, ls="--")
 
 
-def _draw_result(
-    axes: Axes, height: float, result: pd.Series, quantity: _Quantity, look: style.Look
+def _draw_minima(
+    axes: Axes, minima: pd.DataFrame, heights: dict[str, float], quantity: _Quantity
 ) -> None:
-    """Draw a value and its interval, or say why there is none."""
-    value, low, high = result[["value", "low", "high"]].astype(float) / quantity.printed_unit
-    axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
-    axes.plot([value], [height], ls="none", **look)
-    if not np.isfinite(value):
-        at = axes.get_yaxis_transform()
-        axes.text(0.5, height, quantity.missing, transform=at, **MISSING)
+    """Mark the other minima in the rows of their variants."""
+    places = minima["variant"].map(heights)
+    axes.plot(minima["value"] / quantity.printed_unit, places, ls="none", **MINIMUM)
+
+
+def _draw_results(
+    axes: Axes,
+    results: pd.DataFrame,
+    heights: Iterable[float],
+    quantity: _Quantity,
+    look: style.Look,
+) -> None:
+    """Draw values and their intervals, or say why there is none."""
+    printed = results[ENDS] / quantity.printed_unit
+    for height, (value, low, high) in zip(heights, printed.itertuples(index=False), strict=True):
+        axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
+        axes.plot([value], [height], ls="none", **look)
+        if not np.isfinite(value):
+            place = axes.get_yaxis_transform()
+            axes.text(0.5, height, quantity.missing, transform=place, **MISSING)
 
 
 def _legend_handles(robustness: xr.Dataset) -> list[Artist]:

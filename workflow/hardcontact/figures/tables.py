@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from typing import Any
 
+import numpy as np
 import pandas as pd
 import xarray as xr
 
@@ -43,6 +44,14 @@ def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataF
     return as_rows(values).dropna(subset=["value"]).assign(origin="computed", **columns)
 
 
+def rows_of(
+    panel: str, quantity: str, unit: str, origin: str = "computed", **columns: Any
+) -> pd.DataFrame:
+    """Return a row for each number of these columns, in which single numbers are allowed."""
+    frame = pd.DataFrame({name: np.atleast_1d(values) for name, values in columns.items()})
+    return frame.assign(panel=panel, quantity=quantity, unit=unit, origin=origin)
+
+
 def drawn_rows(data: xr.Dataset, *drawn: tuple[str, str, str]) -> pd.DataFrame:
     """Return the rows of variables of a dataset, each given by panel, name and unit."""
     return pd.concat(
@@ -75,9 +84,8 @@ def published_value(constants: pd.DataFrame, name: str) -> dict[str, float]:
 
 def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -> pd.DataFrame:
     """Return a row for each of these published constants, with the ends of its uncertainty."""
-    return pd.DataFrame(
-        {"panel": panel, "origin": "published", "quantity": name, "unit": unit}
-        | published_value(constants, name)
+    return pd.concat(
+        rows_of(panel, name, unit, "published", **published_value(constants, name))
         for name, unit in units.items()
     )
 
