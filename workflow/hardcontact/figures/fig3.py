@@ -1,5 +1,6 @@
 """Fig. 3: how the pull-off forces are distributed, published and computed."""
 
+from collections.abc import Sequence
 from string import ascii_lowercase
 from typing import Any
 
@@ -46,9 +47,7 @@ QUANTITIES = {  # computed variable, unit
     "lognormal_median": ("lognormal_median", "N"),
     "mean_force": ("force_mean", "N"),
     "median_force": ("force_median", "N"),
-    "censored_fraction": ("censored_fraction", "1"),
 }
-PUBLISHED = list(QUANTITIES)[:-1]  # the paper counts no forces below the floor
 COLUMNS = [
     "surface", "label", "basis", "origin", "pair", "quantity", "panel", "force_low", "force_high",
     *tables.VALUE_COLUMNS,
@@ -68,12 +67,11 @@ def draw(
     Forces are taken at the published pair of range and work of adhesion, and at the fitted one: a
     `pair`. The table has one row a bin, its edges `force_low` and `force_high` in N and its
     probability density in 1/N (bins of the linear panels "1", of the logarithmic panels "2"), and
-    one row a log-normal shape (1), median (N), mean (N) and fraction below the force floor.
+    one row a log-normal shape (1), median (N) and mean (N).
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     colours, floor = style.colours(inference["surface"].values), inference.attrs["force_floor"]
     forces = _forces_at_pairs(adhesion, fit, published_constants)
-    published = _published(inference, published_pull_off)
     figure = drawing.create(5.0, inference)
     grid = figure.subplots(2, len(colours), squeeze=False)
     frames = []
@@ -81,19 +79,25 @@ def draw(
         ascii_lowercase, colours.items(), grid.T, strict=False
     ):
         of_pairs = {pair: forces[pair][surface] for pair in forces}
-        at_published = fit.sel(surface=surface, pair="published")
-        fits = _lognormal(published[surface]), _lognormal(at_published)
-        _draw_linear(linear, of_pairs, fits[0], floor, colour)
-        _draw_logarithmic(logarithmic, of_pairs, fits, floor, colour)
-        style.label_panel(linear, f"{letter}_1", str(at_published["label"].item()))
-        here = print_formatted(tables.value_and_bounds(at_published, "lognormal_shape"), ".2f")
-        shape = f"published $s$ = {published[surface]['lognormal_shape']:.2f}\nhere {here}"
+        numbers = _numbers(published_pull_off.loc[surface], fit.sel(surface=surface))
+        shapes = numbers[numbers["quantity"] == "lognormal_shape"]
+        medians = numbers[numbers["quantity"] == "lognormal_median"]
+        # Of the paper, and of the forces computed at its pair.
+        lognormals = [
+            lognorm(shape, scale=median)
+            for shape, median in zip(shapes["value"][:2], medians["value"][:2], strict=True)
+        ]
+        of_linear = _draw_linear(linear, of_pairs, lognormals[0], colour)
+        of_logarithmic = _draw_logarithmic(logarithmic, of_pairs, lognormals, floor, colour)
+        label = fit["label"].sel(surface=surface).item()
+        style.label_panel(linear, f"{letter}_1", str(label))
+        of_paper, here = shapes.to_dict("records")[:2]
+        shape = f"published $s$ = {of_paper['value']:.2f}\nhere {print_formatted(here, '.2f')}"
         style.label_panel(logarithmic, f"{letter}_2", shape)
         for axes in (linear, logarithmic):
+            axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
             axes.set_xlabel("pull-off force (µN)")
-        histograms = _histogram_rows(of_pairs, fits[0])
-        numbers = _number_rows(published[surface], fit.sel(surface=surface))
-        frames.append(pd.concat([histograms, numbers]).assign(surface=surface))
+        frames.append(pd.concat([of_linear, of_logarithmic, numbers]).assign(surface=surface))
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
     style.legend_above(figure, _legend_handles(published_constants, fit, floor), 3)
@@ -117,49 +121,21 @@ def _forces_at_pairs(
     return forces
 
 
-def _published(inference: xr.Dataset, published_pull_off: pd.DataFrame) -> dict[str, pd.Series]:
-    """Return published mean and median (N) by surface, with shape and median of a log-normal."""
-    forces = published_pull_off.reindex(inference["surface"].values)
-    shape = lognormal_shape(forces["mean_force"], forces["median_force"])
-    forces = forces.assign(lognormal_shape=shape, lognormal_median=forces["median_force"])
-    return {str(surface): numbers for surface, numbers in forces.iterrows()}
-
-
-def _lognormal(numbers: pd.Series | xr.Dataset) -> Any:
-    """Return the log-normal among published or computed numbers of one surface, of forces in N."""
-    return lognorm(float(numbers["lognormal_shape"]), scale=float(numbers["lognormal_median"]))
-
-
-def _histogram_rows(of_pairs: Pairs, published: Any) -> pd.DataFrame:
-    """Return the histograms of one surface, a row a bin, and the published log-normal."""
-    linear, logarithmic = _linear_edges(of_pairs, published), _logarithmic_edges(of_pairs)
-    shown = [("published", "1", "", linear, _lognormal_density(published, linear))]
-    for pair, forces in of_pairs.items():
-        shown.append(("computed", "1", pair, linear, _density(forces, linear)))
-        shown.append(("computed", "2", pair, logarithmic, _density(forces, logarithmic)))
-    rows = pd.concat(
-        pd.DataFrame({"force_low": edges[:-1], "force_high": edges[1:], "value": values}).assign(
-            origin=origin, panel=panel, pair=pair
-        )
-        for origin, panel, pair, edges, values in shown
-    )
-    return rows.assign(quantity="probability_density", unit="1/N")
-
-
-def _number_rows(published: pd.Series, of_surface: xr.Dataset) -> pd.DataFrame:
+def _numbers(forces: pd.Series, of_surface: xr.Dataset) -> pd.DataFrame:
     """Return the numbers that describe the forces of one surface, published and at each pair."""
-    numbers = [
-        *(("published", "", name, {"value": published[name]}) for name in PUBLISHED),
-        *(
-            ("computed", pair, name, tables.value_and_bounds(of_surface.sel(pair=pair), variable))
-            for pair in ("published", "fitted")
-            for name, (variable, _) in QUANTITIES.items()
-        ),
+    published = forces.to_dict() | {
+        "lognormal_shape": lognormal_shape(forces["mean_force"], forces["median_force"]),
+        "lognormal_median": forces["median_force"],
+    }
+    frames = [
+        tables.rows_of("", name, unit, "published", pair="", value=published[name])
+        for name, (_, unit) in QUANTITIES.items()
     ]
-    return pd.DataFrame(
-        {"origin": origin, "pair": pair, "quantity": name, "unit": QUANTITIES[name][1], **values}
-        for origin, pair, name, values in numbers
-    )
+    for pair in ("published", "fitted"):
+        for name, (variable, unit) in QUANTITIES.items():
+            values = tables.value_and_bounds(of_surface.sel(pair=pair), variable)
+            frames.append(tables.rows_of("", name, unit, pair=pair, **values))
+    return pd.concat(frames, ignore_index=True)
 
 
 def _legend_handles(
@@ -176,78 +152,67 @@ def _legend_handles(
     ]
 
 
-def _linear_edges(of_pairs: Pairs, published: Any) -> np.ndarray:
-    """Return bin edges (N) from zero to a high quantile of each distribution."""
-    ends = [np.quantile(forces, 0.97) for forces in of_pairs.values()]
-    return np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
-
-
-def _logarithmic_edges(of_pairs: Pairs) -> np.ndarray:
-    """Return bin edges (N) evenly spaced in the logarithm that hold every force."""
-    every = np.concatenate(list(of_pairs.values()))
-    first, last = np.log10(every.min()), np.log10(every.max())
-    steps = np.arange(np.floor(first * BINS_PER_DECADE), np.ceil(last * BINS_PER_DECADE) + 2)
-    return 10 ** (steps / BINS_PER_DECADE)
-
-
-def _density(forces: np.ndarray, edges: np.ndarray) -> np.ndarray:
-    """Return the density (1/N) in each bin; forces beyond the bins count in the total."""
-    densities: np.ndarray = np.histogram(forces, edges)[0] / (forces.size * np.diff(edges))
-    return densities
-
-
-def _lognormal_density(lognormal: Any, edges: np.ndarray) -> np.ndarray:
-    """Return the log-normal's mean probability density (1/N) in each bin."""
-    densities: np.ndarray = np.diff(lognormal.cdf(edges)) / np.diff(edges)
-    return densities
-
-
-def _draw_linear(axes: Axes, of_pairs: Pairs, published: Any, floor: float, colour: str) -> None:
+def _draw_linear(axes: Axes, of_pairs: Pairs, published: Any, colour: str) -> pd.DataFrame:
     """Draw the computed histograms and the published log-normal over the same bins, in µN.
 
-    Forces are in N; those below the floor (N) the experiment could not resolve.
+    The bins reach from zero to a high quantile of each distribution.
     """
-    edges = _linear_edges(of_pairs, published)
-    _draw_histograms(axes, of_pairs, edges, colour)
-    density = _lognormal_density(published, edges) * style.MICRONEWTON
-    axes.stairs(density, edges / style.MICRONEWTON, **PUBLISHED_LINE)
-    _shade_floor(axes, 0, floor)
+    ends = [np.quantile(forces, 0.97) for forces in of_pairs.values()]
+    edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
+    computed = _draw_histograms(axes, of_pairs, edges, colour)
+    density = np.diff(published.cdf(edges)) / np.diff(edges)
+    axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **PUBLISHED_LINE)
     axes.set_xlim(0, edges[-1] / style.MICRONEWTON)
     axes.set_ylim(bottom=0)
     axes.locator_params(nbins=4)
+    of_paper = _bin_rows(edges, density).assign(origin="published", pair="")
+    return pd.concat([of_paper, computed]).assign(panel="1")
 
 
 def _draw_logarithmic(
-    axes: Axes, of_pairs: Pairs, fits: tuple[Any, Any], floor: float, colour: str
-) -> None:
-    """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN."""
-    edges = _logarithmic_edges(of_pairs)
-    _draw_histograms(axes, of_pairs, edges, colour)
-    exceeded = [lognormal.ppf(0.999) for lognormal in fits]
+    axes: Axes, of_pairs: Pairs, lognormals: Sequence[Any], floor: float, colour: str
+) -> pd.DataFrame:
+    """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN.
+
+    The bins, even in the logarithm, hold every force.
+    """
+    every = np.concatenate(list(of_pairs.values()))
+    first, last = np.log10(every.min()), np.log10(every.max())
+    steps = np.arange(np.floor(first * BINS_PER_DECADE), np.ceil(last * BINS_PER_DECADE) + 2)
+    edges = 10 ** (steps / BINS_PER_DECADE)
+    rows = _draw_histograms(axes, of_pairs, edges, colour)
+    exceeded = [lognormal.ppf(0.999) for lognormal in lognormals]
     ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *exceeded])
     line = np.geomspace(*ends, 200)
-    for lognormal, look in zip(fits, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
+    for lognormal, look in zip(lognormals, (PUBLISHED_LINE, COMPUTED_LINE), strict=True):
         curve = lognormal.pdf(line) * style.MICRONEWTON
         axes.plot(line / style.MICRONEWTON, curve, **look)
-    densities = np.concatenate([_density(forces, edges) for forces in of_pairs.values()])
-    bars = densities[densities > 0] * style.MICRONEWTON
+    bars = rows["value"][rows["value"] > 0] * style.MICRONEWTON
     axes.set(xscale="log", yscale="log", xlim=np.divide(ends, style.MICRONEWTON))
     # The bars set the scale: a log-normal falls without end, and a narrow one has a high peak.
     axes.set_ylim(bars.min() / 3, bars.max() * 10)
-    _shade_floor(axes, ends[0], floor)
+    return rows.assign(panel="2")
 
 
-def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str) -> None:
-    """Fill the histogram at the published pair, and outline that at the fitted one."""
-    of_pair: dict[str, style.Look] = {
+def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str) -> pd.DataFrame:
+    """Fill the histogram at the published pair, and outline that at the fitted one.
+
+    Forces beyond the bins count in the total.
+    """
+    looks: dict[str, style.Look] = {
         "published": {**AT_PUBLISHED, "color": colour, "fill": True},
         "fitted": {**AT_FIT, "edgecolor": colour},
     }
-    for pair, look in of_pair.items():
-        density = _density(of_pairs[pair], edges) * style.MICRONEWTON
-        axes.stairs(density, edges / style.MICRONEWTON, **look)
+    frames = []
+    for pair, look in looks.items():
+        forces = of_pairs[pair]
+        density = np.histogram(forces, edges)[0] / (forces.size * np.diff(edges))
+        axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **look)
+        frames.append(_bin_rows(edges, density).assign(origin="computed", pair=pair))
+    return pd.concat(frames)
 
 
-def _shade_floor(axes: Axes, low: float, floor: float) -> None:
-    """Shade the forces the experiment could not resolve."""
-    axes.axvspan(low / style.MICRONEWTON, floor / style.MICRONEWTON, color="0.85", zorder=0)
+def _bin_rows(edges: np.ndarray, density: np.ndarray) -> pd.DataFrame:
+    """Return a row for each bin (N) with its probability density (1/N)."""
+    rows = pd.DataFrame({"force_low": edges[:-1], "force_high": edges[1:], "value": density})
+    return rows.assign(quantity="probability_density", unit="1/N")

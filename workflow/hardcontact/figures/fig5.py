@@ -39,141 +39,99 @@ SHARES = np.linspace(0, 1, 101)  # steps of the distributions
 COLUMNS = [*tables.ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 
 
-def _table(indent: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
-    """Return the line scans and the distributions of Fig. 5, one row a point, values in nm.
+def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
+    """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts.
 
-    Line scans (panels b, c): height of the sphere before and after against `position` in nm.
-    Distributions (d to f): the `value` that a `share` of all contacts does not exceed, for each
-    `preload` in N. The map stays in indent.nc.
+    In the table are, in nm, the height of the sphere before and after against `position` (b, c),
+    and the size that a `share` of all contacts does not exceed, for each `preload` in N (d to f).
+    The map stays in indent.nc.
     """
     published = published_constants["value"]
     shown = indent.sel(preload=published[PRELOAD], method="nearest")
-    lines = (_line_rows(shown, *of_line) for of_line in zip("bc", ALONG, strict=True))
-    sizes = (_size_rows(indent, published, *of_size) for of_size in zip("def", SIZES, strict=True))
+    figure, ((indents, *lines), sizes) = drawing.create_rows(
+        5.3, indent, (1.2, (1.35, 1, 1)), (1, (1, 1, 1))
+    )
+    _draw_map(indents, shown)
+    view = _view(shown["indentation"])
+    indents.set(xlim=view, ylim=view)
+    frames = []
+    for axes, letter, along in zip(lines, "bc", ALONG, strict=True):
+        rows = _draw_line(axes, shown, along)
+        axes.set_xlim(view)
+        style.label_panel(axes, letter, f"sphere along {along}")
+        frames.append(rows.assign(panel=letter, origin="computed", preload=shown["preload"].item()))
+    lines[0].set_ylabel("height (nm)")
+    for axes, letter, name in zip(sizes, "def", SIZES, strict=True):
+        rows = _draw_sizes(axes, indent, name, published)
+        style.label_panel(axes, letter, SIZES[name][0])
+        frames.append(rows.assign(panel=letter, quantity=name))
+    sizes[0].set_ylabel("cumulative share of contacts")
+    entries = style.legend_entries(sizes[:1])
+    figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=len(entries))
     of_all = {name: indent.attrs[name] for name in ("surface", "label", "basis")} | {"unit": "nm"}
-    return pd.concat([*lines, *sizes], ignore_index=True).assign(**of_all)[COLUMNS]
+    return pd.concat(frames, ignore_index=True).assign(**of_all)[COLUMNS], figure
 
 
-def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts."""
-    published = published_constants["value"]
-    shown = indent.sel(preload=published[PRELOAD], method="nearest")
-    figure = drawing.create(5.3, indent)
-    rows = figure.add_gridspec(2, 1, height_ratios=(1.5, 1))
-    above, below = rows[0], rows[1]
-    columns = above.subgridspec(1, 2, width_ratios=(1, 1.3))
-    _draw_map(figure.add_subplot(columns[0]), shown)
-    lines = columns[1].subgridspec(2, 1).subplots(sharey=True, squeeze=False)
-    _draw_lines(lines[:, 0], shown)
-    sizes = below.subgridspec(1, 3).subplots(sharey=True, squeeze=False)
-    _draw_sizes(sizes[0], indent, published)
-    handles, labels = figure.axes[-1].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside upper center", ncols=len(labels))
-    return _table(indent, published_constants), figure
+def _view(depths: xr.DataArray) -> tuple[float, float]:
+    """Return limits (nm) of x and y about the deepest point, twice as far as the indents."""
+    reach = min(2 * style.half_width(depths > 0), depths["x"].values.max())
+    return -reach, reach
 
 
-def _deepest(shown: xr.Dataset) -> dict[str, float]:
-    """Return where the sphere is pressed in deepest, x and y in nm."""
-    depths = shown["indentation"]
-    return {str(along): place.item() for along, place in depths[depths.argmax(...)].coords.items()}
+def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
+    """Map how deep (nm) one contact presses the sphere in, with the two lines drawn beside."""
+    depths = shown["indentation"].transpose("y", "x")
+    image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTHS, **style.PIXELS)
+    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
+    axes.axhline(0, color=ALONG["x"], lw=0.8)
+    axes.axvline(0, color=ALONG["y"], lw=0.8)
+    axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
+    axes.locator_params(nbins=5)
+    label, preload = shown.attrs["label"], _print_preload(shown["preload"])
+    style.label_panel(axes, "a", f"one contact on {label}, {preload}")
 
 
-def _line(shown: xr.Dataset, along: str) -> dict[str, xr.DataArray]:
-    """Return the sphere's height (nm) before and after, along x or y through the deepest point.
+def _draw_line(axes: Axes, shown: xr.Dataset, along: str) -> pd.DataFrame:
+    """Draw the sphere's height (nm) before and after, along x or y through the deepest point.
 
     Heights point out of the sphere, as under a microscope: indents point downwards.
     """
     across = "y" if along == "x" else "x"
-    line = shown.sel({across: _deepest(shown)[across]})
+    line = shown.sel({across: 0})
     before = -line["sphere_height"]
-    return {"height_before": before, "height_after": before - line["indentation"]}
-
-
-def _line_rows(shown: xr.Dataset, panel: str, along: str) -> pd.DataFrame:
-    rows = pd.concat(
-        heights.rename({along: "position"}).to_dataframe("value").assign(quantity=quantity)
-        for quantity, heights in _line(shown, along).items()
-    )
-    return rows.reset_index().assign(panel=panel, origin="computed")
-
-
-def _distribution(indent: xr.Dataset, name: str) -> xr.DataArray:
-    """Return the value (preload, quantile) that a share of all contacts does not exceed."""
-    over = [dim for dim in indent[name].dims if dim != "preload"]
-    values = indent[name].quantile(SHARES, over, method="inverted_cdf")
-    return values.transpose("preload", "quantile")
-
-
-def _size_rows(indent: xr.Dataset, published: pd.Series, panel: str, name: str) -> pd.DataFrame:
-    computed = _distribution(indent, name).to_dataframe("value").reset_index()
-    size = published[SIZES[name][-1]]
-    rows = [
-        computed.rename(columns={"quantile": "share"}).assign(origin="computed"),
-        pd.DataFrame([{"preload": published[PRELOAD], "value": size, "origin": "published"}]),
-    ]
-    return pd.concat(rows).assign(panel=panel, quantity=name)
-
-
-def draw_indents(axes: Axes, depths: xr.DataArray) -> None:
-    """Map how deep (nm) the sphere is pressed in, with a colour bar."""
-    depths = depths.transpose("y", "x")
-    image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTHS, **style.PIXELS)
-    axes.set(aspect="equal", xlabel="x (nm)", ylabel="y (nm)")
-    axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
-
-
-def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
-    """Map the indents of one contact, with the two lines drawn beside."""
-    draw_indents(axes, shown["indentation"])
-    deepest = _deepest(shown)
-    axes.axhline(deepest["y"], color=ALONG["x"], lw=0.8)
-    axes.axvline(deepest["x"], color=ALONG["y"], lw=0.8)
-    axes.set(xlim=_view(shown, "x"), ylim=_view(shown, "y"))
+    after = before - line["indentation"]
+    axes.fill_between(line[along], after, before, color=ALONG[along], alpha=0.25, lw=0)
+    axes.plot(line[along], before, color=BEFORE, lw=0.8, label="before")
+    axes.plot(line[along], after, color=ALONG[along], label="after")
+    axes.set_xlabel(f"{along} (nm)")
     axes.locator_params(nbins=5)
-    label, preload = shown.attrs["label"], print_preload(shown["preload"])
-    style.label_panel(axes, "a", f"one contact on {label}, {preload}")
+    axes.legend(loc="lower left")
+    rows = [
+        pd.DataFrame({"position": line[along], "value": height, "quantity": quantity})
+        for quantity, height in (("height_before", before), ("height_after", after))
+    ]
+    return pd.concat(rows)
 
 
-def _view(shown: xr.Dataset, along: str) -> tuple[float, float]:
-    """Return limits (nm) about the deepest point, twice as far as the farthest indent."""
-    depths, deepest = shown["indentation"], _deepest(shown)
-    farthest = (abs(depths[name] - deepest[name]).where(depths > 0).max().item() for name in ALONG)
-    reach, places = 2 * max(farthest), depths[along].values
-    return max(deepest[along] - reach, places.min()), min(deepest[along] + reach, places.max())
+def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series) -> pd.DataFrame:
+    """Draw the distribution over all contacts of a size (nm), and its published value."""
+    _, quantity, constant = SIZES[name]
+    contacts = [dim for dim in indent[name].dims if dim != "preload"]
+    sizes = indent[name].quantile(SHARES, contacts, method="inverted_cdf")
+    sizes = sizes.transpose("preload", "quantile").rename(quantile="share")
+    shades = DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
+    for values, colour in zip(sizes, shades, strict=True):
+        label = f"computed, {_print_preload(values['preload'])}"
+        axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
+    label = f"published, {_print_preload(published[PRELOAD])}"
+    axes.axvline(published[constant], color=style.PUBLISHED, lw=1.0, ls="--", label=label)
+    axes.set(xlabel=quantity, ylim=(0, 1))
+    axes.set_xlim(left=0)
+    of_paper = {"preload": published[PRELOAD], "value": published[constant]}
+    return pd.concat(
+        [tables.computed_rows(sizes), pd.DataFrame([of_paper | {"origin": "published"}])]
+    )
 
 
-def _draw_lines(column: np.ndarray, shown: xr.Dataset) -> None:
-    """Draw the sphere before and after (nm), along x above and along y below."""
-    for axes, letter, (along, colour) in zip(column, "bc", ALONG.items(), strict=True):
-        line = _line(shown, along)
-        before, after = line["height_before"], line["height_after"]
-        place = before[along]
-        axes.fill_between(place, after, before, color=colour, alpha=0.25, lw=0)
-        axes.plot(place, before, color=BEFORE, lw=0.8, label="before")
-        axes.plot(place, after, color=colour, label="after")
-        axes.set(xlim=_view(shown, along), xlabel=f"{along} (nm)", ylabel="height (nm)")
-        axes.locator_params(axis="y", nbins=5)
-        axes.legend(loc="lower left")
-        style.label_panel(axes, letter, f"sphere along {along}")
-
-
-def _draw_sizes(row: np.ndarray, indent: xr.Dataset, published: pd.Series) -> None:
-    """Draw the distribution over all contacts of each size (nm), and its published value."""
-    for axes, letter, name in zip(row, "def", SIZES, strict=True):
-        title, quantity, constant = SIZES[name]
-        sizes = _distribution(indent, name)
-        shades = DEPTHS(np.linspace(0.5, 0.95, sizes.sizes["preload"]))
-        for values, colour in zip(sizes, shades, strict=True):
-            label = f"computed, {print_preload(values['preload'])}"
-            axes.plot(values, SHARES, color=colour, drawstyle="steps-post", label=label)
-        label = f"published, {print_preload(published[PRELOAD])}"
-        axes.axvline(published[constant], color=style.PUBLISHED, lw=1.0, ls="--", label=label)
-        axes.set(xlabel=quantity, ylim=(0, 1))
-        axes.set_xlim(left=0)
-        style.label_panel(axes, letter, title)
-    row[0].set_ylabel("cumulative share of contacts")
-
-
-def print_preload(preload: float | xr.DataArray) -> str:
-    """Return a preload (N) as it is printed."""
+def _print_preload(preload: float | xr.DataArray) -> str:
     return f"{float(preload) / style.MICRONEWTON:g} µN"
