@@ -1,59 +1,53 @@
-"""Bad configurations: one line, the key, what was expected and found."""
+"""Configurations are read as numbers, or refused in one line a fault; what a study makes of one."""
 
 import datetime
 
 import pytest
 from refusals import assert_says, refusal
+from repository import PAPER
 from studies import numbers
 
-from hardcontact.config import configuration
+from hardcontact.config import configuration, model
+from hardcontact.config.faults import refuse_all, refuse_lines
+
+# Keys
 
 
 @pytest.mark.parametrize(
     ("key", "value", "parts"),
     [
-        ("studdy", "a", ["found studdy (did you mean study?)"]),
-        ("effort", "quik", ["config key effort: expected full or quick, found 'quik'"]),
-        ("sphere.radius", 250, ["a length with a unit, such as 5.6 nm or 250 um, found 250"]),
-        ("scan.pixel", 5, ["config key scan:", "pixels", "found pixel"]),
-        ("contact.hardness", "25 GPa m", ["config key contact.hardness:", "Pa", "'25 GPa m'"]),
-        ("sphere.radius", "-250 um", ["config key sphere.radius:", "10 to 1e+09 nm", "-250 um"]),
-        (
-            "contact.preload",
-            1.0e-5,
-            ["config key contact.preload:", "a force with a unit, such as 10 uN,", "1e-05"],
-        ),
-        ("contact.preload", "nan uN", ["config key contact.preload:", "'nan uN'"]),
-        ("contact.preload", "9**9**9 uN", ["config key contact.preload:", "'9**9**9 uN'"]),
-        ("contact.count", 0, ["config key contact.count:", "at least 1", "found 0"]),
-        ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
-        ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
-        ("contact.count", True, ["contact.count:", "a whole number", "found True"]),
-        ("scales.small.pixels", 8191, ["scales.small.pixels:", "a multiple of 2", "found 8191"]),
-        ("scales.small.cutoffs", ["1e300 nm"], ["cutoffs.0:", "0.01 to 1e+09 nm", "'1e300 nm'"]),
-        ("store", "results/../a", ["config key store:", "letters", "'results/../a'"]),
-        ("study", "a\n", ["config key study:", "letters", "'a\\n'"]),
-        ("inference.confidence", float("nan"), ["inference.confidence:", "a number", "nan"]),
+        ("studdy", "a", ["(top level)", "found studdy (did you mean study?)"]),
         ("a\nb", 1, ["(top level)", "found 'a\\nb'"]),
+        ("scan.pixel", 5, ["scan:", "found pixel (did you mean pixels?)"]),
+        ("sphere", "ruby", ["sphere:", "a mapping", "found 'ruby'"]),
+        ("effort", "quik", ["effort: expected full or quick, found 'quik'"]),
         ("scales.sphere_roughness", "yes", ["true or false", "found 'yes'"]),
-        (
-            "scales.small.cutoffs",
-            [5],
-            ["config key scales.small.cutoffs.0:", "a length with a unit", "5"],
-        ),
-        ("scales.small.cutoffs", [], ["config key scales.small.cutoffs:", "at least 1 entries"]),
-        ("scans", "some", ["config key scans:", "expected all", "a list", "'some'"]),
+        ("contact.preload", 1e-5, ["a force with a unit, such as 10 uN,", "found 1e-05"]),
+        ("contact.preload", "nan uN", ["contact.preload:", "'nan uN'"]),
+        ("contact.preload", "9**9**9 uN", ["contact.preload:", "'9**9**9 uN'"]),
+        ("contact.hardness", "25 GPa m", ["contact.hardness:", "Pa", "'25 GPa m'"]),
+        ("sphere.radius", "-250 um", ["sphere.radius:", "10 to 1e+09 nm", "-250 um"]),
+        ("scales.small.cutoffs", ["1e300 nm"], ["cutoffs.0:", "0.01 to 1e+09 nm", "'1e300 nm'"]),
+        ("scales.small.cutoffs", [5], ["scales.small.cutoffs.0:", "a length with a unit", "5"]),
+        ("scales.small.cutoffs", [], ["scales.small.cutoffs:", "at least 1 entries"]),
+        ("scans", "some", ["scans:", "expected all", "a list", "'some'"]),
+        ("robustness.heights.skewness", [0, 0.0], ["heights.skewness:", "each entry once"]),
+        ("contact.count", 0, ["contact.count:", "at least 1", "found 0"]),
+        ("contact.count", 20.0, ["contact.count:", "a whole number", "found 20.0"]),
+        ("contact.count", True, ["contact.count:", "a whole number", "found True"]),
+        ("contact.count", datetime.date(2026, 1, 2), ["a whole number", "found 2026-01-02"]),
+        ("scales.small.pixels", 8191, ["scales.small.pixels:", "a multiple of 2", "found 8191"]),
+        ("inference.confidence", float("nan"), ["inference.confidence:", "a number", "nan"]),
         ("inference.confidence", 95, ["inference.confidence:", "at most 0.999", "found 95"]),
-        ("sphere", "ruby", ["config key sphere:", "a mapping", "found 'ruby'"]),
-        (
-            "robustness.heights.skewness",
-            [0, 0.0],
-            ["robustness.heights.skewness:", "each entry once"],
-        ),
+        ("store", "results/../a", ["store:", "letters", "'results/../a'"]),
     ],
 )
 def test_key_refused(key, value, parts):
-    assert_says(refusal(numbers, key, value), "config key", "expected", *parts)
+    assert_says(refusal(numbers, key, value), "config key ", "expected", *parts)
+
+
+def test_no_key_is_guessed_that_is_not_near():
+    assert "did you mean" not in refusal(numbers, "colour", 1)
 
 
 def test_quantities_become_numbers():
@@ -62,52 +56,39 @@ def test_quantities_become_numbers():
     assert config["robustness"]["hardnesses"] == [16e9, 47e9]
 
 
-def test_no_key_is_guessed_that_is_not_near():
-    assert "did you mean" not in refusal(numbers, "colour", 1)
+# Files
 
 
 @pytest.mark.parametrize(
-    ("text", "key"),
+    ("text", "fault"),
     [
-        ("scan: {size: 1 nm}\ncontact: {count: 1}\nscan: {pixels: 2}", "scan"),
-        ("contact:\n  count: 1\n  count: 2", "contact.count"),
+        ("scan: {size: 1 nm}\ncontact: {count: 1}\nscan: {pixels: 2}", "line 3: scan"),
+        ("contact:\n  count: 1\n  count: 2", "line 3: contact.count"),
+        ("contact: {count: 1}\nrobustness: {count: 1}", None),
+        ("scan: &a {size: 1 nm, again: *a}\ncontact: *a", None),  # an alias that holds itself
+        ('{\n\t"seed": 1\n}', None),  # JSON with tabs
+        ("", None),
     ],
 )
-def test_a_key_given_twice(tmp_path, text, key):
+def test_a_key_is_given_once(tmp_path, text, fault):
     path = tmp_path / "a.yaml"
     path.write_text(text)
-    assert refusal(configuration.refuse_repeated_keys, path) == (
-        f"{path}: line 3: expected each key once, found {key} again"
-    )
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "contact: {count: 1}\nrobustness: {count: 1}",
-        "scan: &a {size: 1 nm, again: *a}\ncontact: *a",  # an alias that holds itself
-        '{\n\t"seed": 1\n}',  # JSON with tabs
-        "",
-    ],
-)
-def test_a_key_given_once(tmp_path, text):
-    path = tmp_path / "a.yaml"
-    path.write_text(text)
-    configuration.refuse_repeated_keys(path)
+    if fault is None:
+        configuration.refuse_repeated_keys(path)
+    else:
+        line, key = fault.split(": ")
+        message = refusal(configuration.refuse_repeated_keys, path)
+        assert message == f"{path}: {line}: expected each key once, found {key} again"
 
 
 @pytest.mark.parametrize(
     ("content", "part"),
     [
         (b"", "found: nothing"),
-        (b"# a comment", "found: nothing"),
         (b"- 1", "found: [1]"),
-        (b"word", "found: word"),
-        (b"a: caf\xe9", "no UTF-8"),
         ("a: 1".encode("utf-16"), "no UTF-8"),
         (b"a: 1\0", "#x0000"),
         (b"a: 1\nb:\n\t- 1", "line 3: found character '\\t'"),
-        (b"a: [1\n", "line 2"),
         (b"a: 1\n---\nb: 2", "line 2"),
         (b"a: 2026-13-45", "month"),
         (b"a: " + b"9" * 5000, "4300 digits"),
@@ -116,10 +97,55 @@ def test_a_key_given_once(tmp_path, text):
         (None, "Is a directory"),
     ],
 )
-def test_what_is_no_configuration_is_named(tmp_path, content, part):
+def test_what_is_no_configuration_is_refused(tmp_path, content, part):
     path = tmp_path / "a.yaml"
     path.mkdir() if content is None else path.write_bytes(content)
     message = refusal(configuration.refuse_unreadable, path)
     assert message.startswith(f"{path}: expected YAML with keys at its top, found: ")
     assert_says(message, part)
     assert len(message.splitlines()) == 1 and len(message) < 300
+
+
+# Many faults
+
+
+def test_every_fault_is_told_once_in_its_order():
+    checks = [["b: expected"], [], ["a: expected", "b: expected"]]
+    message = refusal(refuse_all, [lambda lines=lines: refuse_lines(lines) for lines in checks])
+    assert message == "b: expected\na: expected"
+    with pytest.raises(ZeroDivisionError):  # a fault of the study, not of its input
+        refuse_all([lambda: 1 / 0])
+
+
+def test_of_very_many_faults_the_first_are_told():
+    message = refusal(lambda: refuse_lines(f"line {k}: expected" for k in range(100_000)))
+    assert message.startswith("line 0: expected\n") and "99901 more" in message.splitlines()[-1]
+    assert refusal(refuse_all, [lambda: refuse_lines(message.splitlines())]) == message
+
+
+# Targets and words
+
+
+@pytest.mark.parametrize("forces", ["none", "my.csv"])
+def test_every_target_is_made_or_left_out_with_a_reason(forces):
+    own = PAPER | {"published": "none", "forces": forces}
+    made, left_out = set(configuration.made(own)), configuration.left_out(own)
+    assert not made & left_out.keys() and all(left_out.values())
+    assert set(configuration.made(PAPER)) <= made | left_out.keys()
+    assert ("fit" in made) == (forces != "none")
+    assert configuration.left_out(PAPER) == {}
+
+
+def test_contacts_in_words_and_what_of_them_is_the_paper_s():
+    own = model.configuration(
+        {
+            "sphere": {"surface": "smooth", "radius": "0.25mm"},
+            "contact": {"hardness": "5GPa", "preload": "10 uN"},
+            "adhesion": {"work": "46mJ/m2"},
+        }
+    )
+    assert configuration.contact_words(own) == {
+        "sphere": "smooth", "radius of the sphere": "250 µm", "hardness": "5 GPa",
+        "preload": "10 µN", "range of adhesion": "5.6 nm", "work of adhesion": "46 mJ/m²",
+    }  # fmt: skip
+    assert configuration.of_paper(own) == ["radius of the sphere", "preload", "range of adhesion"]

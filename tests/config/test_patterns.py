@@ -1,7 +1,6 @@
 """The paths of a study: apart from each other, and read back as they were written."""
 
 import re
-from itertools import combinations
 from string import Formatter
 
 import pytest
@@ -9,10 +8,12 @@ import pytest
 from hardcontact.config.patterns import Patterns, wildcard_constraints
 
 PATTERNS = Patterns("results/a", "results/store", "ruby")
+#: Patterns of files that are the same as those of another pattern.
+SPECIAL_CASES = ("stitched_", "small_", "large_")
 INTERMEDIATES = {
     name: pattern
     for name, pattern in vars(PATTERNS).items()
-    if "{" in pattern and not name.startswith(("stitched_", "small_", "large_"))
+    if "{" in pattern and not name.startswith(SPECIAL_CASES)
 }
 CONSTRAINTS = wildcard_constraints(["uncd", "polished_uncd", "b.c"], ["study", "skewness+0.3"])
 VALUES = {
@@ -58,14 +59,14 @@ def paths(pattern):
 
 
 @pytest.mark.parametrize("name", INTERMEDIATES)
-def test_a_path_gives_its_wildcards_back(name):
+def test_a_path_belongs_to_one_pattern_and_gives_its_wildcards_back(name):
     for values, path in paths(INTERMEDIATES[name]):
-        assert expression(INTERMEDIATES[name]).fullmatch(path).groupdict() == values
-
-
-def test_no_path_belongs_to_two_patterns():
-    for one, other in combinations(INTERMEDIATES.values(), 2):
-        assert not any(expression(other).fullmatch(path) for _, path in paths(one)), (one, other)
+        matches = {
+            other: match.groupdict()
+            for other, pattern in INTERMEDIATES.items()
+            if (match := expression(pattern).fullmatch(path))
+        }
+        assert matches == {name: values}
 
 
 def test_every_wildcard_has_a_constraint():
@@ -73,23 +74,12 @@ def test_every_wildcard_has_a_constraint():
     assert used == CONSTRAINTS.keys() == VALUES.keys()
 
 
-@pytest.mark.parametrize(
-    ("name", "value"),
-    [
+def test_other_values_are_refused():
+    for name, value in (
         ("surface", "uncd/study"), ("surface", "bxc"), ("variant", "other"), ("scan", "1a"),
         ("shape", "sphere"), ("load", "H25GPa"), ("side", "both"),
-    ],
-)  # fmt: skip
-def test_other_values_are_refused(name, value):
-    assert not re.fullmatch(CONSTRAINTS[name], value)
-
-
-def test_stitched_scans_of_both_bodies_are_stitched_scans():
-    whole = expression(PATTERNS.stitched)
-    substrate = PATTERNS.stitched_substrate.format(surface="uncd", variant="study", scan=1)
-    sphere = PATTERNS.stitched_sphere.format(sphere_scan=2, radius="R250um")
-    assert whole.fullmatch(substrate)["shape"] == "flat"
-    assert sphere == "results/store/stitched/ruby/study/scan-2-sphere-R250um.nc"
+    ):  # fmt: skip
+        assert not re.fullmatch(CONSTRAINTS[name], value), (name, value)
 
 
 @pytest.mark.parametrize("name", INTERMEDIATES)
@@ -99,12 +89,3 @@ def test_log_and_benchmark_have_the_wildcards_of_the_output(name):
     assert wildcards(log) == wildcards(benchmark) == wildcards(pattern)
     assert log.startswith("results/store/logs/rule/") and log.endswith(".log")
     assert benchmark.startswith("results/store/benchmarks/rule/") and benchmark.endswith(".tsv")
-
-
-def test_final_files_lie_in_the_folder_of_the_study():
-    assert PATTERNS.dataset("band") == "results/a/band.nc"
-    assert PATTERNS.result("claims.csv") == "results/a/claims.csv"
-    assert PATTERNS.figure("fig1", "pdf") == "results/a/figures/fig1.pdf"
-    assert PATTERNS.page("claims") == "results/a/report/claims.html"
-    assert PATTERNS.log("infer") == "results/a/logs/infer.log"
-    assert PATTERNS.benchmark("infer") == "results/a/benchmarks/infer.tsv"

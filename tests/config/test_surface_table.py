@@ -6,34 +6,26 @@ from repository import ROWS
 from scan_files import scan
 from studies import own_scans, surfaces
 
-from hardcontact.config import selection as surface_table
+from hardcontact.config.selection import surface_table
 
 FIRST = ROWS.splitlines()[1]
-
-
-def with_description(name, count=-1):
-    """The paper's table with another description of UNCD in the first rows."""
-    return ROWS.replace("spectra/uncd.csv", f"spectra/{name}", count)
+HEADER = ROWS.partition("\n")[0]
 
 
 @pytest.mark.parametrize(
     ("text", "parts"),
     [
         (ROWS + FIRST + "\n", ["line 27", "once", "polished_uncd 1"]),
-        (with_description("no.csv"), ["line 7", "spectra/no.csv", "no such file"]),
-        (ROWS.replace("label", "name", 1), ["the columns", "label", "found surface, name"]),
-        (
-            ROWS.replace("\tdataset", "").replace("csv\t", "csv"),
-            ["the columns", "path and 25 rows"],
-        ),
+        (ROWS.replace("spectra/uncd", "spectra/no"), ["line 7", "spectra/no.csv", "no such file"]),
+        (ROWS.replace("spectra/uncd", "spectra/mcd", 1), ["surface uncd", "one path", "mcd.csv"]),
         (ROWS.replace("2\tsubstitute", "2\tmeasured", 1), ["polished_uncd", "one source"]),
         (ROWS.replace("UNCD\t2", "U\t2", 1), ["polished_uncd", "one label", "polished U"]),
-        (with_description("mcd.csv", 1), ["surface uncd", "one path", "mcd.csv"]),
         (ROWS.replace("UNCD\t1", "UNCD\tone", 1), ["line 2", "scan", "found 'one'"]),
         (ROWS.replace("substitute", "guess", 1), ["line 2", "source", "found 'guess'"]),
-        (ROWS.replace("\t", ","), ["separated by tabs", "found surface,label"]),
-        (ROWS.partition("\n")[0], ["a row a scan", "0 rows"]),
         (ROWS + "\t".join("abcdefgh") + "\n", ["line 27", "expected 6 cells", "found 8"]),
+        (ROWS.replace("label", "name", 1), ["the columns", "label", "found surface, name"]),
+        (ROWS.replace("\t", ","), ["separated by tabs", "found surface,label"]),
+        (HEADER, ["a row a scan", "0 rows"]),
         ("", ["expected a table of surfaces"]),
         (b"\xff\xfe\x00garbage", ["expected a table of surfaces"]),
     ],
@@ -44,7 +36,7 @@ def test_table_refused(tmp_path, at_root, text, parts):
 
 @pytest.mark.parametrize("path", ["none.tsv", "config", "/dev/zero"])
 def test_no_table(at_root, path):
-    message = refusal(surface_table.surface_table, path)
+    message = refusal(surface_table, path)
     assert_says(message, path, "config key surfaces: expected a table of surfaces", "found")
 
 

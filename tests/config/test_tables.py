@@ -1,0 +1,142 @@
+"""Own forces and descriptions of substitutes: accepted, or refused in one line a fault."""
+
+import pytest
+from refusals import assert_says, refusal
+from repository import ROOT
+
+from hardcontact.config.tables import measured_forces, refuse_description, refuse_of_paper
+from hardcontact.surfaces.spectrum import AFM_ROWS, TAIL_ROWS
+
+SURFACES = ["coating", "bare"]
+SPECTRA = ROOT / "resources/spectra"
+TABLE_1 = {*AFM_ROWS, *TAIL_ROWS}
+BANDS = (
+    "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
+)
+
+# Forces
+
+
+@pytest.fixture
+def table(tmp_path):
+    def write(*lines):
+        path = tmp_path / "my.csv"
+        path.write_text("\n".join(lines) + "\n", "utf-8")
+        return path
+
+    return write
+
+
+def test_single_tests_are_read_in_their_units(table):
+    path = table(
+        "\ufeffsurface,value,unit", "coating,0.5,uN", '"coating", 400 ,nN', "", "bare,2e-6,N"
+    )
+    forces = measured_forces(path, SURFACES)
+    assert forces.index.tolist() == [2, 3, 5]
+    assert forces.surface.tolist() == ["coating", "coating", "bare"]
+    assert forces["mean"].tolist() == forces["median"].tolist() == [5e-7, 4e-7, 2e-6]
+    assert forces["count"].tolist() == [1, 1, 1]
+
+
+def test_semicolons_may_stand_between_decimal_commas(table):
+    commas = table("surface;median;mean;count;unit", "bare;1,0591e1;11,749;40;µN")
+    assert measured_forces(commas, SURFACES).iloc[0].tolist() == ["bare", 1.1749e-5, 1.0591e-5, 40]
+    points = table("surface;value;unit", "bare;11.5;uN")
+    assert measured_forces(points, SURFACES)["mean"].tolist() == [1.15e-5]
+
+
+def test_every_fault_of_a_table_has_a_line(table):
+    faults = [
+        ("coating,0.5,", ["unit: ", "found nothing"]),
+        ("coating,0.5,um", ["found um"]),
+        ("other,1,uN", ["coating or bare, found other"]),
+        ("bare,-1,uN", ["positive number, found -1"]),
+        ("bare,nan,uN", ["found nan"]),
+        ("bare,0.5", ["expected 3 cells, found 2"]),
+        ("bare,11,749,uN", ["expected 3 cells, found 4", "semicolons"]),
+        ("bare,1e-3,uN*9**9", ["unit: ", "uN*9**9"]),
+        ("bare,1e-320,uN", ["1e-15 to 1000 N", "1e-320 uN"]),
+        ("bare,1e-16,N", ["1e-15 to 1000 N", "1e-16 N"]),
+        ("bare,1e308,kN", ["1e-15 to 1000 N", "1e308 kN"]),
+    ]
+    path = table("surface,value,unit", *(row for row, _ in faults))
+    message = refusal(measured_forces, path, SURFACES)
+    for number, (line, (_, parts)) in enumerate(
+        zip(message.splitlines(), faults, strict=True), start=2
+    ):
+        assert_says(line, f"{path}: line {number}", *parts)
+
+
+def test_a_summary_is_one_row_a_surface_with_a_median_below_its_mean(table):
+    rows = ["coating,0.4,0.3,40,uN", "coating,0.4,0.3,40,uN", "bare,0.3,0.4,2.5,uN"]
+    path = table("surface,mean,median,count,unit", *rows)
+    count, median, repeated = refusal(measured_forces, path, SURFACES).splitlines()
+    assert_says(count, "line 4", "count", "2.5")
+    assert_says(median, "line 4", "at most the mean", "0.4 beside 0.3")
+    assert_says(repeated, "line 3", "each surface once", "coating")
+
+
+@pytest.mark.parametrize(
+    ("content", "part"),
+    [
+        (b"", "surface, value, unit"),
+        (b"surface,value,unit", "surface, value, unit"),
+        (b"surface,mean_force\na,1", "surface, value, unit"),
+        (b"\xff\xfe\x00", "UTF-8"),
+        (None, "forces"),
+    ],
+)
+def test_another_file_is_refused_in_one_line(tmp_path, content, part):
+    path = tmp_path / "my.csv"
+    if content is not None:
+        path.write_bytes(content)
+    message = refusal(measured_forces, path, SURFACES)
+    assert_says(message, "my.csv", part)
+    assert len(message.splitlines()) == 1
+
+
+# Descriptions of substitutes
+
+
+def test_descriptions_of_the_repository_are_accepted():
+    described = [path for path in SPECTRA.glob("*.csv") if path.read_text().startswith(BANDS)]
+    assert len(described) > 10
+    for path in described:
+        refuse_description(path, TABLE_1)
+
+
+@pytest.mark.parametrize(
+    ("band", "parts"),
+    [
+        ("inf,20,varying Hurst,,,,,,assumed,none", ["roll-off wavelength", "none"]),
+        ("inf,20,varying Hurst,1e9,-3,1,-1,,assumed,none", ["below zero"]),
+        ("inf,twenty,self-affine,1e9,2000,1,,,assumed,none", ["shortest_nm", "twenty"]),
+        ("inf,20,self-affine,1e9,2000,1,,", ["10 cells", "found 8"]),
+        ("inf,20,fractal,1e9,2000,1,,,assumed,none", ["varying Hurst", "fractal"]),
+        ("inf,20,power law,,,1,,,assumed,none", ["model", "power law"]),
+        ("inf,20,self-affine,1e9,2000,-1.1,,,assumed,none", ["Hurst", "-1.1"]),
+    ],
+)
+def test_other_descriptions_are_refused(tmp_path, band, parts):
+    path = tmp_path / "surface.csv"
+    path.write_text(f"{BANDS}{band}\n")
+    assert_says(refusal(refuse_description, path, TABLE_1), "surface.csv", "expected", *parts)
+
+
+def test_a_blank_exponent_needs_the_rows_of_table_1(tmp_path):
+    path = tmp_path / "surface.csv"
+    path.write_text(f"{BANDS}inf,6.5,varying Hurst,,2000,,,,assumed,none\n")
+    assert_says(refusal(refuse_description, path, set()), "line 2", "afm_rms_height", "neither")
+    refuse_description(path, TABLE_1)
+
+
+def test_own_studies_refuse_substitutes_for_the_paper():
+    for path in SPECTRA.glob("crn_*.csv"):
+        refuse_of_paper(path, path.stem, {"uncd", "ncd"})
+    for name, surface, parts in (
+        ("uncd", "my_uncd", ["config key published", "my_uncd", "none"]),
+        ("crn_smoother", "uncd", ["config key published", "uncd", "none"]),
+        ("ruby", "other", ["ruby.csv", "measured", "assumed"]),
+    ):
+        message = refusal(refuse_of_paper, SPECTRA / f"{name}.csv", surface, {"uncd", "ncd"})
+        assert_says(message, "expected", *parts)
