@@ -5,7 +5,6 @@ import json
 import numpy as np
 import pandas as pd
 import xarray as xr
-from paper_datasets import MODELS, RADIUS, RHO
 from paper_numbers import MEAN_FORCE, SUBSTRATES, SURFACES, TABLE1
 
 from hardcontact.sets.judged_sets import Sources
@@ -13,6 +12,7 @@ from hardcontact.surfaces.height_map import METRICS, table1_variables
 from hardcontact.surfaces.roughness_table import averages
 
 CONFIDENCE, SCANS, CONTACTS = 0.95, 5, 3
+RADIUS, RHO, MODELS = 250e3, [0.05, 2.0, 4.0, 5.6, 8.0], ["rigid", "plastic"]
 CUTOFFS = {"small": [20.0, 43.0, 120.0], "large": [500.0, 1800.0, 3500.0]}
 AXES = ("contact_model", "rho", "contact_y", "contact_x")
 HEIGHTS = dict(zip(SUBSTRATES, TABLE1["afm_rms_height"][0], strict=True))

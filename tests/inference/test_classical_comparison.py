@@ -2,8 +2,8 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 from paper_claims import TABLES
-from paper_datasets import make_inference
 from paper_numbers import MEAN_FORCE, SUBSTRATES
 from published_contact import AFM, CONTACT, RADIUS, WORK
 
@@ -14,17 +14,25 @@ from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.records import published
 
 
-def with_labels(inference):
-    surfaces = inference.sizes["surface"]
-    return inference.assign(
-        label=("surface", [f"surface {i}" for i in range(surfaces)]),
-        basis=("surface", ["measured"] * surfaces),
-    ).assign_attrs(error_threshold=0.1)
+def make_inference(surfaces=SUBSTRATES, forces=MEAN_FORCE):
+    """Mean forces of plastic contact at the published pair, to within 1 %."""
+    dims = ("contact_model", "pair", "surface")
+    return xr.Dataset(
+        {
+            "force_mean": (dims, [[forces]]),
+            "force_mean_interval": ((*dims, "bound"), [[np.outer(forces, [0.99, 1.01])]]),
+            "label": ("surface", surfaces),
+            "basis": ("surface", ["measured"] * len(surfaces)),
+        },
+        {"contact_model": ["plastic"], "pair": ["published"], "surface": surfaces,
+         "bound": ["low", "high"]},
+        {"sphere_radius": RADIUS, "error_threshold": 0.1},
+    )  # fmt: skip
 
 
 def classical_of(inference, seed=1):
     return apply_classical_models(
-        with_labels(inference),
+        inference,
         published.constants(TABLES / "parameters.csv"),
         published.table1(TABLES / "table1.csv"),
         published.printed_pull_off(TABLES / "pull_off.csv"),
@@ -91,9 +99,7 @@ def test_draws_depend_on_the_seed_alone(classical):
 
 def test_surfaces_that_the_paper_does_not_know_have_no_numbers(classical):
     """The known ones keep theirs; none of what is fitted to all of them changes."""
-    both = make_inference().sel(surface=[*SUBSTRATES, "mcd"])
-    both = both.assign_coords(surface=[*SUBSTRATES, "glass"])
-    with_glass = classical_of(both)
+    with_glass = classical_of(make_inference([*SUBSTRATES, "glass"], [*MEAN_FORCE, 1e-7]))
     assert list(with_glass["surface"].values) == [*SUBSTRATES, "glass"]
     forces = with_glass["published_mean_force"]
     assert (
