@@ -11,6 +11,7 @@ from paper_numbers import SUBSTRATES
 from repository import ROOT, run_snakemake
 
 from hardcontact.answer.paper_answer import ANSWERS
+from hardcontact.answer.quantities import in_words, number_of
 from hardcontact.claims.evaluation import COLUMNS
 from hardcontact.claims.verdicts import VERDICTS
 from hardcontact.config.configuration import PAGES
@@ -76,6 +77,10 @@ def test_the_page_on_the_band_answers_every_part_and_needs_nothing_else(results)
     assert len(sources) == len(page.texts["h2"]) == len(OF_INSIGHT)
     assert all(source.startswith("data:image/svg+xml;base64,") for source in sources)
     assert not re.search(r"\bnan\b|\binf\b", "".join(page.texts["body"]))
+    band = dataset.read(results / "band.nc")
+    pooled = number_of(band.sel(side="small", group="pooled"), "critical_wavelength", "nm")
+    claims = pd.read_csv(results / "insight_claims.csv")
+    assert not_told([in_words(pooled), *claims.statement, *claims.verdict], page) == []
 
 
 @needs_browser

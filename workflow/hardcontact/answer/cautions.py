@@ -146,11 +146,11 @@ def _beyond_scans(of: Datasets) -> list[dict[str, Any]]:
     """Return how the spectrum continues below the wavelengths measured, and above them."""
     spectra, topography = of.spectra, of.topography
     wavelength = 2 * np.pi / spectra["wavevector"].values[spectra["spectrum"].values > 0]
-    fitted = (spectra[f"tail_fit_{end}"].item() for end in ("shortest", "longest"))
+    shortest, longest = spectra["tail_fit_shortest"].item(), spectra["tail_fit_longest"].item()
     tail = {
         "code": "tail",
         "hurst": Number("hurst", spectra["tail_hurst"].item(), source="extrapolated"),
-        "fitted": between("fitted", *fitted, "nm"),
+        "fitted": between("fitted", shortest, longest, "nm"),
         "ends_at": Number("ends_at", float(wavelength.min()), "nm"),
         "ended_by": str(spectra["tail_ended_by"].item()),
     }

@@ -99,7 +99,7 @@ def long_edge(of_size: xr.Dataset) -> Number:
 def half_factor(closed_form: xr.Dataset) -> float:
     """Return the factor by which half of the forces of the closed form are off at most."""
     errors = closed_form["error"].isel(map_size=-1).sel(source="spectrum")
-    return float(np.exp(np.abs(np.log(errors)).median()))
+    return float(np.exp(np.median(np.abs(np.log(errors.values)))))
 
 
 def edge_errors(scaling: xr.Dataset) -> Iterator[dict[str, Any]]:
