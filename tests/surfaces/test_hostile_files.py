@@ -91,11 +91,6 @@ def virtual(file, outside):
     file.create_virtual_dataset("h", layout)
 
 
-def groups(file, _):
-    for number in range(1001):
-        file.create_group(str(number))
-
-
 def too_many_pixels(file, _):
     file.create_dataset("h", (10**6, 10**6), "f8", chunks=(8, 8))
 
@@ -128,8 +123,8 @@ def altered(offset, form, value):
 
 
 def huge(path):
-    with open(path, "wb") as file:
-        file.truncate(2**30 + 1)
+    path.touch()
+    os.truncate(path, 2**30 + 1)
 
 
 ALIASES = "a0: &a0 [x]\n" + "".join(
@@ -137,12 +132,11 @@ ALIASES = "a0: &a0 [x]\n" + "".join(
 )
 
 
-def aliased(key):
-    """A meta.yml with one scan, of which this key is a list of 9^11 letters."""
-    entry = f"{{name: one, datafile: {{original: a.txt}}, size: [320, 320], {key}: *a11}}"
-    return ALIASES + f"surfaces: [{{topographies: [{entry}]}}]\n"
-
-
+#: A list of one scan whose unit is a list of 9^11 letters.
+ALIASED_UNIT = ALIASES + (
+    "surfaces: [{topographies: "
+    "[{name: one, datafile: {original: a.txt}, size: [320, 320], unit: *a11}]}]\n"
+)
 MANY = [{"datafile": {"original": f"{number}.txt"}} for number in range(3000)]
 #: What is written to a file, and a part of what its refusal says.
 HOSTILE = {
@@ -163,7 +157,6 @@ HOSTILE = {
         lambda path: container(path, listed().encode(), "inner.zip"), "none of its readers takes",
     ),
     "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels along an edge"),
-    "groups": (hdf5(groups, False), "found"),
     **{
         f"{write.__name__} {'in a container' * inside}": (hdf5(write, inside), "found")
         for write in (external_storage, external_link, virtual)
@@ -180,7 +173,7 @@ HOSTILE = {
     "alias of itself": (listing("surfaces: &a\n- topographies: *a\n"), "lists surfaces"),
     "deep list": (listing("[" * 1200), "lists surfaces"),
     "no list": (listing(b"\xff\xfe\x00"), "lists surfaces"),
-    "aliased unit": (listing(aliased("unit")), "found"),
+    "aliased unit": (listing(ALIASED_UNIT), "found"),
     "no text": (listing(listed(["a.txt"])), "lists surfaces"),
     "letters": (listing(listed("b\n\033[31m.txt")), "found"),
     "size in words": (listing(listed(size="large")), "found"),
@@ -234,12 +227,11 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
     assert sorted(folder.rglob("*")) == before  # nothing unpacked, executed or left behind
 
 
-@pytest.mark.parametrize("name", ["../outside.txt", "/tmp/outside.txt", "a/../../outside.txt"])
-def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder, name):
-    container(folder / "a.zip", text(heights(32, 32)), name)
+def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
+    container(folder / "a.zip", text(heights(32, 32)), "a/../../outside.txt")
     before = sorted(folder.rglob("*"))
     np.testing.assert_allclose(scans.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
-    assert sorted(folder.rglob("*")) == before and not os.path.exists("/tmp/outside.txt")
+    assert sorted(folder.rglob("*")) == before
 
 
 def crash(_):
@@ -302,10 +294,9 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
     assert (folder / "open.txt").read_bytes() == b""
 
 
-def test_what_a_terminal_would_obey_is_no_name_of_a_channel(folder):
-    hdf5(lambda file, _: file.create_dataset("\033[31mh", data=heights(32, 32)), True)(
-        folder / "a.zip"
-    )
+def test_control_characters_are_no_part_of_the_name_of_a_channel(folder):
+    write = hdf5(lambda file, _: file.create_dataset("\033[31mh", data=heights(32, 32)), True)
+    write(folder / "a.zip")
     assert scans.read_measurement(folder / "a.zip", "one").channel == " [31mh"
 
 
