@@ -72,7 +72,8 @@ def test_every_surface_has_its_draw_size_and_its_ratios():
 
 def test_a_window_holds_what_a_sum_over_its_pixels_finds():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
-    found = with_window_share(xr.Dataset(coords={"rho": rhos}), window, RADIUS)
+    contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
+    found = with_window_share(xr.Dataset(coords={"rho": rhos}), contact)
     place = (np.arange(-40e3, 40e3, 20) + 10) ** 2
     inside = np.abs(place) < (window / 2) ** 2
     for rho, share in zip(rhos, found.window_share.values, strict=True):

@@ -14,7 +14,8 @@ import numpy as np
 import pandas as pd
 from validate_prediction import SURFACES, TOLERANCE, WORK, design, spectrum_of
 
-from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.insight.closed_form import closed_form
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
 from hardcontact.insight.edge_formulas import formula_edges
 from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, roll_off
@@ -24,14 +25,14 @@ RESOURCES = Path(__file__).parents[2] / "resources"
 TABLE = RESOURCES / "validation/edges.csv"
 #: Published spectra, under the sphere, range and load of the paper.
 NITRIDES = ("crn_rougher", "crn_smoother")
-OF_PAPER = Contact(radius=250e3, rho=5.6, work=WORK, area=400.0)
+OF_PAPER = contact_of_area(radius=250e3, rho=5.6, work=WORK, area=400.0)
 
 
 def placed(spectrum: Spectrum, contact: Contact) -> dict[str, Any]:
     """Return where a surface lies on the map of the regimes, and its edges by the formulas."""
     found, edges = closed_form(spectrum, contact), formula_edges(spectrum, contact, TOLERANCE)
     return {
-        "over_range": found.rms_height / contact.rho,
+        "over_range": found.rms_height / contact.range,
         "level": found.closest_approach / found.rms_height,
         "contact_over_rolloff": np.sqrt(contact.area) / roll_off(spectrum),
         "short_edge": edges.short,
@@ -44,7 +45,7 @@ def rows(surfaces: int = SURFACES) -> list[dict[str, Any]]:
     designed = []
     for row in design(surfaces):
         waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
-        contact = Contact(row["radius"], row["rho"], WORK, row["area"])
+        contact = contact_of_area(row["radius"], row["rho"], WORK, row["area"])
         designed.append({"surface": str(row["surface"])} | placed(waves, contact))
     for name in NITRIDES:  # No band of theirs is calibrated to the paper's Table 1.
         density, _, _ = from_description(RESOURCES / f"spectra/{name}.csv", pd.DataFrame(), {})

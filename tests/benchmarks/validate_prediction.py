@@ -17,8 +17,8 @@ import numpy as np
 import pandas as pd
 from scipy.stats import qmc
 
-from hardcontact.contact.contact import Contact as ArrayContact
-from hardcontact.insight.closed_form import Contact, closed_form, edges
+from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.insight.closed_form import closed_form, edges
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
 from hardcontact.insight.prediction import coordinates
 from hardcontact.numbers.random import generator
@@ -80,7 +80,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     pixels = next((n for n in GRIDS if size / n <= finest), max(GRIDS))
     pixel_size = size / pixels
     preload = row["area"] * HARDNESS * 1e-18
-    contact = ArrayContact(radius=row["radius"], preload=preload, hardness=HARDNESS)
+    contact = Contact(radius=row["radius"], preload=preload, hardness=HARDNESS)
     coarse, small = pixel_size > 3 * finest, size < wanted / 2
     return {
         "size": size,
@@ -112,7 +112,7 @@ def computed(row: dict[str, Any]) -> dict[str, Any]:
     spectrum, size, pixels = spectrum_of(row), row["size"], row["pixels"]
     cutoffs = np.geomspace(1.15 * row["shortest"], size / 2.2, CUTOFFS)
     wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
-    contact = ArrayContact(
+    contact = Contact(
         radius=row["radius"],
         preload=row["area"] * HARDNESS * 1e-18,
         hardness=HARDNESS,
@@ -159,7 +159,7 @@ def edge(
 def predicted(row: dict[str, Any]) -> dict[str, Any]:
     """Return what the closed form says of the waves on the grid, and where it lies in the set."""
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
-    contact = Contact(row["radius"], row["rho"], WORK, row["area"])
+    contact = contact_of_area(row["radius"], row["rho"], WORK, row["area"])
     found = closed_form(waves, contact)
     short, long = edges(waves, contact, TOLERANCE)
     return {

@@ -21,10 +21,9 @@ from scipy import special, stats
 from validate_prediction import HARDNESS, drawn, spectrum_of
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.contact.contact import Contact as ArrayContact
+from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.contact.geometry import bodies
 from hardcontact.contact.smooth_sphere import dmt_pull_off
-from hardcontact.insight.closed_form import Contact
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
 from hardcontact.insight.pull_off_statistics import SHARES, force_statistics
 from hardcontact.numbers.random import generator
@@ -80,7 +79,7 @@ def grid(row: dict[str, Any]) -> dict[str, Any]:
     _, along, pixels = min(grids, default=(0, ALONG[-1], PIXELS[-1]))
     size = along * apart
     preload = row["area"] * HARDNESS * 1e-18
-    contact = ArrayContact(radius=row["radius"], preload=preload, hardness=HARDNESS)
+    contact = Contact(radius=row["radius"], preload=preload, hardness=HARDNESS)
     return {
         "size": size,
         "pixels": pixels,
@@ -105,7 +104,7 @@ def computed(row: dict[str, Any]) -> xr.Dataset:
     """Return the inputs, and forces and closest approach (contact model, place) of a surface."""
     spectrum, pixels = spectrum_of(row), row["pixels"]
     wide = 12 * np.sqrt(row["radius"] * max(row["rho"], row["rms_height"]))
-    contact = ArrayContact(
+    contact = Contact(
         radius=row["radius"],
         preload=row["area"] * HARDNESS * 1e-18,
         hardness=HARDNESS,
@@ -142,7 +141,7 @@ def compared(one: xr.Dataset) -> Iterator[dict[str, Any]]:
     row = {name: value.item() for name, value in one.variables.items() if not value.ndim}
     waves = spectrum_of_grid(spectrum_of(row), row["size"], row["pixels"])
     for model, area in (("rigid", 0.0), ("plastic", row["area"])):
-        found = force_statistics(waves, Contact(row["radius"], row["rho"], 1.0, area))
+        found = force_statistics(waves, contact_of_area(row["radius"], row["rho"], 1.0, area))
         logs = one["log_force"].sel(contact_model=model).values
         forces = np.exp(logs) / np.exp(logs).mean()
         k = found.modulus or np.nan  # no law of Weibull below the mean plane

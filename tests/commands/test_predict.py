@@ -13,7 +13,8 @@ from refusals import assert_says, refusal
 
 from hardcontact.commands.predict import predict, predict_arguments
 from hardcontact.config.own_spectrum import own_spectrum, table_spectrum
-from hardcontact.insight.closed_form import Contact, closed_form, edges
+from hardcontact.contact.contact import contact_of_area
+from hardcontact.insight.closed_form import closed_form, edges
 from hardcontact.insight.prediction import coordinates, nearest_errors, rough_part
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.extrapolated_spectrum import continued_spectrum
@@ -24,7 +25,7 @@ from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum, spectrum_from
 HEADER = "wavelength,wavelength_unit,c_iso,c_iso_unit"
 BY_WAVEVECTOR = "wavevector,wavevector_unit,c_iso,c_iso_unit"
 #: The paper's contact, in closed form.
-CONTACT = Contact(250e3, 5.6, 0.0463, 400.0)
+CONTACT = contact_of_area(250e3, 5.6, 0.0463, 400.0)
 
 
 @pytest.fixture
@@ -123,7 +124,7 @@ def test_the_numbers_are_those_of_the_closed_form_in_every_format(table, tmp_pat
     rows = tmp_path / "new/numbers.csv"
     options = ["--range", "8nm", "--work", "50 mJ/m2", "--csv", str(rows)]
     numbers = numbers_of(table(*rows_of(spectrum)), *options)
-    contact = Contact(250e3, 8.0, 0.05, 400.0)
+    contact = contact_of_area(250e3, 8.0, 0.05, 400.0)
     prediction = closed_form(spectrum, contact)
     force = numbers["pull_off_force"]
     assert force["value"] == pytest.approx(prediction.force, rel=1e-6)

@@ -10,7 +10,7 @@ from paper_numbers import LABELS, SUBSTRATES
 
 from figure_inputs.building import bounded
 from figure_inputs.published_tables import published_pull_off
-from hardcontact.insight.closed_form import Contact
+from hardcontact.contact.contact import contact_of_area
 from hardcontact.insight.pull_off_statistics import force_scatter, with_comparison
 from hardcontact.records.code import LIBRARY
 
@@ -25,7 +25,7 @@ def statistics() -> xr.Dataset:
 @cache
 def _computed() -> xr.Dataset:
     spectra = {name: rough(rms) for name, rms in zip(SUBSTRATES, RMS, strict=True)}
-    contact = Contact(250e3, 5.6, 0.05, 400.0)
+    contact = contact_of_area(250e3, 5.6, 0.05, 400.0)
     deviations = dict.fromkeys(spectra, 0.0) | {SUBSTRATES[0]: 0.1}
     scatter = force_scatter(spectra, contact, [5.6], deviations, tolerance=0.05, confidence=0.9)
     table = pd.read_csv(LIBRARY.parents[1] / "resources/validation/statistics.csv")

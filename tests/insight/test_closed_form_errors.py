@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from known_spectra import rough
 
-from hardcontact.contact.contact import Contact as ArrayContact
+from hardcontact.contact.contact import Contact
 from hardcontact.insight.closed_form_errors import Trial, closed_form_errors, spectrum_of_grid
 from hardcontact.insight.summits import moment
 from hardcontact.numbers.random import generator
@@ -12,7 +12,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 TRIAL = Trial(
     pixels=256, realizations=2, sizes=(2560.0, 5120.0), ranges=(5.6, 20.0),
-    contact=ArrayContact(radius=20e3, preload=1e-5, hardness=25e9, window=5120.0, count=4),
+    contact=Contact(radius=20e3, preload=1e-5, hardness=25e9, window=5120.0, count=4),
     work=0.05, rho=5.6, tolerance=0.1, confidence=0.95, seed=1,
 )  # fmt: skip
 

@@ -8,8 +8,8 @@ import xarray as xr
 from known_spectra import rough
 from scipy.special import erf
 
-from hardcontact.contact.contact import Contact as ContactArray
-from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.insight.closed_form import closed_form
 from hardcontact.insight.edge_scaling import (
     COMPUTED,
     FORMULA,
@@ -22,7 +22,7 @@ from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
 from hardcontact.surfaces.height_map import HeightMap
 
 CONTACTS = [
-    ContactArray(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
+    Contact(radius=500.0, preload=preload, hardness=25e9, window=640.0, count=3)
     for preload in (2.5e-6, 20e-6)
 ]
 FILTERS, COMBINATIONS = Filters("small", 64, [40.0, 80.0]), ([500.0, 2000.0], [2.0, 5.0])
@@ -105,7 +105,7 @@ def curves(*exponents, scatter=0.0):
 
 def edges(data, samples):
     """Return the edges and exponents of ratios on a surface of which the spectrum is any."""
-    contact = Contact(250e3, 5.6, 1.0, 400.0)
+    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
     return edge_scaling(data, {"a": rough(30.0)}, contact, 0.1, Sampling(1, samples, 0.95))
 
 
@@ -164,7 +164,7 @@ def test_exponents_of_open_edges_are_bounds():
 
 
 def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():
-    contact = Contact(250e3, 5.6, 1.0, 400.0)
+    contact = contact_of_area(250e3, 5.6, 1.0, 400.0)
     place, form = (
         among_regimes(SPECTRA, contact).sel(surface="b"),
         closed_form(SPECTRA["b"], contact),

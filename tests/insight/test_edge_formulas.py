@@ -14,8 +14,9 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
 import validate_edges
 
+from hardcontact.contact.contact import contact_of_area
 from hardcontact.insight import edge_formulas as formulas
-from hardcontact.insight.closed_form import Contact, edges, gaussian_share
+from hardcontact.insight.closed_form import edges, gaussian_share
 from hardcontact.insight.prediction import FOUND, validation
 from hardcontact.insight.summits import Approaches, closest_approaches, moment, rough_waves
 from hardcontact.numbers.random import generator
@@ -23,7 +24,7 @@ from hardcontact.surfaces.synthesis import random_surface
 
 HURST, ROLL_OFF = 0.8, 1000.0
 #: Wide contact on a gentle surface: no summit stands out, and many points attract.
-WIDE = Contact(radius=250e3, rho=6.0, work=1.0, area=4e4)
+WIDE = contact_of_area(radius=250e3, rho=6.0, work=1.0, area=4e4)
 GENTLE = rough(3.0, ROLL_OFF, HURST, shortest=2.0)
 
 
@@ -54,7 +55,7 @@ def test_the_mean_gap_is_that_of_a_flattened_surface():
 def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
     def log_force(sigma):
         level = formulas.level_of_area(WIDE.area / (2 * np.pi * WIDE.radius * sigma))
-        return np.log(gaussian_share(sigma, level * sigma, WIDE.rho))
+        return np.log(gaussian_share(sigma, level * sigma, WIDE.range))
 
     sigma, step = 3.0, 1e-2
     slope = (log_force(sigma * np.exp(step)) - log_force(sigma * np.exp(-step))) / (2 * step)
@@ -65,7 +66,7 @@ def test_elasticity_of_many_points_is_the_derivative_of_the_mean_force():
 
 def test_elasticity_of_single_peaks_is_that_of_their_number():
     """Of rigid bodies F ~ 1/(1 - k), k = t rho/sigma: E = k/(1 - k)."""
-    contact, level = Contact(250e3, 1.0, 1.0, 1e-30), 8.0
+    contact, level = contact_of_area(250e3, 1.0, 1.0, 1e-30), 8.0
     for modulus in (0.05, 0.2):
         sigma = level / modulus
         found = formulas.elasticity(sigma, Approaches(np.array([level]), np.ones(1), 50.0), contact)
@@ -77,12 +78,13 @@ def test_edges_of_many_points_are_those_of_the_power_law_and_of_the_closed_form(
     waves = rough_waves(GENTLE, WIDE.radius)
     sigma = np.sqrt(moment(waves, 0))
     level = closest_approaches(waves, WIDE.radius, WIDE.area).mean()
-    slack = level + 1 / level - sigma / WIDE.rho
-    share = 2 * np.log(1.1) * WIDE.rho / (sigma * slack)
+    slack = level + 1 / level - sigma / WIDE.range
+    share = 2 * np.log(1.1) * WIDE.range / (sigma * slack)
     # Both are first orders in the change of the force and in 1/t.
     assert found.long == pytest.approx(ROLL_OFF * np.sqrt(HURST / (1 + HURST) / share), rel=0.15)
     assert found.short == pytest.approx(ROLL_OFF * (share * (1 + HURST)) ** (0.5 / HURST), rel=0.25)
-    surface, contact = rough(5.0, ROLL_OFF, HURST, shortest=2.0), Contact(250e3, 20.0, 1.0, 400.0)
+    surface = rough(5.0, ROLL_OFF, HURST, shortest=2.0)
+    contact = contact_of_area(250e3, 20.0, 1.0, 400.0)
     found = formulas.formula_edges(surface, contact, 0.1)
     assert found[:2] == pytest.approx(edges(surface, contact, 0.1), rel=0.2)
 
@@ -102,7 +104,7 @@ def test_mean_curvature_of_summits_is_that_of_random_surfaces():
 @pytest.mark.parametrize("area", [30.0, 300.0, 6000.0])
 def test_exponents_of_the_short_edge_are_those_of_the_theory(area):
     """Against sqrt(rho) 2/(H + 2e), against sqrt(A) 2e/(H + 2e), e = (h - t) Phi/(t + L)."""
-    spectrum, contact = rough(60.0, 20e3, HURST, shortest=0.5), Contact(5e9, 1.0, 1.0, area)
+    spectrum, contact = rough(60.0, 20e3, HURST, shortest=0.5), contact_of_area(5e9, 1.0, 1.0, area)
     edge, step = formulas.formula_edges(spectrum, contact, 0.1).short, 0.4
     waves = rough_waves(spectrum, contact.radius)
     wavelength, variance, gap = formulas.gaps_on_summits(waves, contact.radius, area)

@@ -11,8 +11,9 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
 import validate_prediction
 
+from hardcontact.contact.contact import contact_of_area
 from hardcontact.insight import prediction
-from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.insight.closed_form import closed_form
 from hardcontact.insight.closed_form_errors import spectrum_of_grid
 
 TABLE = pd.read_csv(prediction.VALIDATION)
@@ -23,7 +24,7 @@ def test_the_table_is_the_design_and_has_the_predictions_of_the_closed_form():
     pd.testing.assert_frame_equal(TABLE[designed.columns], designed, rtol=1e-4, check_dtype=False)
     for row in TABLE.to_dict("records"):
         waves = spectrum_of_grid(validate_prediction.spectrum_of(row), row["size"], row["pixels"])
-        contact = Contact(row["radius"], row["rho"], 1.0, row["area"])
+        contact = contact_of_area(row["radius"], row["rho"], 1.0, row["area"])
         found = closed_form(waves, contact)
         assert found.force == pytest.approx(row["predicted_force"], rel=1e-3)
         assert found.regime == row["regime"]

@@ -14,7 +14,8 @@ sys.path.insert(0, str(ROOT / "tests/benchmarks"))
 
 import validate_statistics
 
-from hardcontact.insight.closed_form import Contact, contact_share, smooth_force
+from hardcontact.contact.contact import contact_of_area
+from hardcontact.insight.closed_form import contact_share, smooth_force
 from hardcontact.insight.pull_off_statistics import (
     ForceStatistics,
     field_variation,
@@ -28,7 +29,7 @@ from hardcontact.insight.summits import LEVELS, banded, closest_approaches, clum
 from hardcontact.numbers.random import generator
 from hardcontact.records import dataset
 
-SPHERE = Contact(250e3, 5.6, 1.0, 400.0)
+SPHERE = contact_of_area(250e3, 5.6, 1.0, 400.0)
 TABLE = pd.read_csv(validate_statistics.DATASET.with_suffix(".csv"))
 #: A sphere so flat that its highest summits obey the laws of high levels.
 FLAT = 1e12
@@ -43,7 +44,7 @@ def flat_contact(modulus, clumps=0.0):
     highest = closest_approaches(waves, FLAT, 0.0).mean()
     area = clumps * np.interp(highest, LEVELS, bearing / np.maximum(number, 1e-99))
     level = closest_approaches(waves, FLAT, area).mean()
-    return Contact(FLAT, modulus * SIGMA / level, 1.0, area)
+    return contact_of_area(FLAT, modulus * SIGMA / level, 1.0, area)
 
 
 def drawn_sums(modulus, places=4000, points=400):
@@ -96,7 +97,8 @@ def test_the_level_of_n_clumps_is_a_gamma_variable(clumps):
 @pytest.mark.parametrize("clumps", [3.0, 30.0])
 def test_n_clumps_attract_as_the_mean_power_of_a_gamma_variable(clumps):
     contact = flat_contact(3.0, clumps)
-    many, rigid = (force_statistics(SURFACE, replace(contact, area=a)) for a in (contact.area, 0.0))
+    many = force_statistics(SURFACE, contact)
+    rigid = force_statistics(SURFACE, replace(contact, preload=0.0))
     # The force of the area in contact itself is no clump's.
     of_area = smooth_force(contact) * (1 - 1 / (1 + contact_share(contact)))
     power, number = 2 / (many.modulus + rigid.modulus), 1 + np.arange(200)
@@ -125,7 +127,7 @@ def test_few_summits_scatter_as_sums_of_poisson_clumps(modulus):
 def test_a_field_of_large_heights_scatters_as_the_sum_over_powers():
     # exp(n s² exp(-d²/2l²)) expanded, and each power averaged over exp(-d²/2 spot).
     rho, power = 3.0, np.arange(1, 40)
-    contact = Contact(250e3, rho, 1.0, 0.0)
+    contact = contact_of_area(250e3, rho, 1.0, 0.0)
     spot = 2 * contact.radius * rho
     terms = (SIGMA / rho) ** (2 * power) / special.factorial(power) / (1 + power * spot / 100**2)
     found = field_variation(banded(SURFACE, 0, np.inf), contact)
@@ -146,7 +148,7 @@ def test_moments_and_quantiles_are_those_of_the_mixture():
 
 
 def test_without_roughness_all_places_are_alike():
-    smooth = force_statistics(rounded(1e-6, 1e5), Contact(250e3, 5.6, 1.0, 400.0))
+    smooth = force_statistics(rounded(1e-6, 1e5), contact_of_area(250e3, 5.6, 1.0, 400.0))
     assert smooth.spread == 0
     assert smooth.quantile(0.3) == pytest.approx(smooth.force)
     assert smooth.force > 2 * np.pi * 250e3 * 1e-9

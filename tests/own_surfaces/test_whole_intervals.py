@@ -7,8 +7,9 @@ import pytest
 from measurements import line_of, map_of, measurement
 from scipy import stats
 
+from hardcontact.contact.contact import contact_of_area
 from hardcontact.insight import closed_form as closed
-from hardcontact.insight.closed_form import Contact, closed_form, filtered_spectrum
+from hardcontact.insight.closed_form import closed_form, filtered_spectrum
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.extrapolated_spectrum import GRADIENT, HALF_LAPLACIAN
 from hardcontact.surfaces.joined_spectrum import CALIBRATION, drawn_spectra, joined_spectrum
@@ -22,7 +23,7 @@ from hardcontact.surfaces.spectrum import (
 
 pytestmark = pytest.mark.study
 
-CONTACT = Contact(100e3, 5.6, 0.05, 400.0)
+CONTACT = contact_of_area(100e3, 5.6, 0.05, 400.0)
 TRIALS, DRAWS = 40, 8
 #: Wavelengths in nm that no scan shows: above, in the gap between map and line, below.
 HELD_BACK = 2 * np.pi / np.array([15_000.0, 110.0, 8.0])

@@ -23,7 +23,6 @@ from hardcontact.config.model import NONE
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight import closed_form
 from hardcontact.insight.prediction import prediction, too_wide
 from hardcontact.numbers.number import Number
 from hardcontact.own_surfaces.open_edges import edges_of_curves
@@ -294,9 +293,8 @@ def predict(
     _refuse_not_positive(
         radius=radius, preload=preload, hardness=hardness, rho=rho, work=work, tolerance=tolerance
     )
-    area = closed_form.contact_area(preload, hardness)
-    contact = closed_form.Contact(radius, rho, work, area)
-    refuse_lines(filter(None, [too_wide(contact, preload)]))
+    contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
+    refuse_lines(filter(None, [too_wide(contact)]))
     return prediction(spectrum, contact, tolerance)
 
 

@@ -3,7 +3,7 @@
 import pandas as pd
 
 from hardcontact.adhesion.all_surfaces import with_names
-from hardcontact.insight.closed_form import Contact, contact_area
+from hardcontact.contact.contact import Contact
 from hardcontact.insight.pull_off_statistics import MEAN_ERROR, force_scatter, with_comparison
 from hardcontact.records import published
 from hardcontact.records.dataset import read
@@ -20,7 +20,7 @@ with job(snakemake) as this:
     deviations = (heights["uncertainty"] / heights["value"]).reindex(params["surfaces"]).fillna(0)
     scatter = force_scatter(
         spectra,
-        Contact(params["radius"], params["rho"], work, contact_area(**params["load"])),
+        Contact(radius=params["radius"], range=params["rho"], work=work, **params["load"]),
         params["ranges"],
         deviations,
         tolerance=MEAN_ERROR,

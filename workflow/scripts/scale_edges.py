@@ -4,7 +4,7 @@ import pandas as pd
 
 from hardcontact.adhesion.all_surfaces import single_masters
 from hardcontact.adhesion.pull_off import WORK_OF_ADHESION
-from hardcontact.insight.closed_form import Contact
+from hardcontact.contact.contact import contact_of_area
 from hardcontact.insight.edge_scaling import designed_edges, edge_scaling, stacked_scaling
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import read
@@ -24,7 +24,7 @@ with job(snakemake) as this:
     edges = edge_scaling(
         scaling,
         spectra,
-        Contact(params["sphere_radius"], params["rho"], WORK_OF_ADHESION, params["area"]),
+        contact_of_area(params["sphere_radius"], params["rho"], WORK_OF_ADHESION, params["area"]),
         params["tolerance"],
         Sampling(params["seed"], params["samples"], params["confidence"]),
     )

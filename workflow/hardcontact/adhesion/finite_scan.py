@@ -10,6 +10,9 @@ from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
+from scipy.special import erf
+
+from hardcontact.contact.contact import Contact
 
 #: Mean force on mirrored windows over that on the random surfaces of 20 µm they were cut out of, by
 #: the size of the window over the draw size: the least and the greatest ratio up to that size.
@@ -51,19 +54,17 @@ def with_finite_scans(
     )
 
 
-def with_window_share(force: xr.Dataset, window: float, radius: float) -> xr.Dataset:
+def with_window_share(force: xr.Dataset, contact: Contact) -> xr.Dataset:
     """Return predicted forces, over rho in nm, with the share of the force that the window holds.
 
     A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of the
-    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))². L and R are in nm;
-    the share is ``window_share`` (rho), with the attribute ``window`` in nm.
+    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))². The
+    share is ``window_share`` (rho), with the attribute ``window`` in nm.
     """
-    from scipy.special import erf
-
-    share = erf(window / np.sqrt(8 * radius * force["rho"].values)) ** 2
+    share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
     long_name = "share of the force on a smooth sphere that the window holds"
     attributes = {"units": "1", "long_name": long_name}
-    return force.assign(window_share=("rho", share, attributes)).assign_attrs(window=window)
+    return force.assign(window_share=("rho", share, attributes)).assign_attrs(window=contact.window)
 
 
 def with_contact_area(force: xr.Dataset, topography: xr.Dataset, area: float) -> xr.Dataset:

@@ -13,8 +13,8 @@ from hardcontact.commands.request import QUANTITIES, add_shared, options
 from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import Study
 from hardcontact.config.own_spectrum import own_spectrum
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import Material, effective_modulus
-from hardcontact.insight.closed_form import Contact, contact_area
 from hardcontact.insight.prediction import CHANGE, prediction, tabor, too_wide
 from hardcontact.numbers.number import Number, plain
 from hardcontact.numbers.printing import print_length, print_quantity
@@ -68,8 +68,8 @@ def predict(arguments: Namespace) -> str:
     radius, rho, work, preload, hardness = (
         quantities[name].number for name in ("radius", "range", "work", "preload", "hardness")
     )
-    contact = Contact(radius, rho, work, contact_area(preload, hardness))
-    wide = too_wide(contact, preload)
+    contact = Contact(radius=radius, range=rho, work=work, preload=preload, hardness=hardness)
+    wide = too_wide(contact)
     if wide and not faults:
         faults.append(f"--{wide}")
     if arguments.json == arguments.csv == "-":

@@ -56,3 +56,8 @@ class Contact:
         """
         pixel_area = (pixel_size * 1e-9) ** 2
         return int(np.ceil(self.preload / (self.hardness * pixel_area) * (1 - 1e-12)))
+
+
+def contact_of_area(radius: float, rho: float, work: float, area: float) -> Contact:
+    """Return a contact whose preload an area (nm²) carries, at a hardness of 1 N/nm²."""
+    return Contact(radius=radius, range=rho, work=work, preload=area, hardness=1e18)

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy import special
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.summits import (
     Approaches,
@@ -56,16 +57,6 @@ CUTOFFS = 60
 
 
 @dataclass(frozen=True)
-class Contact:
-    """A sphere, the attraction, the area in contact."""
-
-    radius: float  #: R in nm.
-    rho: float  #: Range of adhesion in nm.
-    work: float  #: Of adhesion, W in J/m².
-    area: float  #: Load over hardness, in nm²; 0 of rigid bodies.
-
-
-@dataclass(frozen=True)
 class ClosedForm:
     """The mean pull-off force and what decides it."""
 
@@ -79,14 +70,9 @@ class ClosedForm:
     regime: str  #: SMOOTH, MANY_POINTS or SINGLE_PEAKS.
 
 
-def contact_area(preload: float, hardness: float) -> float:
-    """Return the area (nm²) that carries a preload (N) at a hardness (Pa)."""
-    return preload / hardness * 1e18
-
-
 def contact_share(contact: Contact) -> float:
     """Return A/(2 pi R rho), the force of the area in contact alone over 2 pi R W."""
-    return contact.area / (2 * np.pi * contact.radius * contact.rho)
+    return contact.area / (2 * np.pi * contact.radius * contact.range)
 
 
 def smooth_force(contact: Contact) -> float:
@@ -139,7 +125,7 @@ def closed_form(
     first, touching = _terms(waves, levels, contact, GENERATIONS)
     relative = first + touching + contact_share(contact)
     m = float(sigma * levels.mean())
-    freezing = float(sigma**2 / (contact.rho * m)) if m > 0 else np.inf
+    freezing = float(sigma**2 / (contact.range * m)) if m > 0 else np.inf
     regime = SINGLE_PEAKS if freezing > 1 else MANY_POINTS
     if first + touching > SMOOTH_SHARE:
         regime = SMOOTH
@@ -151,7 +137,7 @@ def _terms(
 ) -> tuple[float, float]:
     """Return the first and the second term of F/(2 pi R W), the mean over levels of approach."""
     sigma = np.sqrt(moment(waves, 0))
-    first = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.rho))
+    first = levels.mean(gaussian_share(sigma, levels.levels * sigma, contact.range))
     touching = levels.mean(special.ndtr(-levels.levels))
     summit = on_summit(waves, levels, contact)
     if summit is None or not generations:
@@ -170,12 +156,12 @@ def on_summit(
     None stands for a summit without roughness that counts.
     """
     finer = banded(waves, 2 * np.pi / (SUMMIT * levels.radius), np.inf)
-    if finer is None or moment(finer, 0) < (FINEST * contact.rho) ** 2:
+    if finer is None or moment(finer, 0) < (FINEST * contact.range) ** 2:
         return None
     sigma, level = np.sqrt(moment(waves, 0)), levels.mean()
     radius = min(levels.radius**2 * max(level, 1.0) / (2 * sigma), contact.radius)
-    area = min(contact.area, np.pi * levels.radius**2)
-    return finer, replace(contact, radius=radius, area=area)
+    summit_load = contact.hardness * np.pi * levels.radius**2 * 1e-18
+    return finer, replace(contact, radius=radius, preload=min(contact.preload, summit_load))
 
 
 def filtered_spectrum(spectrum: Spectrum, side: str, cutoff: float) -> Spectrum:

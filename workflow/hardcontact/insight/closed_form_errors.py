@@ -7,9 +7,9 @@ import numpy as np
 import xarray as xr
 
 from hardcontact.adhesion.pull_off import pull_off_of_pair
-from hardcontact.contact.contact import Contact as ArrayContact
+from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.contact.geometry import bodies
-from hardcontact.insight.closed_form import Contact, closed_form, edges
+from hardcontact.insight.closed_form import closed_form, edges
 from hardcontact.insight.summits import banded
 from hardcontact.numbers.random import generator
 from hardcontact.numbers.statistics import student_log_interval
@@ -28,7 +28,7 @@ class Trial:
     realizations: int  #: Surfaces of each size.
     sizes: tuple[float, ...]  #: Edges of the surfaces in nm.
     ranges: tuple[float, ...]  #: Of adhesion in nm.
-    contact: ArrayContact
+    contact: Contact
     work: float  #: W in J/m².
     rho: float  #: The range (nm) of the edges.
     tolerance: float  #: Change of the force that counts for an edge.
@@ -94,7 +94,9 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
         approaches.append(-plastic["closest_approach"].values)
     waves = spectrum_of_grid(spectrum, size, trial.pixels)
     area = trial.contact.pixels(pixel_size) * pixel_size**2
-    contacts = [Contact(trial.contact.radius, rho, trial.work, area) for rho in trial.ranges]
+    contacts = [
+        contact_of_area(trial.contact.radius, rho, trial.work, area) for rho in trial.ranges
+    ]
     forms = [
         [closed_form(waves, contact, heights) for contact in contacts]
         for heights in (None, np.array(approaches))
@@ -122,8 +124,8 @@ def _compare(name: str, spectrum: Spectrum, size: float, trial: Trial) -> xr.Dat
 
 def _describe_whole(spectrum: Spectrum, trial: Trial) -> xr.Dataset:
     """Return what the closed form says of a spectrum of all scales."""
-    contact = Contact(trial.contact.radius, trial.rho, trial.work, trial.contact.area)
-    forms = [closed_form(spectrum, replace(contact, rho=rho)) for rho in trial.ranges]
+    contact = replace(trial.contact, range=trial.rho, work=trial.work)
+    forms = [closed_form(spectrum, replace(contact, range=rho)) for rho in trial.ranges]
     return xr.Dataset(
         {
             "whole_freezing": ("rho", [form.freezing for form in forms], {"units": "1"}),

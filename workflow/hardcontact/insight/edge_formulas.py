@@ -28,7 +28,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy import special
 
-from hardcontact.insight.closed_form import SUMMIT, Contact, contact_share, gaussian_share
+from hardcontact.contact.contact import Contact
+from hardcontact.insight.closed_form import SUMMIT, contact_share, gaussian_share
 from hardcontact.insight.summits import Approaches, closest_approaches, moment, rough_waves
 from hardcontact.scales.critical_band import critical_wavelength
 from hardcontact.surfaces.spectrum import Floats, Spectrum
@@ -62,7 +63,7 @@ def formula_edges(spectrum: Spectrum, contact: Contact, tolerance: float) -> Edg
     if waves is None:
         return Edges(np.nan, np.nan)
     wavelength, variance, gap = gaps_on_summits(waves, contact.radius, contact.area)
-    on_summit = critical_wavelength(wavelength, gap / contact.rho, (-1.0, change))
+    on_summit = critical_wavelength(wavelength, gap / contact.range, (-1.0, change))
     if np.isnan(on_summit):
         return Edges(np.nan, np.nan)
     approaches = closest_approaches(waves, contact.radius, contact.area)
@@ -100,9 +101,9 @@ def elasticity(sigma: float, approaches: Approaches, contact: Contact) -> float:
     heights that attract are normal about sigma²/rho with the deviation sigma; with the probability
     Phi(t - s) they lie below the sphere and are many.
     """
-    t, s = approaches.mean(), sigma / contact.rho
+    t, s = approaches.mean(), sigma / contact.range
     h, below = float(hazard(t)), special.ndtr(t - s)
-    first = float(gaussian_share(sigma, t * sigma, contact.rho))
+    first = float(gaussian_share(sigma, t * sigma, contact.range))
     touching, touching_power = special.ndtr(-t), h * (h - t)
     first_power = s * (h - s) + hazard(s - t) * (s + t - h)
     # The highest of Poisson's clumps stands exp(-gamma) of one clump above the others.

@@ -15,7 +15,8 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import Described, Parts, stacked_forces, with_names
-from hardcontact.insight.closed_form import Contact, closed_form
+from hardcontact.contact.contact import Contact, contact_of_area
+from hardcontact.insight.closed_form import closed_form
 from hardcontact.insight.edge_formulas import formula_edges
 from hardcontact.numbers.statistics import Sampling, jackknife_interval, with_interval
 from hardcontact.scales.critical_band import POOLED, critical_band, last_cutoff
@@ -163,7 +164,7 @@ def _formula_edges(
     """Return the edges (side, surface, radius, area, rho) in nm by the formulas, over a grid."""
     axes = [grid[name] for name in COMBINATION]
     edges = [
-        formula_edges(spectrum, Contact(radius, rho, work, area), tolerance)
+        formula_edges(spectrum, contact_of_area(radius, rho, work, area), tolerance)
         for spectrum in spectra.values()
         for radius in axes[0].values
         for area in axes[1].values
@@ -221,7 +222,7 @@ def among_regimes(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Datas
     roll_offs = np.array([roll_off(spectrum) for spectrum in spectra.values()])
     return xr.Dataset(
         {
-            "over_range": ("surface", height / contact.rho, ONE),
+            "over_range": ("surface", height / contact.range, ONE),
             "approach_level": ("surface", approach / np.where(height > 0, height, np.nan), ONE),
             "contact_over_rolloff": ("surface", contact.area**0.5 / roll_offs, ONE),
         },

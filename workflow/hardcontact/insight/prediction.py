@@ -15,6 +15,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import (
     maugis_parameter,
     tabor_parameter,
@@ -22,7 +23,6 @@ from hardcontact.contact.smooth_sphere import (
 )
 from hardcontact.insight.closed_form import (
     ClosedForm,
-    Contact,
     closed_form,
     contact_share,
     edges,
@@ -220,23 +220,20 @@ def tabor(contact: Contact, modulus: float) -> Number:
     The effective modulus is in Pa. The bodies are SOFT where their elasticity takes more than
     CHANGE of the force from a smooth sphere.
     """
-    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.rho))
+    value = float(tabor_parameter(contact.work, contact.radius, modulus, contact.range))
     softening = 1 - float(transition_coefficient(maugis_parameter(value))) / 2
     return Number("tabor_parameter", value, status=SOFT if softening > CHANGE else HARD)
 
 
-def too_wide(contact: Contact, preload: float) -> str:
-    """Return that a contact alone would attract as much as the whole smooth sphere, if it would.
-
-    The preload, in N, is that of the contact.
-    """
+def too_wide(contact: Contact) -> str:
+    """Return that a contact alone would attract as much as the whole smooth sphere, if it would."""
     share = contact_share(contact)
     if share < 1:
         return ""
     return (
-        f"preload: expected less than {print_quantity(preload / share, 'N')} at this hardness, "
-        f"radius and range, found {print_quantity(preload, 'N')}: the contact alone would stick "
-        "like a smooth sphere"
+        f"preload: expected less than {print_quantity(contact.preload / share, 'N')} at this "
+        f"hardness, radius and range, found {print_quantity(contact.preload, 'N')}: the contact "
+        "alone would stick like a smooth sphere"
     )
 
 
@@ -313,7 +310,7 @@ def _longest_octave(waves: Spectrum, contact: Contact, found: ClosedForm) -> Num
 
 def _tried(waves: Spectrum, contact: Contact, found: ClosedForm) -> Iterator[Number]:
     """Yield what an error depends on, with the range that it has in the table."""
-    values = {"rho": contact.rho, "radius": contact.radius, **coordinates(waves, contact, found)}
+    values = {"rho": contact.range, "radius": contact.radius, **coordinates(waves, contact, found)}
     for name, unit in TRIED.items():
         least, most = validation()[name].agg(["min", "max"])
         status = INSIDE if least <= values[name] <= most else OUTSIDE

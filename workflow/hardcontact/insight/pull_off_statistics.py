@@ -24,11 +24,11 @@ from numpy.polynomial.hermite_e import hermegauss
 from numpy.typing import ArrayLike
 from scipy import special
 
+from hardcontact.contact.contact import Contact
 from hardcontact.contact.smooth_sphere import dmt_pull_off
 from hardcontact.insight.closed_form import (
     GENERATIONS,
     SUMMIT,
-    Contact,
     contact_share,
     gaussian_share,
     on_summit,
@@ -130,7 +130,7 @@ def force_statistics(spectrum: Spectrum, contact: Contact) -> ForceStatistics:
     attraction = _attraction(waves, contact, GENERATIONS)
     levels = attraction.levels
     means = attraction.first + attraction.touching + contact_share(contact)
-    modulus = contact.rho * levels.mean() / np.sqrt(moment(waves, 0))
+    modulus = contact.range * levels.mean() / np.sqrt(moment(waves, 0))
     spreads = np.sqrt(np.log1p(attraction.variance / means**2))
     possible = levels.weights > 0
     return ForceStatistics(
@@ -164,7 +164,7 @@ class _Attraction(NamedTuple):
 
 def _attraction(waves: Spectrum, contact: Contact, generations: int) -> _Attraction:
     """Return how a sphere is attracted by summits, which are rough themselves."""
-    radius, rho = contact.radius, contact.rho
+    radius, rho = contact.radius, contact.range
     levels = closest_approaches(waves, radius, contact.area)
     sigma, t = np.sqrt(moment(waves, 0)), levels.levels
     # What a rough summit attracts of what a smooth one does.
@@ -250,11 +250,11 @@ def field_variation(waves: Spectrum, contact: Contact) -> float:
     all distances d, r the autocorrelation, over 4 pi R rho. Its part that is linear in r is the
     variance (1/2 pi rho²) ∫ q C_iso exp(-q² R rho) dq of the mean height.
     """
-    q, reach = waves.wavevector, 4 * contact.radius * contact.rho
+    q, reach = waves.wavevector, 4 * contact.radius * contact.range
     height_density = waves.density * q**2 * np.exp(-(q**2) * reach / 4)
-    linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.rho**2)
+    linear = np.trapezoid(height_density, np.log(q)) / (2 * np.pi * contact.range**2)
     distances, lost = correlation_lost(waves)
-    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.rho**2, 500)
+    exponent = np.minimum(moment(waves, 0) * (1 - lost) / contact.range**2, 500)
     beyond_linear = (np.expm1(exponent) - exponent) * np.exp(-(distances**2) / reach)
     return float(np.sqrt(linear + 2 * np.trapezoid(beyond_linear * distances, distances) / reach))
 
@@ -314,10 +314,10 @@ def force_scatter(
     for surface, spectrum in spectra.items():
         deviation = deviations[surface]
         for rho in ranges:
-            places = force_statistics(spectrum, replace(contact, rho=rho))
+            places = force_statistics(spectrum, replace(contact, range=rho))
             scans = places
             if deviation:
-                scans = over_scans(spectrum, replace(contact, rho=rho), deviation)
+                scans = over_scans(spectrum, replace(contact, range=rho), deviation)
             # A median above the mean is no log-normal's.
             total_shape = float(lognormal_shape(1, min(scans.median_over_mean, 1)))
             rows.append(

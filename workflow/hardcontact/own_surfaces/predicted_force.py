@@ -14,7 +14,7 @@ from hardcontact.adhesion.finite_scan import (
     with_finite_scans,
     with_window_share,
 )
-from hardcontact.insight.closed_form import Contact
+from hardcontact.contact.contact import Contact
 from hardcontact.insight.edge_scaling import among_regimes
 from hardcontact.insight.pull_off_statistics import force_scatter
 from hardcontact.insight.summits import draw_size
@@ -53,14 +53,13 @@ def own_force(
     *,
     contact: Contact,
     masters: Masters,
-    window: float,
     tolerance: float,
     confidence: float,
 ) -> xr.Dataset:
     """Return the predicted forces of all surfaces, their limits and their scatter.
 
     Datasets are as in the files of these names. The contact that is asked for has the radius of the
-    sphere, range, work and area; the window of a contact is in nm, the tolerance is the relative
+    sphere, range, work, load and window; the tolerance is the relative
     change of the force that counts as none.
 
     Returns, over surface, the forces on the scans (`predicted_force`) and with continued roughness
@@ -71,7 +70,7 @@ def own_force(
     force = predicted_force(
         adhesion,
         work=contact.work,
-        rho=contact.rho,
+        rho=contact.range,
         sizes={str(name): size for name, size in topography["scan_size"].to_series().items()},
         confidence=confidence,
     )
@@ -85,11 +84,11 @@ def own_force(
         name: draw_size(spectrum, contact.radius, contact.area) for name, spectrum in joined.items()
     }
     force = with_finite_scans(force, topography, draw_sizes)
-    force = with_window_share(force, window, contact.radius)
+    force = with_window_share(force, contact)
     scatter = force_scatter(
         joined,
         contact,
-        [contact.rho],
+        [contact.range],
         dict.fromkeys(joined, 0.0),  # the scatter over the places of one scan
         tolerance=tolerance,
         confidence=confidence,
