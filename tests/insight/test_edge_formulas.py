@@ -111,7 +111,7 @@ def test_exponents_of_the_short_edge_are_those_of_the_theory(area):
     level = np.interp(np.log(edge), np.log(wavelength), level_of_gap(gap / np.sqrt(variance)))
     flattened = (formulas.hazard(level) - level) * special.ndtr(level)
     e = flattened / formulas.height_above(-level)
-    for name, expected in (("rho", 2 / (HURST + 2 * e)), ("area", 2 * e / (HURST + 2 * e))):
+    for name, expected in (("range", 2 / (HURST + 2 * e)), ("preload", 2 * e / (HURST + 2 * e))):
         short = [
             formulas.formula_edges(
                 spectrum, replace(contact, **{name: getattr(contact, name) * factor}), 0.1
