@@ -5,10 +5,21 @@ import pytest
 import xarray as xr
 from direct_sum import direct_total
 from known_forces import FORCE_DIMS
+from known_masters import LARGE, SMALL, scales
 from refusals import assert_says, refusal
 
 from hardcontact.numbers.statistics import student_interval
-from hardcontact.own_surfaces.predicted_force import predicted_force, with_smooth_bound
+from hardcontact.own_surfaces.master_forces import (
+    Masters,
+    forces_of_masters,
+    half_width_over_masters,
+)
+from hardcontact.own_surfaces.predicted_force import (
+    continued_force,
+    predicted_force,
+    with_continued_force,
+    with_smooth_bound,
+)
 
 RHOS = [1.0, 5.0, 20.0]
 PREDICTION = {"work": 0.05, "rho": 5.0, "sizes": {"a": 2500.0, "b": 2500.0}, "confidence": 0.9}
@@ -36,16 +47,13 @@ def adhesion(scans, radius=5e3, spread=0.3):
 def test_force_is_the_mean_at_the_work_asked_for():
     given = adhesion([3, 1])
     found = predicted_force(given, **PREDICTION)
-    assert found.force.dims == ("surface", "contact_model", "rho")
     of_b = given.pull_off_force.sel(surface="b").isel(scan=0)
     expected = 0.05 * of_b.mean(["sphere_scan", "contact_y", "contact_x"])
     np.testing.assert_allclose(found.force.sel(surface="b"), expected)
-    single = given.pull_off_force.sel(surface="a", contact_model="plastic", rho=5.0).values
-    np.testing.assert_allclose(
-        found.force_quantile.sel(surface="a", contact_model="plastic", rho=5.0),
-        np.quantile(0.05 * single, [0.05, 0.25, 0.5, 0.75, 0.95]),
-    )
-    assert found.attrs["work_of_adhesion"] == 0.05 and found.attrs["range_of_adhesion"] == 5.0
+    place = {"surface": "a", "contact_model": "plastic", "rho": 5.0}
+    single = 0.05 * given.pull_off_force.sel(place).values
+    quantiles = found.force_quantile.sel(place)
+    np.testing.assert_allclose(quantiles, np.quantile(single, quantiles["quantile"]))
 
 
 def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
@@ -58,7 +66,6 @@ def test_three_scans_give_students_t_fewer_a_wider_conditional_interval():
     )
     assert found.conditional.values.tolist() == [0, 1]
     assert found.interval_source.values.tolist() == ["scans", "quarters"]
-    assert found.interval_scans.values.tolist() == [3, 1]
     low, high = (found.force_interval.isel(bound=bound) for bound in (0, 1))
     assert (low < found.force).all() and (found.force < high).all()
     width = np.log(high / low).sel(surface="b", contact_model="rigid")
@@ -69,10 +76,6 @@ def test_a_contact_that_feels_the_whole_scan_gives_no_interval():
     found = predicted_force(adhesion([3, 1], radius=1e9), **PREDICTION)
     assert found.force_interval.sel(surface="b").isnull().all()
     assert found.force_interval.sel(surface="a").notnull().all()
-    assert found.interval_source.values.tolist() == ["scans", "none"]
-
-
-def test_a_range_that_was_not_computed_is_refused():
     message = refusal(lambda: predicted_force(adhesion([1, 1]), **PREDICTION | {"rho": 5.6}))
     assert_says(message, "1, 5, 20 nm", "found 5.6 nm")
 
@@ -115,3 +118,62 @@ def test_no_mean_exceeds_the_bound():
     np.testing.assert_allclose(found.continued_force, [1e-9, bound[1, 1]])
     endless = given.assign(force_interval=given.force_interval * 0 + np.inf).merge(continued)
     assert np.isinf(with_smooth_bound(endless, 400.0).force_interval).all()
+
+
+# With continued roughness
+
+MASTERS = Masters({"a": 1}, 2)
+
+
+def master_forces(**options):
+    return scales([[SMALL, LARGE]], **options).assign(transition=("side", [20.0, 4e3]))
+
+
+def test_the_continued_force_is_the_mean_over_contacts_and_masters_at_the_work():
+    given = master_forces()
+    mean = given.unfiltered_pull_off_force.mean(["realization", "contact_y", "contact_x"])
+    np.testing.assert_allclose(
+        continued_force(given, MASTERS, 0.05, 0.95).continued_force, 0.05 * mean
+    )
+
+
+@pytest.mark.parametrize(
+    "ratio, half, differs", [(3.0, 0.4, 1), (3.0, 2.8, 0), (1.01, 0.001, 0), (3.0, np.nan, 1)]
+)
+def test_both_forces_are_said_where_they_differ_by_more_than_interval_and_tolerance(
+    ratio, half, differs
+):
+    continued = continued_force(master_forces(), MASTERS, 0.05, 0.95)
+    # The force on the scans, relative to that with continued roughness below them.
+    relative = np.array([[[ratio]]]), np.array([[[[ratio - half, ratio + half]]]])
+    unit = continued.continued_force.sel(side="small").item()
+    axes = ("surface", "contact_model", "rho")
+    scan_forces = xr.Dataset(
+        {
+            "force": (axes, unit * relative[0]),
+            "force_interval": ((*axes, "bound"), unit * relative[1]),
+        },
+        {"surface": ["a"], "contact_model": ["plastic"], "rho": [5.0], "bound": ["low", "high"]},
+        {"range_of_adhesion": 5.0},
+    )
+    found = with_continued_force(scan_forces, continued, 0.1).continued_differs
+    assert found.sel(side="small").values.tolist() == [differs]
+
+
+@pytest.mark.study
+@pytest.mark.parametrize("count", [2, 5])
+def test_the_interval_covers_the_scatter_of_realizations_that_all_quarters_share(count):
+    rng, held = np.random.default_rng(3), []
+    template = master_forces(realizations=count)
+    for _ in range(300):
+        shared = 0.3 * rng.standard_normal((1, count, 1, 1, 1))
+        single = 0.05 * rng.standard_normal((1, count, 2, 4, 4))
+        forces = xr.zeros_like(template.unfiltered_pull_off_force) + np.exp(shared + single)
+        drawn = template.assign(unfiltered_pull_off_force=forces)
+        masters = forces_of_masters(drawn, "a", "small", MASTERS)
+        half = half_width_over_masters(
+            masters, lambda filtered, whole: whole, "unfiltered_shift", 0.95
+        )
+        mean = float(masters.forces.unfiltered_pull_off_force.mean())
+        held.append(abs(np.log(mean) - (0.3**2 + 0.05**2) / 2) < half)
+    assert np.mean(held) >= 0.9
