@@ -21,10 +21,8 @@ def test_edges_lie_where_the_mean_ratio_leaves_the_tolerance():
     between = np.log(1.1 / 1.02) / np.log(1.3 / 1.02)
     np.testing.assert_allclose(found.edge, [10 ** (1 + between), 4000 * 0.5**between])
     np.testing.assert_allclose(found.scale_ratio.sel(side="small"), SMALL)
-    assert found.edge_status.values.tolist() == ["found"] * 2
     # All scans have the same ratio: an interval would have no width.
     assert found.edge_interval.isnull().all() and found.scale_ratio_interval.isnull().all()
-    assert "pooled_edge" not in found
 
 
 @pytest.mark.parametrize("scans", [1, 2, 3])
@@ -37,9 +35,6 @@ def test_intervals_lie_about_the_edge_and_within_the_cutoffs_of_their_side(scans
         known = found.edge_interval.sel(side=side).dropna("bound")
         assert ((known >= ends[0]) & (known <= ends[1])).all()
     assert int(found.conditional) == (scans < 3)
-    assert found.interval_source == ("quarters" if scans < 3 else "scans")
-    assert found.interval_scans == scans
-    assert ((found.interval_status == "found") == found.edge_interval.notnull()).all()
 
 
 def test_the_interval_of_three_scans_is_that_of_the_jackknife():
@@ -58,12 +53,8 @@ def test_curves_that_are_not_crossed_give_bounds_and_no_numbers():
     assert found.edge.isnull().all()
     np.testing.assert_array_equal(found.edge_bound, [1000, 4000])
     np.testing.assert_array_equal(found.edge_at_least, [1, 1])
-
-
-def test_the_cell_of_each_side_ends_where_its_masters_do():
     # The cell of the large side is 10 µm; that of the small side, a single mirrored scan, 5 µm.
-    flat = [1.0, 1.0, 1.0, 1.0, 1.0]
-    found = edges([[flat, [2.0] * 5]], [3]).sel(surface="a")
+    found = edges([[[1.0] * 5, [2.0] * 5]], [3]).sel(surface="a")
     assert found.edge_status.values.tolist() == ["beyond the cell", "beyond the cutoffs"]
 
 
@@ -76,9 +67,12 @@ def test_several_surfaces_have_a_pooled_edge_between_their_own():
     np.testing.assert_allclose(found.pooled_change.sel(side="small")[:3], [0.01, 0.175, 0.45])
     between = 0.08 / 0.28
     assert float(found.pooled_edge.sel(side="large")) == pytest.approx(4000 * 0.5**between)
-    assert found.attrs == {
-        "tolerance": 0.1, "confidence": 0.95, "rho": 5.0, "sphere_radius": 5e3
-    }  # fmt: skip
+    # Without a cutoff that all have, there is no pooled edge.
+    apart = [
+        [[1.0, 1.2, np.nan, np.nan, np.nan], LARGE],
+        [[np.nan] * 2 + [1.0, 1.2, np.nan], LARGE],
+    ]
+    assert "pooled_edge" not in edges(apart, [1, 1], spread=0.1)
 
 
 def test_a_ratio_that_may_be_one_may_be_no_change_and_one_without_scatter_is_known():
@@ -92,9 +86,3 @@ def test_a_ratio_that_may_be_one_may_be_no_change_and_one_without_scatter_is_kno
     found = band_edges(scattered, masters, 0.1, 0.95).sel(side="small")
     low, high = found.pooled_change_interval.isel(cutoff_wavelength=0)
     assert low == 0 and high > 0.04
-
-
-def test_surfaces_without_a_common_cutoff_are_not_pooled():
-    shifted = [[np.nan] * 2 + [1.0, 1.2, np.nan], LARGE]
-    apart = [[1.0, 1.2, np.nan, np.nan, np.nan], LARGE]
-    assert "pooled_edge" not in edges([apart, shifted], [1, 1], spread=0.1)
