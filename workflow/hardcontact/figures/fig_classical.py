@@ -5,11 +5,9 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
-from matplotlib.ticker import FixedLocator
 
 from hardcontact.figures import drawing, style, tables
 
@@ -25,9 +23,9 @@ the published work. Bars: of published forces their rounding, of computed ones t
 {{ inference.confidence | percent }} interval over scans, of models the central
 {{ inference.confidence | percent }} of forces that the printed uncertainties of Table 1 allow;
 bars too long for a panel end at its frame. Horizontal lines repeat the published forces;
-symbols in the grey strip of (a): the model has no force at all. (b) Fitted to the published
-forces of all surfaces (black) or to the computed ones (grey); grey strip: below the paper's
-threshold. What each model calls roughness and what its formula was checked against stand in the
+symbols in the grey strip of (a): the model has no force, or less than 1 pN. (b) Fitted to the
+published forces of all surfaces (black) or to the computed ones (grey); grey strip: below the
+paper's threshold. What each model calls roughness and what its formula was checked against stand in the
 table beside the figure. classical.nc has the effective works of adhesion, their Tabor
 parameters and tests of power laws, too. Drawn from classical.nc and
 resources/paper/parameters.csv.
@@ -36,12 +34,11 @@ resources/paper/parameters.csv.
 VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all
 METRICS = {"afm": "AFM scans alone", "all_scales": "all scales"}
 AGAINST = {"published": style.PUBLISHED, "computed": "0.55"}
-QUANTITIES = {  # panel, origin; without a panel: not drawn
+QUANTITIES = {  # panel, origin
     "published_mean_force": ("a", "published"),
     "computed_mean_force": ("a", "computed"),
     "pull_off_force": ("a", "computed"),
     "mean_relative_error": ("b", "computed"),
-    "fitted_work_of_adhesion": ("", "computed"),
 }
 BETWEEN = ("model", "metrics", "against")  # columns of the table
 
@@ -49,8 +46,8 @@ BETWEEN = ("model", "metrics", "against")  # columns of the table
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) forces at the published work, (b) errors at the best work of each model.
 
-    The table has forces in N, works of adhesion in J/m2 and errors (1), with the ends of their
-    intervals; of each model its definition of roughness and what its formula was checked against.
+    The table has forces in N and errors (1), with the ends of their intervals; of each model its
+    definition of roughness and what its formula was checked against.
     """
     work = published_constants["value"]["work_of_adhesion"]
     figure, ((forces, errors),) = drawing.create_rows(3.6, classical, (1, (2.6, 1)))
@@ -58,21 +55,20 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.D
     title = f"models at the published $W$ = {work / style.MILLIJOULE:g} mJ/m²"
     style.label_panel(forces, "a", title)
     _draw_errors(errors, classical)
-    style.legend_above(figure, _legend_handles(classical), 6)
-    return _table(classical), figure
-
-
-def _table(classical: xr.Dataset) -> pd.DataFrame:
-    """Return forces, errors and fitted works, a row a number."""
+    of_metrics = [
+        Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
+        for face, label in zip(("0.3", "white"), METRICS.values(), strict=True)
+    ]
+    style.legend_above(figure, [*style.surface_handles(classical, ls="none"), *of_metrics], 6)
     frames = []
     for name, (panel, origin) in QUANTITIES.items():
         rows = tables.as_rows(tables.bounded(classical, name).reset_coords(drop=True))
-        unit = classical[name].attrs["units"].replace(" m-2", "/m2")
+        unit = classical[name].attrs["units"]
         frames.append(rows.assign(panel=panel, origin=origin, quantity=name, unit=unit))
     rows = pd.concat(frames).dropna(subset=["value", "low", "high"], how="all")
     described = classical[["model_roughness", "model_verified"]].to_dataframe()
     columns = [*tables.ROW_COLUMNS, *BETWEEN, *tables.VALUE_COLUMNS, *described.columns]
-    return tables.labelled([rows.join(described, on="model")], classical, columns)
+    return tables.labelled([rows.join(described, on="model")], classical, columns), figure
 
 
 def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
@@ -105,17 +101,13 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
                 face = colour if metrics == "afm" else "white"
                 _draw_point(axes, x + offset + aside, drawn, mfc=face, **look)
     axes.axhspan(bottom, 3 * bottom, color="0.9", zorder=0)
-    axes.text(1.6, 1.7 * bottom, "no force: less than 1 pN", fontsize=7, va="center")
+    axes.text(1.6, 1.7 * bottom, "no force", fontsize=7, va="center")
     axes.axvline(1.5, color="black", lw=0.6)
     labels = ["published", "computed", *classical["model_label"].values]
     axes.set_xticks(range(len(labels)), labels, **style.TILTED)
     axes.set(xlim=(-0.5, len(labels) - 0.5), yscale="log", ylim=(bottom, top))
     axes.set_ylabel("pull-off force (µN)")
-    # The strip below has no scale.
-    decades = 10.0 ** np.arange(np.floor(np.log10(3 * bottom)), np.ceil(np.log10(top)) + 1)
-    minor = np.outer(decades, range(2, 10)).ravel()
-    axes.yaxis.set_major_locator(FixedLocator(decades[decades >= 3 * bottom].tolist()))
-    axes.yaxis.set_minor_locator(FixedLocator(minor[minor >= 3 * bottom].tolist()))
+    style.label_logarithmic(axes.yaxis)
 
 
 def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
@@ -137,12 +129,3 @@ def _draw_errors(axes: Axes, classical: xr.Dataset) -> None:
     axes.set(ylim=(0, 1.5), ylabel="least mean relative error")
     axes.legend(loc="upper left", borderaxespad=0.1)
     style.label_panel(axes, "b", "$W$ fitted")
-
-
-def _legend_handles(classical: xr.Dataset) -> list[Artist]:
-    """Return one entry a surface, and the two sets of roughness metrics."""
-    of_metrics = [
-        Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
-        for face, label in zip(("0.3", "white"), METRICS.values(), strict=True)
-    ]
-    return [*style.surface_handles(classical, ls="none"), *of_metrics]

@@ -1,7 +1,5 @@
 """Scaling of the band: edges beside their formulas, the errors of these, a map of the regimes."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -41,84 +39,74 @@ PUBLISHED: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorde
 SIDES = {"small": ("black", "v", "short edge"), "large": ("0.55", "^", "long edge")}
 #: Names of published spectra on the map.
 NITRIDES = {"crn_rougher": "CrN, rougher", "crn_smoother": "CrN, smoother"}
-BETWEEN = ("side", "radius", "area", "rho", "reach", "length", "designed", "prediction")  # columns
-
-
-def _table(scaling: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
-    """Return what the figure is drawn from, one row a number.
-
-    Edges (nm) of all combinations, computed and by the formula, with the published ones (panel a:
-    short, b: long edges), those computed over those predicted on designed surfaces (c), what places
-    all surfaces on the map (d).
-    """
-    edges = tables.bounded(scaling, "edge").assign(reach=scaling["reach"])
-    formulas = scaling["formula_edge"].to_dataset(name="value").assign(reach=scaling["reach"])
-
-    def panel_of_edge(rows: pd.DataFrame) -> np.ndarray:
-        return np.where(rows["side"] == "large", "b", "a")
-
-    of_paper = [tables.published_edge(published_constants, side) for side in TITLES]
-    published = pd.DataFrame({"side": list(TITLES), "value": of_paper})
-    places = ("over_range", "approach_level", "contact_over_rolloff")
-    of_designed = ("over_range", "level", "contact_over_rolloff")
-    frames = [
-        tables.computed_rows(edges, panel=panel_of_edge, quantity="edge", unit="nm"),
-        tables.computed_rows(formulas, panel=panel_of_edge, quantity="formula_edge", unit="nm"),
-        published.assign(panel=["a", "b"], quantity="edge", unit="nm", origin="published"),
-        tables.drawn_rows(scaling, ("c", "designed_error", "1")),
-        tables.drawn_rows(scaling, *(("d", name, "1") for name in places)),
-        tables.drawn_rows(scaling, *(("d", f"designed_{name}", "1") for name in of_designed)),
-    ]
-    return tables.tidy(frames, scaling, *BETWEEN)
+#: Places on the map, and contact over roll-off, of the surfaces of the study and the designed ones.
+OWN = ("over_range", "approach_level", "contact_over_rolloff")
+DESIGNED = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
+BETWEEN = ("side", "radius", "area", "rho", "reach", "designed", "prediction")  # columns
 
 
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw edges against (a) the range and (b) the reach, (c) errors, (d) a map of the regimes.
 
-    Sections go through the contact area nearest to the paper's.
+    Sections go through the contact area nearest to the paper's. The table has the edges (nm) of
+    all combinations, computed and by the formula, with the published ones (a: short, b: long
+    edges), those computed over those predicted on designed surfaces held out (c), and what places
+    all surfaces on the map (d).
     """
     figure = drawing.create(5.6, scaling)
     (short, long), (errors, regimes) = figure.subplots(2, 2)
+    scaling = scaling.set_coords("reach")
     at_area = scaling.sel(area=scaling.attrs["area"], method="nearest")
+    frames = []
     for axes, side, along, letter in ((short, "small", "rho", "a"), (long, "large", "reach", "b")):
-        _draw_edges(axes, at_area, side, along)
-        axes.axhline(tables.published_edge(published_constants, side), **PUBLISHED)
+        _draw_edges(axes, at_area.sel(side=side), along)
+        published = tables.published_edge(published_constants, side)
+        axes.axhline(published, **PUBLISHED)
+        axes.set_ylabel(TITLES[side])
         style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²; lines: formula")
+        drawn = ((letter, name, "nm") for name in ("edge", "formula_edge"))
+        frames.append(tables.drawn_rows(scaling.sel(side=[side]), *drawn))
+        frames.append(tables.rows_of(letter, "edge", "nm", "published", side=side, value=published))
     short.set(xlabel="range of adhesion ρ (nm)")
     short.set_xticks(scaling["rho"], [f"{rho:g}" for rho in scaling["rho"].values])
     short.xaxis.set_minor_locator(NullLocator())
     long.set(xlabel=f"reach of the attraction {REACH} (nm)")
-    _draw_errors(errors, scaling)
+    held_out = scaling.sel(designed=scaling["held_back"] == 1, prediction=FORMULA)
+    _draw_errors(errors, held_out)
     _draw_regimes(regimes, scaling)
-    published = Line2D([], [], label="published edge", **PUBLISHED)
-    style.legend_above(figure, [*style.surface_handles(scaling, ls="none"), published], 5)
-    return _table(scaling, published_constants), figure
+    drawn = (("d", name, "1") for name in (*OWN, *DESIGNED))
+    frames += [
+        tables.drawn_rows(held_out, ("c", "designed_error", "1")),
+        tables.drawn_rows(scaling, *drawn),
+    ]
+    line = Line2D([], [], label="published edge", **PUBLISHED)
+    style.legend_above(figure, [*style.surface_handles(scaling, ls="none"), line], 5)
+    return tables.tidy(frames, scaling, *BETWEEN), figure
 
 
-def _draw_edges(axes: Axes, cases: xr.Dataset, side: str, along: str) -> None:
+def _draw_edges(axes: Axes, cases: xr.Dataset, along: str) -> None:
     """Draw the edges of one side, all surfaces, with intervals, and a line a sphere by formula."""
     edges = tables.bounded(cases, "edge").assign(along=cases[along], formula=cases["formula_edge"])
-    for look, of_surface in style.by_surface(edges.sel(side=side)):
+    for look, of_surface in style.by_surface(edges):
         stacked = of_surface.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
         style.draw_bars(axes, stacked["along"], stacked, ls="none", ms=3, elinewidth=0.4, **look)
         for radius in of_surface["radius"]:
             line = of_surface.sel(radius=radius)
             axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
-    axes.set(xscale="log", yscale="log", ylabel=TITLES[side])
+    axes.set(xscale="log", yscale="log")
     style.label_logarithmic(axes.xaxis)
     style.label_logarithmic(axes.yaxis, at=(1, 3))
 
 
-def _draw_errors(axes: Axes, scaling: xr.Dataset) -> None:
+def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
     """Draw computed edges over those of the formula against t rho/sigma, designed surfaces."""
-    held_back = scaling.sel(designed=scaling["held_back"] == 1)
-    modulus = held_back["designed_level"] / held_back["designed_over_range"]
-    known = held_back["designed_error"].sel(prediction=FORMULA)
+    modulus = held_out["designed_level"] / held_out["designed_over_range"]
     for side, (colour, marker, label) in SIDES.items():
-        bound = held_back["designed_bound"].sel(side=side) != 0
+        of_side = held_out.sel(side=side)
+        errors, bound = of_side["designed_error"], of_side["designed_bound"] != 0
         look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
-        axes.plot(modulus[~bound], known.sel(side=side)[~bound], **look, label=label)
-        axes.plot(modulus[bound], known.sel(side=side)[bound], **look, mfc="white")
+        axes.plot(modulus[~bound], errors[~bound], **look, label=label)
+        axes.plot(modulus[bound], errors[bound], **look, mfc="white")
     axes.axhspan(0.5, 2, color="0.92", lw=0, zorder=0)
     axes.axhline(1, color="0.7", lw=0.6, zorder=0)
     axes.axvline(1, color="0.7", lw=0.6, ls=":", zorder=0)
@@ -135,22 +123,18 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     axes.plot(place, place, color="0.4", lw=0.8)
     axes.fill_between(place, place - TRANSITION, place + TRANSITION, color="0.92", lw=0, zorder=0)
 
-    def draw_marks(rows: xr.Dataset, names: tuple[str, str, str], **look: Any) -> None:
-        x, y, contact = (rows[name] for name in names)
-        axes.scatter(x, y, s=8 + 600 * contact, **look)
-
-    placed = ("designed_over_range", "designed_level", "designed_contact_over_rolloff")
     named = scaling["designed"].isin(list(NITRIDES))
     modulus = scaling["designed_level"] / scaling["designed_over_range"]
     for many, colour in ((True, "0.75"), (False, "#DDCC77")):
-        chosen = scaling.sel(designed=~named & ((modulus > 1) == many))
-        draw_marks(chosen, placed, c=colour, lw=0, alpha=0.8)
-    own = ("over_range", "approach_level", "contact_over_rolloff")
+        designed = scaling.sel(designed=~named & ((modulus > 1) == many))
+        x, y, contact = (designed[name] for name in DESIGNED)
+        axes.scatter(x, y, s=8 + 600 * contact, c=colour, lw=0, alpha=0.8)
     for look, of_surface in style.by_surface(scaling):
-        draw_marks(of_surface, own, **look, edgecolors="black", lw=0.5, zorder=3)
+        x, y, contact = (of_surface[name] for name in OWN)
+        axes.scatter(x, y, s=8 + 600 * contact, **look, edgecolors="black", lw=0.5, zorder=3)
     for name, label in NITRIDES.items():
-        one = scaling.sel(designed=name)
-        x, y = one["designed_over_range"].item(), one["designed_level"].item()
+        coating = scaling.sel(designed=name)
+        x, y = coating["designed_over_range"].item(), coating["designed_level"].item()
         axes.plot(x, y, "x", color=style.PUBLISHED, ms=5)
         axes.annotate(label, (x, y), (-3, 4), textcoords="offset points", ha="right", fontsize=7)
     axes.set(xscale="log", xlim=(0.2, 300), ylim=(-0.5, 5))
