@@ -27,64 +27,66 @@ substitutes are made to have, equal to Table 1: they test nothing. Drawn from to
 MAPS_IN_A_ROW = 3
 AS_SCANNED = "sphere as scanned"
 SUBTRACTED = "sphere subtracted"
+COLUMNS = [
+    "panel", "surface", "label", "basis", "state", "origin", "quantity",
+    "value", "uncertainty", "unit",
+]  # fmt: skip
 NOTE = (
     "all: mean ± standard deviation over the scans of the surface; "
     f"{tables.BY_CONSTRUCTION} by construction those of Table 1"
 )
 
 
-def _table(topography: xr.Dataset) -> pd.DataFrame:
-    """Return rms height and height range of each map drawn, beside the mean over all scans.
-
-    One row a panel and quantity, values in nm; `uncertainty` is the standard deviation over the
-    scans. The maps themselves stay in topography.nc.
-    """
-    rows = []
-    for letter, (of_surface, state, heights) in zip(
-        ascii_lowercase, _panels(topography), strict=False
-    ):
-        named = {name: str(of_surface[name].item()) for name in ("surface", "label", "basis")}
-        row = {"panel": letter, **named, "state": state, "origin": "computed"}
-        rows.append({**row, "quantity": "map_rms_height", "value": _rms(heights)})
-        rows.append({**row, "quantity": "map_peak_to_valley", "value": np.ptp(heights)})
-        if state != AS_SCANNED:
-            mean, deviation = _over_scans(of_surface)
-            over_scans = {"value": mean, "uncertainty": deviation}
-            rows.append({**row, "quantity": "rms_height_mean", **over_scans})
-    return pd.DataFrame(rows).assign(unit="nm")
-
-
 def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature."""
+    """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature.
+
+    The table has rms height and height range of each map beside the mean over all scans, in nm;
+    `uncertainty` is the standard deviation over the scans. The maps stay in topography.nc.
+    """
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
     figure = drawing.create(2.15 * rows + 2 * drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
+    frames = []
     for axes, letter, (of_surface, state, heights) in zip(
         grid, ascii_lowercase, panels, strict=False
     ):
+        named = {name: str(of_surface[name].item()) for name in ("surface", "label", "basis")}
         style.draw_map(axes, heights, float(of_surface["scan_size"]))
-        axes.spines[:].set(edgecolor=colours[of_surface["surface"].item()], linewidth=1.5)
-        label, rms = str(of_surface["label"].item()), f"rms {_rms(heights):.3g} nm"
-        name = f"{label}, {state}" if state else label
+        axes.spines[:].set(edgecolor=colours[named["surface"]], linewidth=1.5)
+        values = {
+            "map_rms_height": float(np.std(heights, dtype=float)),
+            "map_peak_to_valley": np.ptp(heights),
+        }
+        rms = f"rms {values['map_rms_height']:.3g} nm"
         if state != AS_SCANNED:
+            values["rms_height_mean"] = of_surface["rms_height_mean"].item()
             rms += f" ({_print_over_scans(of_surface)})"
+        name = f"{named['label']}, {state}" if state else named["label"]
         style.label_panel(axes, letter, f"{name}\n{rms}")
+        for quantity, value in values.items():
+            row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **named)
+            if quantity == "rms_height_mean":
+                row["uncertainty"] = of_surface["rms_height_std"].item()
+            frames.append(row)
     for axes in grid[len(panels) :]:
         axes.set_axis_off()
     note = Line2D([], [], ls="none", label=NOTE)
     figure.legend(handles=[note], loc="outside upper left", handlelength=0, handletextpad=0)
-    return _table(topography), figure
+    return pd.concat(frames).reindex(columns=COLUMNS), figure
 
 
 def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:
     """Return surface, state and heights (row, column) in nm of each panel, in drawing order."""
     name = topography.attrs["sphere_surface"]
     sphere = topography.sel(surface=name)
-    substrates = (topography.sel(surface=one) for one in topography["surface"] if one != name)
+    substrates = topography.drop_sel(surface=name)
     return [
-        *((one, "", _heights(one["example_heights"])) for one in substrates),
+        *(
+            (of_surface, "", _heights(of_surface["example_heights"]))
+            for _, of_surface in style.by_surface(substrates)
+        ),
         (sphere, AS_SCANNED, _heights(topography["sphere_as_scanned"])),
         (sphere, SUBTRACTED, _heights(sphere["example_heights"])),
     ]
@@ -95,18 +97,9 @@ def _heights(heights: xr.DataArray) -> np.ndarray:
     return heights.dropna("row", how="all").dropna("column", how="all").values
 
 
-def _rms(heights: np.ndarray) -> float:
-    return float(np.std(heights, dtype=float))
-
-
-def _over_scans(of_surface: xr.Dataset) -> tuple[float, float]:
-    """Return mean and standard deviation of the rms height (nm) over the scans of a surface."""
-    return of_surface["rms_height_mean"].item(), of_surface["rms_height_std"].item()
-
-
 def _print_over_scans(of_surface: xr.Dataset) -> str:
     """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
-    mean, deviation = _over_scans(of_surface)
+    mean, deviation = of_surface["rms_height_mean"].item(), of_surface["rms_height_std"].item()
     met = rows_met(of_surface["calibrated_to_table1"].item())
     mark = tables.BY_CONSTRUCTION if "afm_rms_height" in met else ""
     scatter = f" ± {deviation:.2g}" if math.isfinite(deviation) else ""

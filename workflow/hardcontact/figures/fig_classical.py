@@ -25,9 +25,9 @@ the published work. Bars: of published forces their rounding, of computed ones t
 bars too long for a panel end at its frame. Horizontal lines repeat the published forces;
 symbols in the grey strip of (a): the model has no force, or less than 1 pN. (b) Fitted to the
 published forces of all surfaces (black) or to the computed ones (grey); grey strip: below the
-paper's threshold. What each model calls roughness and what its formula was checked against stand in the
-table beside the figure. classical.nc has the effective works of adhesion, their Tabor
-parameters and tests of power laws, too. Drawn from classical.nc and
+paper's threshold. What each model calls roughness and what its formula was checked against
+stand in the table beside the figure. classical.nc has the effective works of adhesion, their
+Tabor parameters and tests of power laws, too. Drawn from classical.nc and
 resources/paper/parameters.csv.
 """
 

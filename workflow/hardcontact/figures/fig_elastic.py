@@ -36,61 +36,50 @@ LEVELS = {  # attribute: origin, label, line
     "hertz_peak_pressure": ("computed", "smooth sphere (Hertz)", "--"),
 }
 SPREAD = 0.6  # of the scans of one surface, in places of surfaces
-QUANTITIES = {  # panel, unit
-    "hard_share": ("b", "1"),
-    "peak_pressure": ("c", "Pa"),
-    "elastic_over_rigid": ("d", "1"),
-}
-
-
-def _table(elastic: xr.Dataset) -> pd.DataFrame:
-    """Return what panels b to d are drawn from, one row a number; the maps stay in elastic.nc.
-
-    Of each contact the share of its area above the hardness (1), its peak pressure (Pa) and its
-    elastic over its rigid pull-off force (1); of each surface their medians; and the levels they
-    are compared with, the published one as `low` to `high`.
-    """
-    contacts = _contacts(elastic)
-    medians = contacts.median(["scan", "contact"])
-    of_contacts = tables.drawn_rows(
-        contacts.assign({f"{name}_median": median for name, median in medians.items()}),
-        *(
-            (panel, f"{name}{ending}", unit)
-            for name, (panel, unit) in QUANTITIES.items()
-            for ending in ("", "_median")
-        ),
-    )
-    most = {"panel": "b", "origin": "published", "quantity": "hard_share", "unit": "1"}
-    levels = pd.DataFrame(
-        {"origin": origin, "quantity": name, "value": elastic.attrs[name]}
-        for name, (origin, _, _) in LEVELS.items()
-    ).assign(panel="c", unit="Pa")
-    rows = [of_contacts, pd.DataFrame([{**most, "low": MOST, "high": 1.0}]), levels]
-    return tables.tidy(rows, elastic, "scan", "contact")
 
 
 def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each."""
-    contacts = _contacts(elastic)
-    figure = drawing.create(4.6, elastic)
-    rows = figure.add_gridspec(2, 1, height_ratios=(1, 1.3))
-    above, below = rows[0], rows[1]
-    maps = above.subgridspec(1, elastic.sizes["surface"]).subplots(sharey=True, squeeze=False)[0]
-    shares, peaks, forces = below.subgridspec(1, 3).subplots(squeeze=False)[0]
-    _draw_pressures(maps, elastic)
-    _draw_shares(shares, contacts["hard_share"])
-    _draw_peaks(peaks, contacts["peak_pressure"], elastic)
-    _draw_forces(forces, contacts["elastic_over_rigid"])
-    for axes in (shares, peaks, forces):
-        axes.set_xticks(range(elastic.sizes["surface"]), elastic["label"].values, **style.TILTED)
-    return _table(elastic), figure
+    """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
 
-
-def _contacts(elastic: xr.Dataset) -> xr.Dataset:
-    """Return the quantities drawn of each contact (surface, scan, contact)."""
+    The table has, of each contact, the share of its area above the hardness (1), its peak pressure
+    (Pa) and its elastic over its rigid pull-off force (1); of each surface their medians; and the
+    levels they are compared with, the published one as `low` to `high`. The maps stay in
+    elastic.nc.
+    """
+    surfaces = elastic.sizes["surface"]
+    figure, (maps, (shares, peaks, forces)) = drawing.create_rows(
+        4.6, elastic, (1, (1,) * surfaces), (1.3, (1, 1, 1))
+    )
     ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
-    contacts = elastic.assign(elastic_over_rigid=ratio)[list(QUANTITIES)]
-    return contacts.transpose("surface", "scan", "contact")
+    _draw_pressures(maps, elastic)
+    _draw_shares(shares, elastic["hard_share"])
+    _draw_peaks(peaks, elastic)
+    _draw_forces(forces, ratio)
+    for axes in (shares, peaks, forces):
+        axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED)
+    frames = [
+        *_contact_rows("b", "hard_share", "1", elastic["hard_share"]),
+        *_contact_rows("c", "peak_pressure", "Pa", elastic["peak_pressure"]),
+        *_contact_rows("d", "elastic_over_rigid", "1", ratio),
+        tables.rows_of("b", "hard_share", "1", "published", low=MOST, high=1.0),
+        *(
+            tables.rows_of("c", name, "Pa", origin, value=elastic.attrs[name])
+            for name, (origin, _, _) in LEVELS.items()
+        ),
+    ]
+    return tables.tidy(frames, elastic, "scan", "contact"), figure
+
+
+def _contact_rows(
+    panel: str, quantity: str, unit: str, values: xr.DataArray
+) -> tuple[pd.DataFrame, pd.DataFrame]:
+    """Return a row for each contact, and one for the median of each surface."""
+    medians = values.median(["scan", "contact"])
+    columns = {"panel": panel, "unit": unit}
+    return (
+        tables.computed_rows(values, quantity=quantity, **columns),
+        tables.computed_rows(medians, quantity=f"{quantity}_median", **columns),
+    )
 
 
 def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
@@ -109,6 +98,7 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
         axes.set(facecolor=NO_CONTACT, aspect="equal", xlabel="x (nm)")
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
         axes.locator_params(nbins=4)
+        axes.label_outer()
         style.label_panel(axes, f"a_{place}", str(of_surface["label"].item()))
     row[0].set_ylabel("y (nm)")
     bar = row[0].figure.colorbar(image, ax=row, pad=0.01, extend="both")
@@ -122,7 +112,7 @@ def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
     """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
     beside = np.linspace(-SPREAD / 2, SPREAD / 2, values.sizes["scan"])[:, None]
     for place, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
-        of_surface = values.sel(surface=surface)
+        of_surface = values.sel(surface=surface).transpose("scan", "contact")
         places = np.broadcast_to(place + beside, of_surface.shape)
         axes.plot(places.ravel(), of_surface.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6)
         axes.hlines(of_surface.median(), place - 0.45, place + 0.45, color=colour, lw=1.6)
@@ -139,9 +129,9 @@ def _draw_shares(axes: Axes, shares: xr.DataArray) -> None:
     style.label_panel(axes, "b", "pressure above hardness")
 
 
-def _draw_peaks(axes: Axes, peaks: xr.DataArray, elastic: xr.Dataset) -> None:
+def _draw_peaks(axes: Axes, elastic: xr.Dataset) -> None:
     """Draw the peak pressure (GPa) of each contact, the hardness and Hertz' peak pressure."""
-    _draw_contacts(axes, peaks / GIGAPASCAL)
+    _draw_contacts(axes, elastic["peak_pressure"] / GIGAPASCAL)
     for name, (_, label, dashes) in LEVELS.items():
         level = elastic.attrs[name] / GIGAPASCAL
         axes.axhline(level, color="black", lw=0.9, ls=dashes, label=label)

@@ -20,26 +20,16 @@ is below 1 at the pixels of its scans yields with shorter waves, where the curve
 MIN_INDEX = 0.01  # that is drawn
 
 
-def _table(elastic_limit: xr.Dataset) -> pd.DataFrame:
-    """Return what the figure is drawn from, one row a number.
-
-    ``slope_index`` of every surface by the shortest wavelength in nm.
-    """
-    rows = tables.drawn_rows(_drawn_indices(elastic_limit), ("", "slope_index", "1"))
-    return tables.tidy([rows], elastic_limit, "shortest_wavelength")
-
-
-def _drawn_indices(elastic_limit: xr.Dataset) -> xr.Dataset:
-    """Return the dataset without indices of long waves that are far below one."""
-    index = elastic_limit["slope_index"]
-    return elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
-
-
 def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw one curve for each surface; from 1 (line) on contacts yield."""
+    """Draw one curve for each surface; from 1 (line) on contacts yield.
+
+    The table has the ``slope_index`` of every surface by the shortest wavelength in nm.
+    """
     figure = drawing.create(3.0, elastic_limit)
     axes = figure.subplots()
-    for look, surface in style.by_surface(_drawn_indices(elastic_limit)):
+    index = elastic_limit["slope_index"]
+    drawn = elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
+    for look, surface in style.by_surface(drawn):
         label, index = str(surface["label"].item()), surface["slope_index"]
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
@@ -47,4 +37,5 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     axes.set_ylabel("elastic pressure / hardness, E*h'/(1.67 H)")
     axes.legend(loc="lower left")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
-    return _table(elastic_limit), figure
+    rows = tables.drawn_rows(drawn, ("", "slope_index", "1"))
+    return tables.tidy([rows], elastic_limit, "shortest_wavelength"), figure
