@@ -3,6 +3,7 @@
 import numpy as np
 import pandas as pd
 import pytest
+import xarray as xr
 from paper_claims import (
     CONSTANTS,
     INSIGHT_STATEMENTS,
@@ -56,7 +57,7 @@ def test_every_claim_names_a_quantity_and_labels_that_the_study_has(results):
         name: dataset.read(results / f"{name}.nc").assign_attrs(confidence=0.95)
         for name in {*DATASETS, *INSIGHT_DATASETS}
     }
-    datasets["paper"] = CONSTANTS["value"].to_xarray().to_dataset("name")
+    datasets["paper"] = xr.Dataset(PARAMETERS.to_dict())
     for claim in STATEMENTS.itertuples():
         number = estimate(claim.quantity, *(datasets[name] for name in claim.dataset.split("+")))
         dims = {pair.split("=")[0] for pair in claim.select.split(";") if pair}
