@@ -123,10 +123,6 @@ def test_a_comment_in_the_requirements_changes_no_input(tmp_path, monkeypatch):
     assert Path(code.PINS[0]).stat().st_mtime_ns == written[0]
 
 
-def test_the_library_is_the_one_that_is_imported():
-    assert code.LIBRARY == ROOT / "workflow/hardcontact"
-
-
 @pytest.mark.parametrize("script", ["compute_pull_off.py", "infer.py", "prepare_scan.py"])
 def test_all_that_python_loads_for_a_script_is_traced(script, at_root):
     tree = ast.parse((ROOT / "workflow/scripts" / script).read_text())

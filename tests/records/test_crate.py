@@ -1,11 +1,9 @@
 """A study described for archives, and redrawn from what an archive keeps."""
 
-import json
 import re
 import shutil
 from pathlib import Path
 
-import pandas as pd
 import pytest
 import yaml
 from refusals import assert_says, refusal
@@ -45,22 +43,12 @@ def test_the_crate_can_be_read_and_names_the_software(folder):
     assert [(package["name"], package["version"]) for package in required] == [("numpy", "2.0")]
 
 
-def test_describing_twice_gives_the_same(folder):
-    again = crate.describe(folder, "small", ROOT / "CITATION.cff", {"numpy": "2.0"})
-    assert again == (folder / crate.NAME).read_text()
-    json.loads(again)
-
-
 @pytest.mark.parametrize("content", ["", "{", "[]", '{"@graph": [{"@type": "File"}]}'])
 def test_a_damaged_crate_is_refused(folder, content):
     (folder / crate.NAME).write_text(content)
     assert_says(
         refusal(crate.described_files, folder), crate.NAME, "expected a whole RO-Crate, found: "
     )
-
-
-def test_a_folder_without_a_crate_has_nothing_described(tmp_path):
-    assert crate.described_files(tmp_path) == {}
 
 
 # The quick study
@@ -98,15 +86,6 @@ def test_the_crate_says_what_an_archive_asks(finished, monkeypatch):
     assert versions == pinned_versions(ROOT / "environment.txt")
 
 
-@pytest.mark.study
-def test_the_kept_configuration_is_the_study(finished):
-    kept = yaml.safe_load((finished / "results/quick/configuration.yaml").read_text())
-    assert kept["study"] == "quick" and kept["contact"]["hardness"] == "25 GPa"
-    tables = [pd.read_csv(finished / path, sep="\t") for path in
-              ("results/quick/surfaces.tsv", "config/surfaces.tsv")]  # fmt: skip
-    pd.testing.assert_frame_equal(*tables)
-
-
 # Figures without the data
 
 
@@ -132,13 +111,3 @@ def test_figures_and_report_are_redrawn_from_the_datasets_alone(finished, tmp_pa
                  drawn / "answer.html", drawn / "answer.json", drawn / "insight.html"]:  # fmt: skip
         assert (results / path.relative_to(drawn)).read_bytes() == path.read_bytes(), path
     assert "fig6" in (results / "report.html").read_text()
-
-
-@pytest.mark.study
-def test_redrawing_without_results_says_so(finished, tmp_path):
-    study = copy_repository(tmp_path / "empty")
-    run = snakemake(study, *REDRAW)
-    assert run.returncode == 1 and "Traceback" not in run.stdout
-    assert "results/quick/configuration.yaml: expected the configuration of a finished study" in (
-        run.stdout
-    )

@@ -22,58 +22,25 @@ def test_equal_datasets_make_equal_files(tmp_path):
     assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
 
 
-@pytest.mark.parametrize("content", [b"", b"CDF", b"\x89HDF\r\n\x1a\n", b"no netCDF", bytes(4096)])
-def test_another_file_is_refused(tmp_path, content):
-    (tmp_path / "a.nc").write_bytes(content)
-    assert_says(
-        refusal(dataset.read, tmp_path / "a.nc"), "expected a complete netCDF file, found: "
-    )
+BROKEN = [b"", b"CDF", b"\x89HDF\r\n\x1a\n", b"no netCDF", bytes(4096)]
 
 
-def test_a_missing_file_is_refused(tmp_path):
-    assert_says(refusal(dataset.read, tmp_path / "a.nc"), "a.nc: expected", "No such file")
-
-
-@pytest.mark.parametrize("share", [0.0, 0.01, 0.5, 0.9, 0.999])
-def test_a_truncated_file_is_refused(tmp_path, share):
+@pytest.mark.parametrize("content", [*BROKEN, 0.01, 0.5, 0.9, 0.999, None])
+def test_what_is_no_whole_dataset_is_refused(tmp_path, content):
+    """Another file, a dataset that is cut to a share of its length, and no file."""
     path = tmp_path / "a.nc"
-    dataset.write(xr.Dataset({"heights": (("y", "x"), heights(64, 64))}), path)
-    message = refusal(dataset.read, cut(path, share))
-    assert_says(message, "a.nc: expected a complete netCDF file", "found")
+    if isinstance(content, float):
+        dataset.write(xr.Dataset({"heights": (("y", "x"), heights(64, 64))}), path)
+        cut(path, content)
+    elif content is not None:
+        path.write_bytes(content)
+    assert_says(refusal(dataset.read, path), "a.nc: expected a complete netCDF file, found: ")
 
 
-def test_a_failing_write_leaves_no_file(tmp_path):
-    with pytest.raises(ValueError, match="unable to infer dtype"):
-        dataset.write(xr.Dataset({"a": ("x", [{}])}), tmp_path / "a.nc")
-    assert list(tmp_path.iterdir()) == []
-
-
-def parts(*labels):
-    """Make datasets of two forces each, all different."""
-    return {
-        label: xr.Dataset({"force": ("contact", [number, 10.0 * number])})
-        for number, label in enumerate(labels)
-    }
-
-
-def test_parts_are_joined_in_the_order_of_their_keys():
-    made = parts(("uncd", 2), ("uncd", 1), ("mcd", 2), ("mcd", 1))
-    joined = dataset.stack(made, ("surface", "scan"))
-    assert joined.force.dims == ("surface", "scan", "contact")
-    assert joined.surface.values.tolist() == ["uncd", "mcd"]
-    assert joined.scan.values.tolist() == [2, 1]
-    for (surface, scan), part in made.items():
-        np.testing.assert_array_equal(joined.force.sel(surface=surface, scan=scan), part.force)
-
-
-def test_missing_parts_are_nan():
-    made = parts(("uncd", 2), ("uncd", 1), ("mcd", 2))
-    joined = dataset.stack(made, ("surface", "scan"))
-    assert joined.scan.values.tolist() == [1, 2]
-    assert joined.force.sel(surface="mcd", scan=1).isnull().all()
-    np.testing.assert_array_equal(joined.force.sel(surface="uncd", scan=1), made["uncd", 1].force)
-
-
-def test_no_dimension_leaves_the_only_part():
-    made = parts(())
-    assert dataset.stack(made, ()) is made[()]
+def test_parts_are_joined_in_the_order_of_their_keys_and_missing_ones_are_nan():
+    labels = [("uncd", 2), ("uncd", 1), ("mcd", 2)]
+    parts = {label: xr.Dataset({"force": ("contact", [*label[1:]])}) for label in labels}
+    joined = dataset.stack(parts, ("surface", "scan"))["force"]
+    assert joined.dims == ("surface", "scan", "contact")
+    assert joined["surface"].values.tolist() == ["uncd", "mcd"]
+    np.testing.assert_array_equal(joined.sel(scan=[2, 1])[..., 0], [[2, 1], [2, np.nan]])

@@ -10,9 +10,10 @@ from types import SimpleNamespace
 import pytest
 import xarray as xr
 from refusals import assert_says
+from repository import ROOT, environment
 
 from hardcontact.records import dataset
-from hardcontact.records.job import job
+from hardcontact.records.job import job, job_log, progress
 from hardcontact.records.origin import canonical, digest, read_record
 
 PARAMETERS = {"surface": "uncd", "range": 5.6}
@@ -46,12 +47,6 @@ def snakemake(tmp_path, monkeypatch):
     )
 
 
-def test_a_script_is_given_what_the_rule_names(snakemake):
-    with job(snakemake) as this:
-        assert this.parameters == PARAMETERS and this.threads == 2
-        assert this.input.scan == "scan.txt" and this.output.text == "made/text.txt"
-
-
 def test_a_dataset_is_written_with_its_origin(snakemake):
     with job(snakemake) as this:
         this.write(xr.Dataset({"a": ("x", [1.0])}, attrs={"basis": "measured"}), "a title", "data")
@@ -74,12 +69,6 @@ def test_every_file_has_a_record(snakemake, tmp_path):
         assert record["sha256"] == digest(path)
         assert record["input_digests"].keys() == {"scan.txt", "script.py"}
         assert json.loads(record["parameters"]) == PARAMETERS
-
-
-def test_a_rule_may_name_neither_inputs_nor_code(snakemake):
-    snakemake.input = Named()
-    with job(snakemake) as this:
-        assert this.origin.inputs == {} and this.origin.code == []
 
 
 def test_an_input_that_was_changed_after_it_was_made_stops_the_job(
@@ -120,3 +109,39 @@ def test_the_process_of_a_script_ends_with_its_job(tmp_path):
     )
     assert (run.returncode, run.stdout, run.stderr) == (0, "printed", "")
     assert (tmp_path / "made.txt").read_text() == "made"
+
+
+# --- the log ----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("block", "path", "code", "message"),
+    [
+        ("pass", "a.log", 0, ""),
+        ("raise ValueError('a\\n b')", "a.log", 1, "error: a b (see a.log)\n"),
+        ("raise RuntimeError", "a.log", 1, "error: RuntimeError (see a.log)\n"),
+        ("raise KeyboardInterrupt", "a.log", 130, ""),
+        ("raise SystemExit(3)", "a.log", 3, ""),
+        ("pass", "none/a.log", 1, "error: [Errno 2] No such file or directory: 'none/a.log'\n"),
+    ],
+)
+def test_an_error_is_one_line_that_names_the_log(tmp_path, block, path, code, message):
+    program = f"from hardcontact.records.job import job_log\nwith job_log({path!r}):\n    {block}\n"
+    run = subprocess.run(
+        [sys.executable, "-c", program],
+        cwd=tmp_path, env=environment(ROOT), capture_output=True, text=True,
+    )  # fmt: skip
+    assert (run.returncode, run.stdout) == (code, "")
+    assert run.stderr.replace(str(tmp_path) + "/", "") == message
+    if "ValueError" in block:
+        text = (tmp_path / "a.log").read_text()
+        assert "Traceback" in text and "ValueError: a\n b" in text
+
+
+@pytest.mark.parametrize(("total", "lines"), [(25, 10), (2, 2)])
+def test_progress_passes_steps_on_and_is_logged_about_ten_times(tmp_path, total, lines):
+    with job_log(tmp_path / "a.log"):
+        assert list(progress(range(total), total, "contacts")) == list(range(total))
+    logged = (tmp_path / "a.log").read_text().splitlines()
+    assert logged[-1].endswith(f"contacts: {total} of {total}") and len(logged) == lines
+    assert logging.getLogger("hardcontact").handlers == []

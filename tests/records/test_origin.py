@@ -11,11 +11,9 @@ from repository import ROOT
 from hardcontact.records.origin import (
     Origin,
     canonical,
-    digest,
     digests,
     keep_records,
     pinned_versions,
-    read_record,
     record_path,
     refuse_changed,
 )
@@ -44,11 +42,6 @@ def made(tmp_path):
     path.write_bytes(bytes(100))
     keep_records([path], Origin("{}", {"scan.txt": "1"}, []))
     return path
-
-
-def test_a_record_names_inputs_and_the_file_itself(made):
-    record = read_record(made)
-    assert record["input_digests"] == {"scan.txt": "1"} and record["sha256"] == digest(made)
 
 
 def test_a_file_that_was_changed_after_it_was_made_is_refused(made, tmp_path):
