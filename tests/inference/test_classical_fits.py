@@ -3,11 +3,10 @@
 import numpy as np
 import pytest
 from paper_numbers import MEAN_FORCE
-from published_contact import AFM, CONTACT, UNCERTAINTY, WORK
+from published_contact import AFM, CONTACT, UNCERTAINTY
 
 from hardcontact.inference.classical_fits import (
     RoughnessSamples,
-    compare_models,
     fit_work,
     power_law_error,
     power_laws,
@@ -43,20 +42,6 @@ def test_drawn_roughness_is_positive_and_spreads_as_printed():
     assert all((values > 0).all() and values.shape == (4000, 4) for values in samples)
     np.testing.assert_allclose(samples.height[:, 2].std(), 11.2, rtol=0.05)
     assert abs(np.corrcoef(samples.height[:, 2], samples.slope[:, 2])[0, 1]) < 0.05
-
-
-def test_comparison_holds_all_models_with_intervals():
-    drawn = sample_roughness(np.random.default_rng(0), AFM, UNCERTAINTY, 40)
-    samples = RoughnessSamples(AFM, drawn, Sampling(0, 40, 0.9))
-    targets = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
-    models = compare_models(samples, CONTACT, WORK, targets)
-    assert list(models.model.values) == list(MODELS)
-    assert models.pull_off_force.dims == ("model", "surface")
-    low, high = bounds(models, "pull_off_force")
-    assert (low <= high).all() and models.pull_off_force_interval.attrs["confidence"] == 0.9
-    one, half = (models.sel(model="rabinovich", against=name) for name in targets)
-    assert half.fitted_work_of_adhesion == pytest.approx(one.fitted_work_of_adhesion / 2)
-    assert half.mean_relative_error == pytest.approx(one.mean_relative_error)
 
 
 def test_a_power_law_is_the_least_squares_line_of_logarithms():

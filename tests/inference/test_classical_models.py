@@ -1,13 +1,90 @@
-"""Models and their readings of roughness, on roughness that is known."""
+"""Classical models of rough spheres against their limits and brute force."""
+
+from math import exp, pi, sqrt
 
 import numpy as np
 import pytest
-from published_contact import AFM, CONTACT, MODULUS, RADIUS, WORK
+from published_contact import AFM, CONTACT, MODULUS, RADIUS, SPACING, WORK
 from scipy.integrate import quad
+from scipy.stats import norm
 
 from hardcontact.contact import smooth_sphere
 from hardcontact.inference import classical_models
 from hardcontact.inference.classical_models import MODELS, Roughness
+
+
+def test_rumpf_limits():
+    smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
+    force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
+    assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
+    asperity = classical_models.rumpf(
+        WORK, RADIUS, 1e3, SPACING
+    )  # large: the plane is out of reach
+    assert asperity == pytest.approx(
+        smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3), rel=1e-3
+    )
+
+
+def test_rabinovich_limits():
+    smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
+    assert classical_models.rabinovich(WORK, RADIUS, 0.0, 500.0, SPACING) == pytest.approx(
+        2 * smooth
+    )
+    caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
+    force = classical_models.rabinovich(WORK, RADIUS, 50.0, 500.0, SPACING)
+    assert force == pytest.approx(classical_models.rumpf(WORK, RADIUS, caps, 1e-6), rel=0.15)
+    far = classical_models.rabinovich(WORK, RADIUS, 50.0, 1e12, SPACING)
+    assert far == pytest.approx(smooth, rel=1e-4)
+
+
+def relative(model, index):
+    """Relative pull-off force of Gaussian asperities with a given elastic adhesion index."""
+    height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
+    assert classical_models.adhesion_index(WORK, height, 1.0, MODULUS) == pytest.approx(index)
+    smooth = {"fuller_tabor": smooth_sphere.jkr_pull_off, "maugis": smooth_sphere.dmt_pull_off}
+    roughness = Roughness(height, np.nan, 1.0)
+    return MODELS[model].force(WORK, roughness, CONTACT) / smooth[model](WORK, RADIUS)
+
+
+@pytest.mark.parametrize("model", ["fuller_tabor", "maugis"])
+def test_adhesion_vanishes_with_the_elastic_adhesion_index(model):
+    index = np.geomspace(1e-3, 1e6, 91)
+    force = relative(model, index)
+    assert (np.diff(force) <= 0).all() and (np.diff(force[index < 300]) < 0).all()
+    assert force[0] == pytest.approx(1, abs=2e-3)
+    assert 0.01 < relative(model, 10.0) < 0.05
+    assert relative(model, 30.0) < 1e-4
+    assert force[-1] == 0
+
+
+@pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
+def test_dmt_asperities_by_brute_force(index):
+    def tension(separation):
+        def force(z):  # of one asperity, over 2πβW
+            density = exp(-(z**2) / 2) / sqrt(2 * pi)
+            return (1 - 2 * index * (z - separation) ** 1.5 / (3 * pi)) * density
+
+        return quad(force, separation, 12, limit=200)[0]
+
+    greatest = max(tension(separation) for separation in np.linspace(-4.5, 4, 171))
+    assert relative("maugis", index) == pytest.approx(greatest, rel=2e-3)
+
+
+@pytest.mark.parametrize("index", [0.02, 0.5, 3.0])
+def test_jkr_asperities_by_brute_force(index):
+    """In the variables of Greenwood: δ = a² - sqrt(2πa), P = 4a³/3 - sqrt(8πa³)."""
+    radius = np.geomspace((np.pi / 8) ** (1 / 3), 30, 20001)  # from where it comes off
+    compression = radius**2 - np.sqrt(2 * np.pi * radius)
+    tension = (np.sqrt(8 * np.pi * radius**3) - 4 / 3 * radius**3) / (1.5 * np.pi)
+    spread = index ** (2 / 3)
+
+    def mean(separation):
+        density = norm.pdf(separation + compression / spread) / spread
+        return np.trapezoid(tension * density, compression)
+
+    places = np.linspace(-6, 6 + 2 / spread, 401)
+    greatest = max(mean(separation) for separation in places)
+    assert relative("fuller_tabor", index) == pytest.approx(greatest, rel=2e-3)
 
 
 def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():

@@ -8,7 +8,7 @@ from paper_numbers import SUBSTRATES
 
 from hardcontact.inference.inference import Pair
 from hardcontact.inference.robustness import Choices, robustness
-from hardcontact.numbers.statistics import Sampling, bounds
+from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.dataset import stack
 
 LOADS = ["H25GPa-F10uN", "H25GPa-F5uN"]
@@ -105,12 +105,6 @@ def test_forces_stand_at_the_published_pair(varied):
     assert varied.mean_force.attrs["units"] == "N"
 
 
-def test_the_least_minimum_is_the_fit(varied):
-    known = varied.drop_sel(variant="rough_sphere").isel(minimum=0)
-    np.testing.assert_allclose(known.minimum_range, known.range_of_adhesion, rtol=0.02)
-    np.testing.assert_allclose(known.minimum_work, known.work_of_adhesion, rtol=0.03)
-
-
 def test_another_probe_changes_the_critical_band_alone(varied):
     rough = varied.sel(variant="rough_sphere")
     for name in ("range_of_adhesion", "range_of_adhesion_interval", "work_of_adhesion",
@@ -122,25 +116,6 @@ def test_another_probe_changes_the_critical_band_alone(varied):
         expected = [10 ** (1 + decades), 10 ** (4 - decades)]
         computed = varied.critical_wavelength.sel(variant=name, side=["small", "large"])
         np.testing.assert_allclose(computed, expected)
-
-
-def test_scans_that_are_alike_have_intervals_of_no_width(varied):
-    for name in ("range_of_adhesion", "work_of_adhesion", "critical_wavelength"):
-        low, high = bounds(varied.sel(variant="baseline"), name)
-        np.testing.assert_allclose(low, high)
-        assert varied[f"{name}_interval"].attrs["confidence"] == 0.9
-
-
-def test_variants_are_described(varied):
-    assert varied.variant.values.tolist() == [one["name"] for one in VARIANTS]
-    assert varied.variant_label.sel(variant="curved") == "Curved"
-    assert varied.group.values.tolist() == ["any"] * 4
-    assert varied.attrs == {
-        "tolerance": 0.1,
-        "confidence": 0.9,
-        "realizations": 1,
-        "basis": ", ".join(f"{surface}: substitute" for surface in SUBSTRATES),
-    }
 
 
 def test_a_load_that_was_not_computed_is_refused():
