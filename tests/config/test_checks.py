@@ -1,62 +1,81 @@
 """Studies whose keys, tables and scans contradict each other: one line that says so."""
 
 import numpy as np
+import pandas as pd
 import pytest
 from refusals import assert_says, refusal
+from repository import ROOT
 from scan_files import heights, scan
 from studies import check, numbers, own_scans
 
-from hardcontact.config.grids import Grid
+from hardcontact.config.checks import SUBSTITUTE_RELIEF, surface_grid
+from hardcontact.config.grids import Grid, master_megabytes, refuse_beyond_memory
 from hardcontact.config.limits import check_grids
+from hardcontact.contact.bearing_area import all_lowest_gaps
+from hardcontact.contact.contact import Contact
+from hardcontact.contact.geometry import bodies
+from hardcontact.surfaces.spectrum import WAVEVECTORS, Spectrum
+from hardcontact.surfaces.substitute_spectra import described_rms_height, from_description
+from hardcontact.surfaces.synthesis import random_surface
+
+CONTRADICTIONS = [
+    # Names
+    ("effort", "quick", "no keys stand under quick", "config/quick.yaml"),
+    ("store", "results/paper/store", "results/paper", "found results/paper/store"),
+    ("store", "workflow/store", "in results or outside", "found workflow/store"),
+    ("sphere.surface", "glass", "ruby", "found glass"),
+    ("reference_surface", "ruby", "mcd", "found ruby"),
+    ("robustness.heights.surface", "brass", "found brass"),
+    ("scans", [1, 7], "[1, 2, 3, 4, 5]", "found [7]"),
+    ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
+    # Values beside each other
+    ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
+    ("robustness.heights.skewness", [0.1234567], "six digits", "0.1234567"),
+    ("elastic.contacts", 401, "400", "found 401"),
+    ("asperities.contacts", 401, "400", "found 401"),
+    # Wavelengths and pixels
+    ("scan.size", "20 nm", "0.05 to 10000 nm", "found 0.0390625 nm"),
+    ("scales.small.cutoffs", ["1.2 nm"], "1.221 nm", "found 1.2"),
+    ("scales.small.cutoffs", ["6 um"], "5000 nm", "found 6000"),
+    ("scales.small.transition", "9 nm", "found 9 nm"),
+    ("insight.scaling.small.cutoffs", ["2 nm"], "4.883 nm", "found 2 nm"),
+    ("scales.large.pixels", 512, "4096", "found 512"),
+    ("sphere.radius", "2 um", "2500 nm", "found 2000 nm"),
+    ("contact.window", "90 um", "16384", "found 18432"),
+    # Loads
+    ("contact.preload", "1 N", "a quarter of", "at most 156 mN", "found 1 N"),
+    ("robustness.preloads", ["1 uN", "1 N"], "found 1 N"),
+    ("robustness.hardnesses", ["0.1 MPa", "1 GPa"], "at least 0.0016 GPa"),
+    ("indent.preloads", ["3 mN"], "4096", "found 5034"),
+    # Ranges of adhesion
+    ("insight.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),
+]
+
+
+def assert_refused(folder, values, *parts):
+    message = refusal(lambda: check(numbers(*values), folder))
+    assert_says(message, "config key", "expected", "found", *parts)
+
+
+@pytest.mark.parametrize("contradiction", CONTRADICTIONS)
+def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, contradiction):
+    key, value, *parts = contradiction
+    assert_refused(tmp_path, (key, value), key, *parts)
 
 
 @pytest.mark.parametrize(
-    ("change", "parts"),
+    ("values", "parts"),
     [
-        (("scales.small.cutoffs", ["1.2 nm"]), ["scales.small.cutoffs", "1.221 nm", "found 1.2"]),
-        (("scales.small.cutoffs", ["6 um"]), ["scales.small.cutoffs", "5000 nm", "found 6000"]),
-        (("scales.large.cutoffs", ["21 um"]), ["scales.large.cutoffs", "20000 nm"]),
-        (("adhesion.ranges", ["1 nm", "0.001 um"]), ["ascending", "found 0.001 um after 1 nm"]),
-        (("scales.small.transition", "9 nm"), ["scales.small.transition", "found 9 nm"]),
-        (("scales.large.pixels", 512), ["scales.large.pixels", "4096", "found 512"]),
+        (("scan.pixels", 64, "contact.count", 129), ["contact.count", "128", "found 129"]),
         (
             ("scan.pixels", 32, "sphere.radius", "2500 nm"),
             ["adhesion.ranges", "at least 4.89 nm on", "two pixels", "found 0.05 nm"],
         ),
-        (
-            ("contact.preload", "1 N"),
-            ["contact.preload", "a quarter of", "at most 156 mN", "found 1 N"],
-        ),
         (("contact.window", "10 nm"), ["contact.preload", "4 pixels", "at most 596 nN", "10 µN"]),
-        (
-            ("scan.pixels", 64, "contact.count", 129),
-            ["contact.count", "128", "found 129"],
-        ),
-        (("sphere.radius", "2 um"), ["sphere.radius", "2500 nm", "found 2000 nm"]),
-        (("store", "results/paper/store"), ["store", "results/paper", "found results/paper/store"]),
-        (("store", "workflow/store"), ["store", "in results or outside", "found workflow/store"]),
-        (("effort", "quick"), ["effort", "no keys stand under quick", "config/quick.yaml"]),
-        (("scan.size", "20 nm"), ["scan.size", "0.05 to 10000 nm", "found 0.0390625 nm"]),
-        (("contact.window", "90 um"), ["contact.window", "16384", "found 18432"]),
-        (("indent.preloads", ["3 mN"]), ["indent.preloads", "4096", "found 5034"]),
         (
             ("contact.count", 200, "contact.preload", "0.5 mN"),
             ["contact.preload", "at most 160 µN", "found 500 µN"],
         ),
-        (
-            ("robustness.heights.skewness", [0.1234567]),
-            ["robustness.heights.skewness", "six digits", "0.1234567"],
-        ),
-        (("sets.pool", 4), ["sets.pool", "the 5 scans of polished_uncd", "found 4"]),
-        (("sphere.surface", "glass"), ["sphere.surface", "ruby", "found glass"]),
-        (("reference_surface", "ruby"), ["reference_surface", "mcd", "found ruby"]),
-        (("scans", [1, 7]), ["config key scans", "[1, 2, 3, 4, 5]", "found [7]"]),
-        (("indent.surface", "glass"), ["indent.surface", "mcd", "found glass"]),
-        (("elastic.contacts", 401), ["elastic.contacts", "400", "found 401"]),
-        (("asperities.contacts", 401), ["asperities.contacts", "400", "found 401"]),
-        (("robustness.preloads", ["1 uN", "1 N"]), ["robustness.preloads", "found 1 N"]),
-        (("robustness.hardnesses", ["0.1 MPa", "1 GPa"]), ["at least 0.0016 GPa"]),
-        (("robustness.heights.surface", "brass"), ["robustness.heights.surface", "found brass"]),
         (
             (
                 *("contact.preload", "20 mN", "contact.hardness", "1000 GPa"),
@@ -64,18 +83,10 @@ from hardcontact.config.limits import check_grids
             ),
             ["contact.preload", "at most 6.69 mN", "5000 nm", "found 20 mN"],
         ),
-        (("sets.large.pixels", 4094), ["sets.large.pixels", "4096", "found 4094"]),
         (("scales.large.tiles", 8), ["sets.large.pixels", "8192", "found 4096"]),
         (
-            ("insight.scaling.small.cutoffs", ["2 nm"]),
-            ["insight.scaling.small.cutoffs", "4.883 nm", "found 2 nm"],
-        ),
-        (
             ("insight.scaling.preloads", ["10 uN", "50 mN"], "insight.count", 200),
-            [
-                *("insight.scaling.preloads", "2.441 nm", "insight.count = 200"),
-                *("at most 250 µN", "found 50 mN"),
-            ],
+            ["insight.scaling.preloads", "insight.count = 200", "at most 250 µN", "found 50 mN"],
         ),
         (
             ("insight.scaling.ranges", ["0.9 nm", "5.6 nm"]),
@@ -85,30 +96,19 @@ from hardcontact.config.limits import check_grids
             ("insight.scaling.radii", ["30 nm", "250 um"]),
             ["insight.scaling.ranges", "at least 1.59 nm on", "at R = 30 nm", "found 1.4 nm"],
         ),
-        (
-            ("insight.ranges", ["0.04 nm", "1 nm"]),
-            ["insight.ranges", "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"],
-        ),
     ],
 )
-def test_key_refused_for_what_other_keys_and_the_table_say(tmp_path, at_root, change, parts):
-    assert_says(
-        refusal(lambda: check(numbers(*change), tmp_path)),
-        "config key",
-        "expected",
-        "found",
-        *parts,
+def test_limits_that_follow_from_other_keys(tmp_path, at_root, values, parts):
+    assert_refused(tmp_path, values, *parts)
+
+
+def test_limits_may_be_reached(tmp_path, at_root):
+    config = numbers(
+        *("elastic.contacts", 400, "asperities.contacts", 400, "insight.ranges", ["0.05 nm"]),
+        *("insight.scaling.preloads", ["50 mN"], "insight.scaling.ranges", ["1 nm"]),
+        *("insight.scaling.radii", ["50 nm"]),
     )
-
-
-def test_limits_of_other_keys_may_be_reached(tmp_path, at_root):
-    config = numbers("elastic.contacts", 400, "asperities.contacts", 400, "indent.surface", "mcd")
     check(config, tmp_path)
-    insight = numbers(
-        *("insight.ranges", ["0.05 nm"], "insight.scaling.preloads", ["50 mN"]),
-        *("insight.scaling.ranges", ["1 nm"], "insight.scaling.radii", ["50 nm"]),
-    )
-    check(insight, tmp_path)
 
 
 def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(at_root):
@@ -122,18 +122,73 @@ def test_keys_of_insight_do_not_matter_to_a_study_without_the_chapter(at_root):
 # Measured scans
 
 
-def test_scans_of_one_surface_that_differ(tmp_path, at_root):
+@pytest.mark.parametrize(
+    ("pixels", "size", "found"),
+    [(256, 2500.0, "found 256 of 9.766 nm"), (512, 5000.0, "found 512 of 9.766 nm")],
+)
+def test_scans_of_one_surface_that_differ(tmp_path, at_root, pixels, size, found):
     first = scan(tmp_path / "a.nc", heights(512, 512), (2500.0, 2500.0))
-    others = {
-        "found 256 of 9.766 nm": scan(tmp_path / "b.nc", heights(256, 256), (2500.0, 2500.0)),
-        "found 512 of 9.766 nm": scan(tmp_path / "c.nc", heights(512, 512), (5000.0, 5000.0)),
-    }
-    for found, second in others.items():
-        message = refusal(check, numbers(), tmp_path, own_scans(first, second))
-        assert_says(message, second.name, "512 pixels of 4.883 nm", found)
+    second = scan(tmp_path / "b.nc", heights(pixels, pixels), (size, size))
+    message = refusal(check, numbers(), tmp_path, own_scans(first, second))
+    assert_says(message, "b.nc", "512 pixels of 4.883 nm", found)
 
 
-def test_measured_scan_of_constant_height(tmp_path, at_root):
-    text = own_scans(scan(tmp_path / "a.nc", np.ones((32, 32))))
-    message = refusal(check, numbers(), tmp_path, text)
-    assert_says(message, "a.nc", "rough", "constant height")
+def test_scans_that_cannot_be_used(tmp_path, at_root):
+    undefined = np.ma.masked_array(heights(), False)
+    undefined[:7, 0] = np.ma.masked
+    for values, *parts in (
+        (np.ones((32, 32)), "rough", "constant height"),
+        (undefined, "found 7", "scan.undefined_pixels"),
+    ):
+        text = own_scans(scan(tmp_path / "a.nc", values))
+        assert_says(refusal(check, numbers(), tmp_path, text), "a.nc", *parts)
+
+
+# How far contacts on substitutes can lie apart in height
+
+CONFIG = {"scan": {"pixels": 512, "size": 5000.0}, "scales": {"large": {"tiles": 2}}}
+
+
+def rows(name):
+    path = ROOT / f"resources/spectra/{name}.csv"
+    return pd.DataFrame({"source": ["substitute"], "path": [str(path)]})
+
+
+@pytest.mark.parametrize("name", ["crn_rougher", "crn_smoother_upper"])
+def test_contacts_on_a_described_surface_lie_within_its_relief(name):
+    table = rows(name)
+    relief = surface_grid(CONFIG, name, table).relief
+    density = Spectrum(WAVEVECTORS, from_description(table.path[0], None, None)[0])
+    contact = Contact(radius=250e3, preload=1e-5, hardness=25e9, window=12.5e3, count=8)
+    for seed in range(2):
+        surface = random_surface(np.random.default_rng(seed), 256, 20e3 / 256, density)
+        lowest = all_lowest_gaps(bodies(surface, None, contact), 1).values()
+        apart = float(surface.heights.max() + max(gaps.gaps[0] for gaps in lowest))
+        assert 0.2 * relief < apart < relief
+
+
+def test_a_substitute_of_the_paper_keeps_its_bound():
+    assert surface_grid(CONFIG, "mcd", rows("mcd")).relief == SUBSTITUTE_RELIEF
+
+
+def test_rms_height_is_that_of_the_waves_of_the_domain(tmp_path):
+    path = tmp_path / "a.csv"
+    path.write_text(
+        "longest_nm,shortest_nm,model,plateau_nm4,rolloff_nm,hurst,hurst_change,table,basis,source\n"
+        "inf,0.1,self-affine,1e9,1000,1.0,,,measured,none\n"
+    )
+    # (1/2 pi) of C_0 q_r^2 over the plateau, up to the domain, and over the slope, q^-4.
+    roll_off, longest = 2 * np.pi / 1000, 2 * np.pi / 4000
+    variance = 1e9 / (2 * np.pi) * ((roll_off**2 - longest**2) / 2 + roll_off**2 / 2)
+    assert described_rms_height(path, 4000.0) == pytest.approx(variance**0.5, rel=0.02)
+
+
+# Memory: the largest master fits into a machine of 24 GB
+
+
+def test_a_master_beyond_the_memory_is_refused():
+    assert 15000 < master_megabytes(32768, 3000) < 20000
+    refuse_beyond_memory("scales.small.pixels", 32768, 24000)
+    refuse_beyond_memory("scales.small.pixels", 16384, 100)  # accepted everywhere
+    message = refusal(refuse_beyond_memory, "scales.small.pixels", 32768, 8000)
+    assert_says(message, "scales.small.pixels", "16384", "8 GB", "32768")

@@ -1,67 +1,111 @@
-"""Where a study may run, and what it says at its end."""
+"""What a run says and refuses, in lines for the user, before its first job and at its end."""
 
-import shutil
-import subprocess
-import sys
+import logging
+import os
+from types import SimpleNamespace
 
 import pytest
 from refusals import assert_says
-from repository import ROOT, environment, snakemake
+from repository import PAPER, ROOT, run_snakemake, snakemake
+from scan_files import cut, scan
+from snakemake.settings.types import ExecMode
+from studies import own_scans
 
-# Where a study runs
+from hardcontact.config import start
 
 
-def said(run):
+def refused(call, *arguments):
     """Return the one line with which a run is refused."""
-    assert run.returncode == 1 and "Traceback" not in run.stdout, run.stdout
-    (line,) = [line for line in run.stdout.splitlines() if line.startswith("error: ")]
+    with pytest.raises(SystemExit) as caught:
+        call(*arguments)
+    (line,) = str(caught.value).splitlines()
+    assert_says(line, "error: ", "expected", "found")
     return line
+
+
+def planned_workflow(*configfiles):
+    """Return what a run that is planned has in Snakemake."""
+    return SimpleNamespace(exec_mode=ExecMode.DEFAULT, configfiles=configfiles)
+
+
+@pytest.mark.parametrize(
+    ("parsed", "main", "working", "parts"),
+    [
+        ("other", "other/Snakefile", "other", ["expected the library of", "another copy"]),
+        (ROOT, "Snakefile", "other", ["Snakefile", "used as a module"]),
+        (ROOT, ROOT / "Snakefile", "other", ["working directory", "relative to that folder"]),
+    ],
+)
+def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, parsed, main, working, parts):
+    (tmp_path / working).mkdir()
+    monkeypatch.chdir(tmp_path / working)
+    monkeypatch.setattr(logging, "raiseExceptions", True)
+    folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / parsed)
+    workflow = SimpleNamespace(current_basedir=folder, main_snakefile=tmp_path / main)
+    assert_says(refused(start.prepare, workflow), str(tmp_path), *parts)
+
+
+def test_keys_of_the_quick_study_are_checked_even_where_they_are_not_used():
+    overlay = {"quick": {"contact": {"count": 0}}}
+    line = refused(start.checked_configuration, planned_workflow(), PAPER | overlay)
+    assert_says(line, "effort quick", "contact.count", "found 0")
+
+
+def test_a_key_given_twice_is_refused_where_a_run_is_planned(tmp_path):
+    path = tmp_path / "a.yaml"
+    path.write_text("seed: 1\n'seed': 2")
+    workflow = planned_workflow(path)
+    assert_says(refused(start.checked_configuration, workflow, PAPER), "a.yaml: line 2", "once")
+    workflow.exec_mode = ExecMode.SUBPROCESS
+    assert start.checked_configuration(workflow, PAPER)["seed"] == PAPER["seed"]
+
+
+def test_a_table_of_a_scan_that_is_missing_is_refused(tmp_path, monkeypatch, at_root):
+    path = tmp_path / "own.tsv"
+    path.write_text(own_scans("none.nc"))
+    config = start.checked_configuration(planned_workflow(), PAPER | {"surfaces": str(path)})
+    line = refused(start.checked_selection, planned_workflow(), config)
+    assert_says(line, "own.tsv", "none.nc", "no such file")
+
+
+@pytest.mark.parametrize(
+    ("outputs", "pages"), [(["answer.html"], ["answer.html"]), (["other.nc"], [])]
+)
+def test_the_page_that_a_run_makes_is_named_at_its_end(caplog, outputs, pages):
+    caplog.set_level(logging.INFO, start.logger.name)
+    workflow = SimpleNamespace(dag=SimpleNamespace(jobs=[SimpleNamespace(output=outputs)]))
+    start.say_answer(workflow, "answer.html", "insight.html")
+    assert caplog.messages == [f"The answer is made: open {page}" for page in pages]
+
+
+# The command line
+
+
+def assert_refused_before_anything_is_made(run, folder, *parts):
+    errors = [line for line in run.stdout.splitlines() if line.startswith("error: ")]
+    assert run.returncode != 0 and len(errors) == 1, run.stdout
+    assert_says(errors[0], "expected", *parts)
+    assert "Traceback" not in run.stdout and "rule " not in run.stdout
+    assert not (folder / "results").exists() and not (folder / "made").exists()
+
+
+@pytest.mark.study
+def test_a_bad_study_is_refused_in_one_line(repository):
+    cut(scan(repository / "own.nc"), 0.5)
+    (repository / "own.tsv").write_text(own_scans("own.nc"))
+    run = run_snakemake(repository, overlays=[{"surfaces": "own.tsv"}])
+    assert_refused_before_anything_is_made(run, repository, "own.nc", "a whole file")
+
+
+@pytest.mark.study
+def test_a_bad_file_is_refused_in_one_line(repository):
+    (repository / "bad.yaml").write_text("study: !!python/object/apply:os.mkdir [made]")
+    run = snakemake(repository, "-n", "--configfile", "bad.yaml")
+    assert_refused_before_anything_is_made(run, repository, "bad.yaml: expected YAML")
 
 
 @pytest.mark.study
 def test_another_working_directory_is_refused(repository, tmp_path):
-    snakefile = str(repository / "Snakefile")
-    line = said(snakemake(repository, "-n", "--directory", str(tmp_path)))
-    assert_says(line, "working directory", str(tmp_path), "relative to that folder")
-    (tmp_path / "workflow").symlink_to(repository / "workflow")  # the library it runs with
-    assert said(snakemake(tmp_path, "-n", "--snakefile", snakefile)) == line
-
-
-@pytest.mark.study
-def test_use_as_a_module_is_refused(repository, tmp_path):
-    text = f'module study:\n    snakefile: "{repository / "Snakefile"}"\n\nuse rule * from study\n'
-    (tmp_path / "Snakefile").write_text(text)
-    (tmp_path / "workflow").symlink_to(repository / "workflow")
-    assert_says(said(snakemake(tmp_path, "-n")), "used as a module", str(tmp_path))
-
-
-def test_the_library_of_another_copy_is_refused(repository, tmp_path):
-    shutil.copy2(repository / "Snakefile", tmp_path)
-    (tmp_path / "workflow").symlink_to(repository / "workflow")
-    line = said(snakemake(tmp_path, "-n"))
-    assert_says(line, f"expected the library of {tmp_path}", f"found that of {repository}")
-
-
-ANSWER = """
-from hardcontact.config import start
-rule answer:
-    output: "results/answer.html"
-    shell: "touch {output}"
-rule other:
-    output: "results/other.nc"
-    shell: "touch {output}"
-onsuccess:
-    start.say_answer(workflow, "results/answer.html")
-"""
-
-
-@pytest.mark.study
-@pytest.mark.parametrize(("target", "said"), [("answer", True), ("other", False)])
-def test_the_page_that_a_run_makes_is_named_at_its_end(tmp_path, target, said):
-    (tmp_path / "Snakefile").write_text(ANSWER)
-    run = subprocess.run(
-        [sys.executable, "-m", "snakemake", target, "--cores", "1"],
-        cwd=tmp_path, env=environment(ROOT), text=True, capture_output=True,
-    )  # fmt: skip
-    assert run.returncode == 0, run.stderr
-    assert ("open results/answer.html" in run.stdout + run.stderr) == said
+    run = snakemake(repository, "-n", "--directory", str(tmp_path))
+    assert_refused_before_anything_is_made(run, tmp_path, "working directory", str(tmp_path))
+    assert set(os.listdir(tmp_path)) <= {".snakemake"}
