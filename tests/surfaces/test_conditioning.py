@@ -5,16 +5,25 @@ from functools import partial
 import numpy as np
 import pandas as pd
 import pytest
+from paper_numbers import SUBSTRATES
 from random_scans import PIXEL, UNCD, levelled_scan, uncd
 from refusals import assert_says, refusal
+from repository import PAPER, ROOT
 
+from hardcontact.config.grids import realization_pixels
 from hardcontact.numbers.random import generator
+from hardcontact.records import published
 from hardcontact.surfaces import conditioning
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import HeightMap, level, metrics
-from hardcontact.surfaces.spectrum import WAVEVECTORS, spectrum_dataset, spectrum_from
+from hardcontact.surfaces.spectrum import AFM_ROWS, WAVEVECTORS, spectrum_dataset, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, synthesized_scan
-from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_weights
+from hardcontact.surfaces.substitute_spectra import (
+    expected_moments,
+    rows_of_surface,
+    substitute_spectrum,
+    transfer_weights,
+)
 
 NAMES = ("rms_height", "rms_gradient", "rms_half_laplacian")
 GRID = ScanGrid(64, 64 * PIXEL, 256)
@@ -24,8 +33,16 @@ CONSTANTS = pd.DataFrame({"value": {"scan_pixels": 64.0, "scan_size": 64 * PIXEL
 DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}
 
 
-def generators(*numbers):
-    return {number: partial(generator, 7, "uncd", number, "scan") for number in numbers}
+def generators(*numbers, seed=7, surface="uncd"):
+    return {number: partial(generator, seed, surface, number, "scan") for number in numbers}
+
+
+def assert_met(targets, found):
+    """Expect the means, and the deviation if there is more than one scan."""
+    for name, mean in targets.means.items():
+        assert found[name].mean() == pytest.approx(mean, rel=1e-6)
+    if len(found) > 1:
+        assert found.rms_height.std(ddof=1) == pytest.approx(targets.deviation, rel=1e-6)
 
 
 @pytest.fixture(scope="module")
@@ -38,12 +55,12 @@ def spectrum():
     )
 
 
-def measured(spectrum, group, grid):
+def measured(spectrum, group, grid, seed=7, surface="uncd"):
     """The metrics of every scan of a group, as they are synthesized: {metric: (scan,)}."""
     density = conditioning.amplified(spectrum_from(spectrum), group.gain.values)
     values = []
     for number in group.scan.values:
-        rng = generator(7, "uncd", number, "scan")
+        rng = generator(seed, surface, number, "scan")
         stored = synthesized_scan(rng, density, grid, float(group.factor.sel(scan=number)))
         heights = stored["heights"].values.T
         scan = level(HeightMap(heights, grid.pixel_size, periodic=False, basis="substitute"))
@@ -51,20 +68,48 @@ def measured(spectrum, group, grid):
     return pd.DataFrame(values)
 
 
-@pytest.mark.parametrize("numbers", [(1,), (1, 2), (3, 4, 5), (6, 7, 8, 9, 10)], ids=len)
 @pytest.mark.parametrize(
-    "names", [NAMES, ("rms_height", "rms_profile_slope", "rms_laplacian")], ids=["2D", "1D"]
+    ("numbers", "names"),
+    [
+        ((1,), NAMES),
+        ((1, 2), NAMES),
+        ((6, 7, 8, 9, 10), ("rms_height", "rms_profile_slope", "rms_laplacian")),
+    ],
 )
-def test_scans_have_what_they_are_to_have(spectrum, numbers, names):
+def test_scans_have_the_statistics_that_they_are_given(spectrum, numbers, names):
     moments = spectrum.attrs["expected_scan_moments"] * np.array([1.02, 0.97, 1.01])
     units = [conditioning.OVER_MOMENTS[name] for name in names]
     targets = Targets(dict(zip(names, moments * units, strict=True)), 0.2 * moments[0], ())
     group = conditioning.conditioned_group(spectrum, targets, generators(*numbers), GRID)
-    found = measured(spectrum, group, GRID)
-    for name, mean in targets.means.items():
-        assert found[name].mean() == pytest.approx(mean, rel=1e-6)
-    if len(numbers) > 1:
-        assert found.rms_height.std(ddof=1) == pytest.approx(targets.deviation, rel=1e-6)
+    assert_met(targets, measured(spectrum, group, GRID))
+
+
+PAPER_GRID = ScanGrid(PAPER["scan"]["pixels"], 2500.0, realization_pixels(PAPER["scan"]["pixels"]))
+
+
+# Plain runs look at the smaller scans of the quick study.
+@pytest.mark.parametrize(
+    ("count", "grid", "rows"),
+    [
+        (2, ScanGrid(128, 2500.0, 512), ("afm_rms_height",)),
+        pytest.param(5, PAPER_GRID, AFM_ROWS, marks=pytest.mark.study),
+    ],
+)
+@pytest.mark.parametrize("surface", SUBSTRATES)
+def test_scans_of_the_default_study_keep_table_1(surface, count, grid, rows):
+    table1 = published.table1(ROOT / "resources/paper/table1.csv")
+    table1 = rows_of_surface(table1, surface, *DEFINITIONS.values())
+    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    stored = substitute_spectrum(ROOT / f"resources/spectra/{surface}.csv", table1, constants)
+    targets = conditioning.scan_targets(stored, table1, constants, DEFINITIONS, grid)
+    assert targets.rows == tuple(rows)
+    published_means = table1.value[list(rows)]
+    np.testing.assert_allclose(list(targets.means.values())[: len(rows)], published_means)
+    assert targets.deviation == pytest.approx(table1.uncertainty["afm_rms_height"])
+    group = conditioning.conditioned_group(
+        stored, targets, generators(*range(1, count + 1), seed=PAPER["seed"], surface=surface), grid
+    )
+    assert_met(targets, measured(stored, group, grid, PAPER["seed"], surface))
 
 
 def test_targets_on_the_pixels_of_the_paper_are_what_the_spectrum_expects(spectrum):
@@ -88,8 +133,6 @@ def test_on_coarser_pixels_the_rms_height_stays(spectrum):
     np.testing.assert_allclose(list(targets.means.values()), [height, *expected[1:]], rtol=1e-3)
     assert targets.rows == ("afm_rms_height",)
     group = conditioning.conditioned_group(spectrum, targets, generators(1, 2), coarse)
-    found = measured(spectrum, group, coarse)
-    assert found.rms_height.mean() == pytest.approx(height, rel=1e-6)
     assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
 
 

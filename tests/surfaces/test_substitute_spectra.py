@@ -1,8 +1,11 @@
 """Spectra of substitutes: descriptions, calibration to Table 1, expected moments of scans."""
 
+from functools import cache
+
 import numpy as np
 import pandas as pd
 import pytest
+from paper_numbers import SUBSTRATES, SURFACES
 from random_scans import PIXEL, UNCD, uncd
 from refusals import assert_says, refusal
 from repository import ROOT
@@ -17,11 +20,6 @@ from hardcontact.surfaces.substitute_spectra import expected_moments, transfer_w
 from hardcontact.surfaces.synthesis import random_surface
 
 
-def rows(values):
-    """Table 1 of one surface: the rows that fix the spectrum of scans."""
-    return pd.DataFrame({"value": values}, index=list(spectrum.AFM_ROWS))
-
-
 def band(model, rolloff=np.nan):
     """A band of a description whose other parameters are left to Table 1."""
     return pd.Series({"model": model, "rolloff_nm": rolloff})
@@ -32,25 +30,23 @@ def weights():
     return transfer_weights(1024, PIXEL, 256)
 
 
-def scans_of(density, weights):
-    """Table 1 of a surface whose scans have this spectrum."""
-    return rows(expected_moments(Spectrum(WAVEVECTORS, density), weights))
-
-
-def test_a_self_affine_spectrum_is_found_again(weights):
-    truth = (1.0e7, 800.0, 0.9)
-    table1 = scans_of(spectrum.self_affine(WAVEVECTORS, *truth), weights)
-    parameters = substitute_spectra.calibrate_model(band("self-affine"), table1, weights)
-    assert list(parameters) == ["plateau_nm4", "rolloff_nm", "hurst"]
+@pytest.mark.parametrize(
+    ("model", "described", "truth", "names"),
+    [
+        ("self-affine", np.nan, (1.0e7, 800.0, 0.9), ["plateau_nm4", "rolloff_nm", "hurst"]),
+        ("varying Hurst", 2000.0, (1.0e10, 1.6, -0.5), ["plateau_nm4", "hurst", "hurst_change"]),
+    ],
+)
+def test_a_spectrum_is_found_again_from_its_scans(weights, model, described, truth, names):
+    if model == "self-affine":
+        density = spectrum.self_affine(WAVEVECTORS, *truth)
+    else:
+        density = spectrum.varying_hurst(WAVEVECTORS, truth[0], described, *truth[1:])
+    moments = expected_moments(Spectrum(WAVEVECTORS, density), weights)
+    table1 = pd.DataFrame({"value": moments}, index=list(spectrum.AFM_ROWS))
+    parameters = substitute_spectra.calibrate_model(band(model, described), table1, weights)
+    assert list(parameters) == names
     np.testing.assert_allclose(list(parameters.values()), truth, rtol=1e-6)
-
-
-def test_a_varying_hurst_exponent_is_found_again(weights):
-    truth = spectrum.varying_hurst(WAVEVECTORS, 1.0e10, 2000.0, 1.6, -0.5)
-    table1 = scans_of(truth, weights)
-    found = substitute_spectra.calibrate_model(band("varying Hurst", 2000.0), table1, weights)
-    assert list(found) == ["plateau_nm4", "hurst", "hurst_change"]
-    np.testing.assert_allclose(list(found.values()), (1.0e10, 1.6, -0.5), rtol=1e-6)
 
 
 def test_no_self_affine_spectrum_has_the_scans_of_ncd(at_root):
@@ -124,12 +120,6 @@ def described(tmp_path):
     return write
 
 
-@pytest.fixture
-def polished(at_root):
-    table1 = published.table1("resources/paper/table1.csv")
-    return substitute_spectra.rows_of_surface(table1, "polished_uncd", "gradient", "half_laplacian")
-
-
 def test_bands_with_all_parameters_are_their_models(described, tmp_path):
     (tmp_path / "points.csv").write_text("wavelength_nm,c1d_nm3\n66,234\n24,6.7\n7,0.095\n")
     path = described(
@@ -160,19 +150,43 @@ def test_bands_with_all_parameters_are_their_models(described, tmp_path):
     assert (density[WAVEVECTORS > 2 * np.pi / 0.29] == 0).all()
 
 
-@pytest.mark.parametrize(
-    "band", ["inf,6.5,self-affine,,,,,", "inf,6.5,varying Hurst,,2000,,,"], ids=["H", "H'"]
-)
-def test_blank_parameters_are_calibrated_to_table1(described, polished, band):
-    path = described(band, "6.5,0,power law,,,,,")
-    weights = transfer_weights(2048, PIXEL, 512)
-    density, bands, calibrated = substitute_spectra.from_description(path, polished, weights)
-    assert calibrated == [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
-    assert bands[["plateau_nm4", "rolloff_nm", "hurst"]].loc[0].notna().all()
-    assert bands[["shortest_nm", "hurst"]].loc[1].notna().all()
-    table = Spectrum(WAVEVECTORS, density)
-    found = [*expected_moments(table, weights), *all_scales_moments(table)[1:]]
-    np.testing.assert_allclose(found, polished.value[calibrated], rtol=1e-9)
+@cache
+def default_spectrum(surface):
+    """Rows of Table 1 and the stored spectrum of a default substitute."""
+    table1 = published.table1(ROOT / "resources/paper/table1.csv")
+    table1 = substitute_spectra.rows_of_surface(table1, surface, "gradient", "half_laplacian")
+    constants = published.constants(ROOT / "resources/paper/parameters.csv")
+    path = ROOT / f"resources/spectra/{surface}.csv"
+    return table1, substitute_spectra.substitute_spectrum(path, table1, constants)
+
+
+@pytest.mark.parametrize("surface", SURFACES)
+def test_no_default_spectrum_jumps(surface):
+    density = default_spectrum(surface)[1].spectrum.values
+    density = density[density > 0][:-1]  # the last cell counts by its share
+    step = np.diff(np.log(density)) / np.diff(np.log(WAVEVECTORS[: len(density)]))
+    # A jump by a factor of two between two of 40 points a decade is a slope of 12.
+    assert np.abs(step).max() < 6
+
+
+@pytest.mark.parametrize("surface", SUBSTRATES)
+def test_default_spectra_meet_every_row_of_table_1_but_the_height_over_all_scales(surface):
+    table1, stored = default_spectrum(surface)
+    calibrated = [*spectrum.AFM_ROWS, *spectrum.TAIL_ROWS]
+    assert stored.attrs["calibrated_to_table1"] == ",".join(calibrated)
+    moments = all_scales_moments(Spectrum(WAVEVECTORS, stored.spectrum.values))
+    found = [*stored.attrs["expected_scan_moments"], *moments[1:]]
+    np.testing.assert_allclose(found, table1.value[calibrated], rtol=1e-9)
+
+
+def test_uncd_is_near_what_is_measured_of_it_in_public():
+    """The ratios that workflow/report/departures.md reports."""
+    table1, stored = default_spectrum("uncd")
+    path = ROOT / "resources/spectra/uncd-measured.csv"
+    measured, *_ = substitute_spectra.from_description(path, table1, WEIGHTS)
+    q = 2 * np.pi / np.array([2000, 1000, 500, 200, 100, 50])
+    ratio = Spectrum(WAVEVECTORS, stored.spectrum.values)(q) / Spectrum(WAVEVECTORS, measured)(q)
+    np.testing.assert_allclose(ratio, [1.29, 2.00, 0.86, 0.68, 0.71, 0.75], atol=0.005)
 
 
 @pytest.mark.parametrize(
