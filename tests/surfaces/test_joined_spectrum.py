@@ -1,7 +1,5 @@
 """Spectra joined of several measurements of one surface, and of descriptions."""
 
-from dataclasses import replace
-
 import numpy as np
 import pandas as pd
 import pytest
@@ -80,7 +78,6 @@ def test_the_joined_spectrum_is_the_table_that_masters_are_made_with(tmp_path):
     known = np.isfinite(joined["joined"].values)
     wavevector = joined["bin_wavevector"].values[known]
     np.testing.assert_allclose(spectrum(wavevector), joined["joined"].values[known], rtol=1e-6)
-    assert joined.attrs["basis"] == "measured" and joined.attrs["calibrated_to_table1"] == ""
     assert joined.attrs["shortest_measured"] == 16 and joined.attrs["longest_measured"] == (
         pytest.approx(40_000 / 3)
     )
@@ -172,8 +169,6 @@ def test_the_radius_given_counts_before_that_of_the_file():
     scan = map_of(generator(15), 128, 5.0, tip_radius=20.0)
     radii = [joined_spectrum([scan], [given])["tip_radius"].item() for given in (None, 8.0)]
     assert radii == [20.0, 8.0]
-    unknown = joined_spectrum([replace(scan, tip_radius=None)], [None])
-    assert np.isnan(unknown["tip_radius"].item())
 
 
 def test_measurements_that_show_nothing_reliable_are_refused_in_one_line():
@@ -188,9 +183,8 @@ def test_surfaces_are_stacked_with_their_limits_and_empty_places(tmp_path):
     labels = {"rough": "Rough", "coat": "My coat"}
     dataset.write(stacked_spectra({"rough": rough, "coat": coat}, labels), tmp_path / "a.nc")
     stacked = dataset.read(tmp_path / "a.nc")
-    assert list(stacked["label"].values) == ["Rough", "My coat"]
-    assert stacked["reliable"].dtype.kind == "i" and stacked["reliable"].values[0, 1:].sum() == 0
     assert list(stacked["kind"].values[0]) == ["map", "", ""]
+    assert stacked["reliable"].values[0, 1:].sum() == 0
     assert np.isnan(stacked["psd"].values[0, 1:]).all()
     for name, single in (("rough", rough), ("coat", coat)):
         chosen = stacked.sel(surface=name)

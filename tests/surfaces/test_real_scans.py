@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from repository import ROOT, copy_repository, run_snakemake
+from scan_files import cut
 
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.scans import list_measurements, read_measurement, read_scan
@@ -46,9 +47,9 @@ def test_the_whole_container():
 
 @pytest.mark.parametrize("share", [0.001, 0.5, 0.99])
 def test_truncated_afm_scan_is_refused(tmp_path, share):
-    content = AFM.read_bytes()
     path = tmp_path / "a.di"
-    path.write_bytes(content[: int(share * len(content))])
+    path.write_bytes(AFM.read_bytes())
+    cut(path, share)
     with pytest.raises(ValueError, match=r"^\S*a\.di: expected .* found:? [^\n]*\Z"):
         read_scan(path)
 

@@ -25,8 +25,7 @@ def steep(q):
 @pytest.mark.parametrize("density", [uncd, steep])
 def test_a_surface_seen_as_it_is_ends_at_its_pixels_and_its_size(make, density):
     for k in range(3):
-        scan = make(generator(1, k), 256, PIXEL, density)
-        band = reliable_band(scan, None)
+        band = reliable_band(make(generator(1, k), 256, PIXEL, density), None)
         assert band.shortest == 4 * PIXEL and band.limited_by == "pixels"
         assert band.longest == pytest.approx(256 * PIXEL / 3)
 

@@ -41,14 +41,6 @@ def test_measured_psd_of_scans_is_the_spectrum():
     np.testing.assert_allclose(ratio, 1, atol=0.15)
 
 
-def test_empty_bins_are_no_measurement():
-    wave, *densities = measured_psds(levelled_scan(generator(8), 64, 20.0))
-    outside = (wave < 2 * np.pi / (64 * 20.0) * 0.8) | (wave > 2 * np.pi / 40.0 * 1.5)
-    for density in densities:
-        assert np.isnan(density[outside]).all()
-        assert (density[np.isfinite(density)] > 0).all()
-
-
 def test_profile_of_a_power_law_is_its_integral():
     q, hurst = 0.3, 0.7
     along = np.linspace(0, 600, 4_000_001)

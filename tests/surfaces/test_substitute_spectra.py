@@ -84,18 +84,10 @@ def test_a_tail_refuses_what_it_cannot_add(above, moments, message):
 
 
 def test_table1_is_turned_into_gradient_and_half_laplacian():
-    table = pd.DataFrame(
-        {
-            "surface": ["uncd", "uncd", "uncd", "mcd"],
-            "quantity": ["afm_rms_height", "afm_rms_slope", "all_rms_curvature", "afm_rms_slope"],
-            "value": [2.0, 3.0, 4.0, 9.0],
-            "uncertainty": [0.2, 0.3, 0.4, 0.9],
-        }
-    )
-    same = substitute_spectra.rows_of_surface(table, "uncd", "gradient", "half_laplacian")
-    np.testing.assert_array_equal(same.value, [2, 3, 4])
+    quantities = ["afm_rms_height", "afm_rms_slope", "all_rms_curvature"]
+    table = pd.DataFrame({"surface": "uncd", "quantity": quantities, "value": [2.0, 3.0, 4.0]})
+    table["uncertainty"] = 0.1 * table.value
     other = substitute_spectra.rows_of_surface(table, "uncd", "profile", "laplacian")
-    assert list(other.index) == ["afm_rms_height", "afm_rms_slope", "all_rms_curvature"]
     np.testing.assert_allclose(other.value, [2, 3 * 2**0.5, 2])
     np.testing.assert_allclose(other.uncertainty, [0.2, 0.3 * 2**0.5, 0.2])
     assert substitute_spectra.rows_of_surface(table, "my own", "gradient", "laplacian").empty
