@@ -87,14 +87,6 @@ def test_quotient_holds_all_ratios_of_the_intervals():
     assert numbers.quotient(scalar(4.0), scalar(2.0)).value_interval.isnull().all()
 
 
-def test_quotient_of_numbers_of_other_dimensions():
-    by_model = number(xr.DataArray([1.0, 2.0], {"model": ["a", "b"]}), 0.5, 4.0)
-    by_side = number(xr.DataArray([10.0], {"side": ["small"]}), 5.0, 20.0)
-    computed = numbers.quotient(by_side, by_model)
-    assert computed.value_interval.dims == ("side", "model", "bound")
-    assert ends(computed) == [[[1.25, 1.25]], [[40.0, 40.0]]]
-
-
 @pytest.mark.parametrize(
     ("signed", "expected"),
     [((2, 1, 3), (2, 1, 3)), ((-2, -3, -1), (2, 1, 3)), ((-0.5, -2, 1), (0.5, 0, 2))],
