@@ -11,11 +11,10 @@ def test_indents_made_by_hand():
     # A row of three pixels with one more at a corner, and a lone pixel: 0 is the deepest.
     offsets = np.array([[10, 10], [10, 11], [40, 40], [10, 12], [11, 13]])
     contact = LowestGaps(np.array([-3.0, -2.5, -2.0, -1.5, -1.0]), offsets)
-    size = indents(contact, 5.0)
-    assert size.depth == 2.0
-    assert size.indents == 2
-    assert size.edge_length == pytest.approx(2 * 5.0)  # four pixels
-    assert size.lateral_size == 4 * 5.0
+    depth, edge_length, lateral_size, count = indents(contact, 5.0)
+    assert (depth, count) == (2.0, 2)
+    assert edge_length == pytest.approx(2 * 5.0)  # four pixels
+    assert lateral_size == 4 * 5.0
     depth = flattening(contact, 3)
     assert depth.shape == (7, 7)
     assert depth[3, 3:6].tolist() == [2.0, 1.5, 0.5]

@@ -34,18 +34,17 @@ def test_roughness_over_the_window_gives_the_same_gaps():
 def test_the_first_contact_is_the_single_contact():
     bodies = rough_pair()
     for position, single in zip(places(bodies), all_lowest_gaps(bodies, 40).values(), strict=True):
-        (first,) = repeated_contacts(bodies, [position], 40)
-        np.testing.assert_array_equal(first.contact.gaps, single.gaps)
-        np.testing.assert_array_equal(first.contact.offsets, single.offsets)
+        ((contact, _),) = repeated_contacts(bodies, [position], 40)
+        np.testing.assert_array_equal(contact.gaps, single.gaps)
+        np.testing.assert_array_equal(contact.offsets, single.offsets)
 
 
 def test_contact_at_the_same_place_leaves_the_indent_as_it_is():
     heights = np.zeros((128, 128))
     heights[60:68, 61:66] = 10.0 + np.random.default_rng(3).random((8, 5))
     bodies = over(heights, np.zeros((64, 64)), 5.0, 128, 1)
-    depths = [
-        (one.depth.copy(), one.contact) for one in repeated_contacts(bodies, [[64, 64]] * 4, 17)
-    ]
+    contacts = repeated_contacts(bodies, [[64, 64]] * 4, 17)
+    depths = [(depth.copy(), contact) for contact, depth in contacts]
     first, contact = depths[0]
     assert contact.gaps[-1] - contact.gaps[0] > 0.2 and np.count_nonzero(first) == 16
     for later, again in depths[1:]:
@@ -57,39 +56,38 @@ def test_a_flat_under_a_smooth_sphere_is_indented_once():
     # Every place of a flat is the same; the indent is the cap cut off at the bearing area.
     bodies = over(np.zeros((128, 128)), None, 20.0, 128, 4)
     (gaps, _) = all_lowest_gaps(bodies, 37)[0, 0]
-    for one in repeated_contacts(bodies, places(bodies), 37):
-        assert one.depth.sum() == pytest.approx((gaps[-1] - gaps).sum(), abs=1e-10)
-        assert one.contact.gaps[-1] == pytest.approx(gaps[-1], abs=1e-12)
+    for contact, depth in repeated_contacts(bodies, places(bodies), 37):
+        assert depth.sum() == pytest.approx((gaps[-1] - gaps).sum(), abs=1e-10)
+        assert contact.gaps[-1] == pytest.approx(gaps[-1], abs=1e-12)
 
 
 def test_the_sphere_loses_what_penetrates_and_nothing_else():
     bodies = rough_pair()
     lost, before = 0.0, np.zeros((320, 320))
-    for one in repeated_contacts(bodies, places(bodies), 40):
-        lost += (one.contact.gaps[-1] - one.contact.gaps).sum()
-        change = one.depth - before
+    for contact, depth in repeated_contacts(bodies, places(bodies), 40):
+        lost += (contact.gaps[-1] - contact.gaps).sum()
+        change = depth - before
         touched = np.zeros_like(change, bool)
-        touched[tuple((one.contact.offsets + 160).T)] = True
+        touched[tuple((contact.offsets + 160).T)] = True
         assert change.min() >= 0 and not change[~touched].any()
-        before = one.depth.copy()
+        before = depth.copy()
     assert before.sum() == pytest.approx(lost, rel=1e-12)
 
 
 def test_each_contact_is_that_of_the_sphere_as_it_was_left():
     # The gaps from the whole window, with the depth so far taken off the sphere.
-    bodies, depth = rough_pair(), np.zeros((320, 320))
-    for place, one in zip(
-        np.ndindex(3, 3), repeated_contacts(bodies, places(bodies), 40), strict=True
-    ):
-        gap = np.sort((gap_map(bodies, place) + depth).ravel())
-        np.testing.assert_allclose(one.contact.gaps, gap[:40], atol=1e-10)
-        depth = one.depth.copy()
+    bodies, before = rough_pair(), np.zeros((320, 320))
+    contacts = repeated_contacts(bodies, places(bodies), 40)
+    for place, (contact, depth) in zip(np.ndindex(3, 3), contacts, strict=True):
+        gap = np.sort((gap_map(bodies, place) + before).ravel())
+        np.testing.assert_allclose(contact.gaps, gap[:40], atol=1e-10)
+        before = depth.copy()
 
 
 def test_indents_lie_at_one_place_of_a_periodic_roughness():
     # The window has several periods of the roughness, the indent is in one of them.
     bodies = over(np.zeros((64, 64)), periodic_noise(32, 0.5, 2), 5.0, 128, 1)
-    (one,) = repeated_contacts(bodies, [[0, 0]], 9)
+    ((_, depth),) = repeated_contacts(bodies, [[0, 0]], 9)
     again = lowest_gaps(
         as_tiles(bodies.substrate),
         as_tiles(over_window(bodies).roughness),
@@ -97,7 +95,7 @@ def test_indents_lie_at_one_place_of_a_periodic_roughness():
         np.array([0, 0]),
         9,
     )
-    assert np.count_nonzero(one.depth) == np.count_nonzero(again.gaps < again.gaps[-1])
+    assert np.count_nonzero(depth) == np.count_nonzero(again.gaps < again.gaps[-1])
 
 
 def test_indents_of_a_flat_all_overlap_and_those_of_rough_surfaces_partly():

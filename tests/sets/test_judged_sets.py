@@ -10,8 +10,6 @@ from set_sources import CONFIDENCE, make_adhesion, make_masters, make_pool, make
 
 from hardcontact.inference.inference import Pair, Published
 from hardcontact.sets.judged_sets import (
-    Draw,
-    Paper,
     SetSettings,
     drawn_scans,
     gathered_sources,
@@ -24,19 +22,17 @@ SETTINGS = SetSettings(
     replicates=3,
     realizations=5,
     reference_surface="uncd",
-    error_threshold=0.1,
-    force_floor=30e-9,
     tolerance=0.1,
     confidence=CONFIDENCE,
 )
 FORCES = pd.DataFrame({"mean_force": MEAN_FORCE}, index=SUBSTRATES)
 REPLICATED = STATEMENTS[STATEMENTS["replicated"] == "yes"]
-PAPER = Paper(REPLICATED, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3)))
+PAPER = REPLICATED, CONSTANTS, Published(FORCES, Pair(5.6, 46.3e-3))
 
 
 @pytest.fixture(scope="module")
 def sets():
-    return judge_sets(make_sources(), PAPER, SETTINGS)
+    return judge_sets(make_sources(), *PAPER, SETTINGS)
 
 
 def test_every_replicated_claim_has_a_number_of_every_set(sets):
@@ -52,9 +48,9 @@ def test_every_replicated_claim_has_a_number_of_every_set(sets):
 def test_numbers_are_those_of_each_set(sets):
     sources = make_sources()
     for number in (1, 3):
-        draw, of_set = Draw(1, number), sets.sel(set=number)
-        drawn = drawn_scans(sources, draw)
-        forces = set_adhesion(sources, drawn, draw)["pull_off_force"]
+        of_set = sets.sel(set=number)
+        drawn = drawn_scans(sources, 1, number)
+        forces = set_adhesion(sources, drawn, 1, number)["pull_off_force"]
         means = forces.mean(["scan", "sphere_scan", "contact_y", "contact_x"])
         means = means.transpose("contact_model", "surface", "rho")
         np.testing.assert_allclose(of_set["mean_force"], means, rtol=1e-12)
@@ -69,9 +65,9 @@ def test_numbers_are_those_of_each_set(sets):
 
 
 def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
-    fewer = judge_sets(make_sources(), PAPER, SETTINGS._replace(replicates=1))
+    fewer = judge_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1))
     xr.testing.assert_identical(fewer.isel(set=0), sets.isel(set=0))
-    other = judge_sets(make_sources(), PAPER, SETTINGS._replace(replicates=1, seed=2))
+    other = judge_sets(make_sources(), *PAPER, SETTINGS._replace(replicates=1, seed=2))
     assert not np.allclose(other["mean_force"].isel(set=0), sets["mean_force"].isel(set=0))
     assert len(np.unique(sets["range_of_adhesion"])) > 2
 
@@ -119,7 +115,7 @@ def test_factor_of_the_sphere_is_the_ratio_of_mean_forces():
 
 def test_surfaces_that_are_all_measured_make_sets_too():
     sources = make_sources(measured=SUBSTRATES)
-    judged = judge_sets(sources, PAPER, SETTINGS._replace(replicates=2))
+    judged = judge_sets(sources, *PAPER, SETTINGS._replace(replicates=2))
     gradient = sources.topography["rms_gradient_mean"].sel(surface=SUBSTRATES)
     np.testing.assert_array_equal(judged["rms_gradient"].isel(set=0), gradient)
     assert not np.allclose(*judged["mean_force"].values)

@@ -8,7 +8,6 @@ from set_sources import CONFIDENCE, SCANS, make_masters, make_sources
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.scales.critical_band import critical_band
 from hardcontact.sets.judged_sets import (
-    Draw,
     drawn_scans,
     set_adhesion,
     set_band,
@@ -16,14 +15,15 @@ from hardcontact.sets.judged_sets import (
 )
 from hardcontact.surfaces.height_map import METRICS
 
-DRAW = Draw(seed=1, number=3)
+#: Seed of the study, and number of the set.
+DRAW = 1, 3
 NO_SAMPLES = Sampling(1, 0, CONFIDENCE)
 CONTACTS = ["contact_y", "contact_x"]
 
 
 def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():
     sources = make_sources(measured=["mcd"])
-    drawn, study = drawn_scans(sources, DRAW), sources.topography
+    drawn, study = drawn_scans(sources, *DRAW), sources.topography
     topography = set_topography(study, drawn, CONFIDENCE)
     for name in METRICS:
         of_uncd = topography[name].sel(surface="uncd")
@@ -43,8 +43,8 @@ def test_topography_is_that_of_the_drawn_scans_and_of_the_study_elsewhere():
 
 def test_forces_of_drawn_scans_are_those_on_the_rough_sphere():
     sources = make_sources()
-    drawn = drawn_scans(sources, DRAW)
-    adhesion = set_adhesion(sources, drawn, DRAW)
+    drawn = drawn_scans(sources, *DRAW)
+    adhesion = set_adhesion(sources, drawn, *DRAW)
     assert adhesion["pull_off_force"].dims == sources.adhesion["pull_off_force"].dims
     assert adhesion.attrs == sources.adhesion.attrs
     for surface, scans in drawn.items():
@@ -55,7 +55,7 @@ def test_forces_of_drawn_scans_are_those_on_the_rough_sphere():
 
 def test_measured_scans_keep_their_forces_but_for_one_factor_a_range():
     sources = make_sources(measured=["mcd"])
-    adhesion = set_adhesion(sources, drawn_scans(sources, DRAW), DRAW)
+    adhesion = set_adhesion(sources, drawn_scans(sources, *DRAW), *DRAW)
     of_mcd, own = (
         one["pull_off_force"].sel(surface="mcd").transpose("contact_model", "rho", ...)
         for one in (adhesion, sources.adhesion)
@@ -71,7 +71,7 @@ def test_measured_scans_keep_their_forces_but_for_one_factor_a_range():
 def test_band_of_masters_that_are_alike_is_that_of_one():
     masters = make_masters()
     alike = masters.isel(realization=[0] * 6).assign_coords(realization=range(1, 7))
-    band = set_band(alike, 5, 0.1, NO_SAMPLES, DRAW)
+    band = set_band(alike, 5, 0.1, NO_SAMPLES, 3)
     expected = critical_band(alike.isel(realization=[0]), 0.1, NO_SAMPLES)
     for name in ("scale_ratio", "scale_change", "critical_wavelength"):
         np.testing.assert_allclose(band[name], expected[name], rtol=1e-12)
@@ -79,7 +79,7 @@ def test_band_of_masters_that_are_alike_is_that_of_one():
 
 def test_masters_are_drawn_again_for_every_set_and_surface():
     masters = make_masters()
-    bands = [set_band(masters, 5, 0.1, NO_SAMPLES, Draw(1, n)) for n in range(300)]
+    bands = [set_band(masters, 5, 0.1, NO_SAMPLES, n) for n in range(300)]
     ratio = np.array([band["scale_ratio"].values for band in bands])
     mean = masters["ratio"].mean("realization").transpose("side", "surface", ...).values
     deviation = masters["ratio"].std("realization").transpose("side", "surface", ...).values

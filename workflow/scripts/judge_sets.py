@@ -7,12 +7,11 @@ from hardcontact.inference.inference import Pair, Published
 from hardcontact.records import published
 from hardcontact.records.dataset import read, read_all
 from hardcontact.records.job import job
-from hardcontact.sets.judged_sets import Paper, SetSettings, gathered_sources, judge_sets
+from hardcontact.sets.judged_sets import SetSettings, gathered_sources, judge_sets
 
 with job(snakemake) as this:
     given = this.parameters
     constants = published.constants(this.input.published_constants)
-    limits = {name: constants.value[name] for name in ("error_threshold", "force_floor")}
     pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
     keys = [[surface] for surface in given["masters"]]
     masters = zip(keys, map(read, this.input.masters), strict=True)
@@ -22,14 +21,14 @@ with job(snakemake) as this:
         dict(zip(given["pooled"], map(read, this.input.smooth_spheres), strict=True)),
         stacked_forces(single_masters(masters, given["realizations"], given["load"])),
     )
-    paper = Paper(
+    judged = judge_sets(
+        sources,
         pd.DataFrame(given["statements"]),
         constants,
         Published(published.pull_off(this.input.published_pull_off), pair),
+        SetSettings(**given["settings"]),
     )
     this.write(
-        judge_sets(sources, paper, SetSettings(**given["settings"], **limits)).assign_attrs(
-            confidence=given["settings"]["confidence"]
-        ),
+        judged.assign_attrs(confidence=given["settings"]["confidence"]),
         title="numbers of many sets of substitute scans",
     )

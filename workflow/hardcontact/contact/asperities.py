@@ -4,7 +4,6 @@ Pixels that share an edge or a corner belong to one patch.
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -18,25 +17,19 @@ from hardcontact.records.job import progress
 Floats = NDArray[np.float64]
 
 UNITS = {"largest_share": "1", "two_largest_share": "1", "patches": "1", "extent": "nm"}
-
-
 #: Share of the force that patches carry: they are those of the fewest pixels.
 SHARE = 0.9
 
 
-class Asperities(NamedTuple):
-    """The asperities that carry a share of the force of one contact."""
+def asperities(
+    attraction: Floats, share: float, pixel_size: float
+) -> tuple[float, float, int, float]:
+    """Return the numbers of UNITS of the fewest pixels that carry a share of the force.
 
-    largest_share: float  #: Of the whole force, as the next.
-    two_largest_share: float
-    patches: int
-    extent: float  #: Diameter in nm of the circle about the centre of force that holds the share.
-
-
-def asperities(attraction: Floats, share: float, pixel_size: float) -> Asperities:
-    """Return the patches of the fewest pixels that carry a share of the force of one contact.
-
-    The attraction (n, n) is proportional to the force on each pixel, the pixel size is in nm.
+    They are the shares of the whole force that the largest patch and the two largest carry, how
+    many patches there are, and the diameter in nm of the circle about the centre of force that
+    holds the share. The attraction (n, n) is proportional to the force on each pixel of one
+    contact, the pixel size is in nm.
     """
     total = attraction.sum()
     # Pixels of less attraction than the mean of the rest of the force together carry at most the
@@ -49,7 +42,7 @@ def asperities(attraction: Floats, share: float, pixel_size: float) -> Asperitie
     label, count = ndimage.label(part >= weakest, structure=np.ones((3, 3)))
     forces = np.sort(np.bincount(label.ravel(), part.ravel())[1:])[::-1] / total
     extent = _diameter(attraction, share, total) * pixel_size
-    return Asperities(forces[0], forces[:2].sum(), count, extent)
+    return forces[0], forces[:2].sum(), count, extent
 
 
 def _diameter(attraction: Floats, share: float, total: float) -> int:
@@ -77,8 +70,8 @@ def asperities_of_pair(
 ) -> xr.Dataset:
     """Return which asperities carry the force of some plastic contacts, by range of adhesion.
 
-    The places (contact, 2) are of the array, ranges in nm. The dataset has the fields of
-    `Asperities` (contact, rho).
+    The places (contact, 2) are of the array, ranges in nm. The dataset has the
+    variables of UNITS (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixels = contact.pixels(pixel_size)
@@ -89,8 +82,8 @@ def asperities_of_pair(
     values = np.array(carriers)
     return xr.Dataset(
         {
-            name: (("contact", "rho"), values[..., k], {"units": UNITS[name]})
-            for k, name in enumerate(Asperities._fields)
+            name: (("contact", "rho"), values[..., k], {"units": unit})
+            for k, (name, unit) in enumerate(UNITS.items())
         },
         {
             "rho": ("rho", ranges, {"units": "nm", "long_name": "range of adhesion"}),

@@ -5,7 +5,7 @@ effective modulus. Towards the solvers lengths are in nm and forces in nN, so th
 in GPa and energies per area in J/m²: numbers near one, as their tolerances expect.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -43,23 +43,10 @@ OVERLAP = 1e-4
 RESIDUAL = 1e-4
 
 
-class ElasticContact(NamedTuple):
-    """Pressure (n, n) in Pa under a load, and iterations of the solver."""
-
-    pressure: Floats
-    iterations: int
-
-
-class ElasticPullOff(NamedTuple):
-    """Rigid and elastic pull-off force of one window in N, and iterations of the solver."""
-
-    rigid: float
-    elastic: float
-    iterations: int
-
-
-def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> ElasticContact:
-    """Return elastic contact without adhesion.
+def contact_at_load(
+    gap: Floats, pixel_size: float, modulus: float, load: float
+) -> tuple[Floats, int]:
+    """Return the pressure (n, n) in Pa of elastic contact without adhesion, and iterations.
 
     Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206). The gap (n, n) at any
     approach and the pixel size are in nm, the effective modulus in Pa and the load in N. A
@@ -86,13 +73,13 @@ def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float)
         in_contact.all() or pressure.max() > modulus,
         f"{in_contact.mean():.0%} of all pixels in contact, peak pressure {pressure.max():.3g} Pa",
     )
-    return ElasticContact(pressure, solution.nit)
+    return pressure, solution.nit
 
 
 def adhesive_pull_off(
     gap: Floats, pixel_size: float, modulus: float, work_of_adhesion: float, rho: float
-) -> ElasticPullOff:
-    """Return the pull-off forces of one window, rigid and elastic.
+) -> tuple[float, float, int]:
+    """Return the pull-off forces (N) of one window, rigid and elastic, and iterations.
 
     Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
     bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
@@ -131,7 +118,7 @@ def adhesive_pull_off(
     )
     _refuse(not largest.success or iterations < 2, f"{largest.message}, {iterations} iterations")
     rigid = attraction.sum() * NEWTON_PER_NN
-    return ElasticPullOff(rigid, -largest.fun * NEWTON_PER_NN, iterations)
+    return rigid, -largest.fun * NEWTON_PER_NN, iterations
 
 
 def _body_and_half_space(heights: Floats, pixel_size: float, modulus: float) -> tuple[Any, Any]:
@@ -167,22 +154,6 @@ UNITS = {
     "elastic_pull_off_force": "N",
     "iterations": "1",
 }
-
-
-def _numbers(
-    contact: ElasticContact, pull_off: ElasticPullOff, pixel_size: float, hardness: float
-) -> tuple[float, ...]:
-    """Return the numbers of UNITS of one contact."""
-    pressure = contact.pressure[contact.pressure > 0]
-    return (
-        pressure.size * pixel_size**2,
-        float(np.mean(pressure > hardness)),
-        pressure.max(),
-        pressure.mean(),
-        pull_off.rigid,
-        pull_off.elastic,
-        contact.iterations + pull_off.iterations,
-    )
 
 
 def _as_dataset(
@@ -229,10 +200,23 @@ def elastic_contacts_of_pair(
         for place in progress(places, len(places), "elastic contacts"):
             gap = gap_map(bodies, place)
             whole, near = part_around_lowest(gap, period), part_around_lowest(gap, window)
-            pressed = contact_at_load(whole, pixel_size, modulus, contact.preload)
-            pull_off = adhesive_pull_off(near, pixel_size, modulus, contact.work, contact.range)
-            numbers.append(_numbers(pressed, pull_off, pixel_size, contact.hardness))
-            peaks.append(-part_around_lowest(-pressed.pressure, min(64, period)))
+            pressure, steps = contact_at_load(whole, pixel_size, modulus, contact.preload)
+            rigid, elastic, pull_off_steps = adhesive_pull_off(
+                near, pixel_size, modulus, contact.work, contact.range
+            )
+            carried = pressure[pressure > 0]
+            numbers.append(
+                (
+                    carried.size * pixel_size**2,
+                    float(np.mean(carried > contact.hardness)),
+                    carried.max(),
+                    carried.mean(),
+                    rigid,
+                    elastic,
+                    steps + pull_off_steps,
+                )
+            )
+            peaks.append(-part_around_lowest(-pressure, min(64, period)))
     return _as_dataset(places, numbers, peaks[0], pixel_size).assign_attrs(
         hardness=contact.hardness,
         preload=contact.preload,

@@ -5,7 +5,6 @@ Contact pixels that share an edge or a corner belong to one indent.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -25,28 +24,20 @@ REACH = 32
 UNITS = {"depth": "nm", "edge_length": "nm", "lateral_size": "nm", "indents": "1"}
 
 
-class Indents(NamedTuple):
-    """The size of the indents that one plastic contact leaves in the sphere, in nm."""
+def indents(contact: LowestGaps, pixel_size: float) -> tuple[float, float, float, int]:
+    """Return the numbers of UNITS of one contact; a pixel is flattened by its penetration.
 
-    depth: float  #: Of the deepest pixel.
-    edge_length: float  #: Root of the area of the largest indent.
-    lateral_size: float  #: Longer side of its bounding box.
-    indents: int  #: Number of connected ones.
-
-
-def indents(contact: LowestGaps, pixel_size: float) -> Indents:
-    """Return the size of the indents of one contact; a pixel is flattened by its penetration."""
+    They are the depth of the deepest pixel, the root of the area of the largest indent and the
+    longer side of its bounding box, all in nm, and how many indents there are.
+    """
     gaps, offsets = contact
     near = np.abs(offsets[:, None] - offsets).max(axis=-1) <= 1
     count, label = connected_components(near, directed=False)
     pixels = np.bincount(label)
     largest = offsets[label == pixels.argmax()]
-    return Indents(
-        depth=gaps[-1] - gaps[0],
-        edge_length=np.sqrt(pixels.max()) * pixel_size,
-        lateral_size=(np.ptp(largest, axis=0).max() + 1) * pixel_size,
-        indents=count,
-    )
+    edge_length = np.sqrt(pixels.max()) * pixel_size
+    lateral_size = (np.ptp(largest, axis=0).max() + 1) * pixel_size
+    return gaps[-1] - gaps[0], edge_length, lateral_size, count
 
 
 def flattening(contact: LowestGaps, reach: int) -> NDArray[np.float64]:

@@ -11,7 +11,7 @@ its indent into the points of a lattice.
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 import xarray as xr
@@ -35,16 +35,6 @@ Floats = NDArray[np.float64]
 MAX_PIXELS = 4096
 
 
-@dataclass(frozen=True, eq=False)
-class Indentation:
-    """One contact of a sequence."""
-
-    contact: LowestGaps  #: With the gaps before they were flattened.
-    #: (window, window) in nm, what the sphere is flattened by after it, the apex at the pixel
-    #: (window/2, window/2). It is the same array at every contact and changes with the next.
-    depth: Floats
-
-
 def over_window(bodies: Bodies) -> Bodies:
     """Return the same bodies with the sphere's roughness over its whole window as one period.
 
@@ -63,11 +53,14 @@ def over_window(bodies: Bodies) -> Bodies:
 
 def repeated_contacts(
     bodies: Bodies, positions: ArrayLike, contact_pixels: int
-) -> Iterator[Indentation]:
-    """Press one place of a sphere onto places of a substrate, and yield each indentation in order.
+) -> Iterator[tuple[LowestGaps, Floats]]:
+    """Press one place of a sphere onto places of a substrate, and yield contacts and depths.
 
     The positions (contacts, 2) are pixels (row, column) of the substrate under the apex; the
-    contact pixels are those of each contact, the bodies those before the first.
+    contact pixels are those of each contact, the bodies those before the first. A contact has the
+    gaps before they were flattened. The depth (window, window) in nm is what the sphere is
+    flattened by after it, the apex at the pixel (window/2, window/2); it is the same array at every
+    contact and changes with the next.
     """
     substrate, whole = as_tiles(bodies.substrate), over_window(bodies)
     assert whole.roughness is not None
@@ -79,7 +72,7 @@ def repeated_contacts(
         _flatten(roughness, contact.offsets, penetration)
         row, column = (contact.offsets + bodies.geometry.window // 2).T
         depth[row, column] += penetration
-        yield Indentation(contact, depth)
+        yield contact, depth
 
 
 def _flatten(roughness: Tiles, offsets: NDArray[np.int_], penetration: Floats) -> None:
@@ -111,8 +104,7 @@ def indented_area_ratio(
     """
     places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
     indented_pixels = [
-        np.count_nonzero(indentation.depth)
-        for indentation in repeated_contacts(bodies, places, contact_pixels)
+        np.count_nonzero(depth) for _, depth in repeated_contacts(bodies, places, contact_pixels)
     ]
     # The first contact is that of a sphere without indents, and so are separate ones.
     return indented_pixels[-1] / (contacts * indented_pixels[0])

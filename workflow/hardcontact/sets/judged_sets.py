@@ -56,17 +56,6 @@ class Sources(NamedTuple):
     masters: xr.Dataset  #: Of `all_surfaces.stacked_forces` at one load.
 
 
-class Draw(NamedTuple):
-    """Which of all sets it is."""
-
-    seed: int  #: The seed of the study.
-    number: int  #: Of the set.
-
-    def generator(self, surface: str, purpose: str) -> np.random.Generator:
-        """Return the random generator for one purpose on one surface."""
-        return generator(self.seed, surface, self.number, "set", purpose)
-
-
 class SetSettings(NamedTuple):
     """How sets are drawn and judged."""
 
@@ -74,19 +63,13 @@ class SetSettings(NamedTuple):
     replicates: int  #: Sets drawn.
     realizations: int  #: Masters of each substrate in a set.
     reference_surface: str  #: The surface that ratios are taken to.
-    error_threshold: float  #: Of `inference.infer`.
-    force_floor: float  #: In N, of `inference.infer`.
     tolerance: float  #: Relative change of the force that ends the critical band.
     confidence: float  #: Of the intervals.
 
 
-class Paper(NamedTuple):
-    """What sets are compared with."""
-
-    #: Those of `evaluation.replicated_statements`, as a table.
-    statements: pd.DataFrame
-    constants: pd.DataFrame  #: Of `published.constants`.
-    published: Published  #: Measured forces, and the pair of the paper.
+def set_generator(seed: int, number: int, surface: str, purpose: str) -> np.random.Generator:
+    """Return the random generator of one set for one purpose on one surface."""
+    return generator(seed, surface, number, "set", purpose)
 
 
 def gathered_sources(
@@ -175,11 +158,11 @@ def with_sampled_mean(forces: xr.DataArray, rng: np.random.Generator) -> xr.Data
     return (forces * factor).transpose(*forces.dims)
 
 
-def drawn_scans(sources: Sources, draw: Draw) -> dict[str, xr.Dataset]:
+def drawn_scans(sources: Sources, seed: int, number: int) -> dict[str, xr.Dataset]:
     """Return the scans of a set by substrate, of those with a pool; as many as the study has."""
-    scans = sources.topography["rms_height"].count("scan")
+    counts = sources.topography["rms_height"].count("scan").to_series()
     return {
-        name: draw_scans(pool, draw.generator(name, "scans"), int(scans.sel(surface=name)))
+        name: draw_scans(pool, set_generator(seed, number, name, "scans"), counts[name])
         for name, pool in sources.pools.items()
     }
 
@@ -199,7 +182,7 @@ def set_topography(study: xr.Dataset, drawn: Drawn, confidence: float) -> xr.Dat
     return xr.merge([named, scans, averages(scans, confidence)], combine_attrs="override")
 
 
-def set_adhesion(sources: Sources, drawn: Drawn, draw: Draw) -> xr.Dataset:
+def set_adhesion(sources: Sources, drawn: Drawn, seed: int, number: int) -> xr.Dataset:
     """Return the pull-off forces of a set, as adhesion.nc has them.
 
     Forces of drawn scans are those on a smooth sphere times what its roughness changes. Other
@@ -213,7 +196,7 @@ def set_adhesion(sources: Sources, drawn: Drawn, draw: Draw) -> xr.Dataset:
         else:
             own = study["pull_off_force"].sel(surface=surface, drop=True)
             own = own.dropna("scan", how="all").dropna("sphere_scan", how="all")
-            forces = with_sampled_mean(own, draw.generator(surface, "mean force"))
+            forces = with_sampled_mean(own, set_generator(seed, number, surface, "mean force"))
         parts.append(forces)
     stacked = xr.concat(parts, study["surface"], join="outer")
     return study[["label", "basis", "contact_pixels"]].assign(
@@ -222,7 +205,7 @@ def set_adhesion(sources: Sources, drawn: Drawn, draw: Draw) -> xr.Dataset:
 
 
 def set_band(
-    masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, draw: Draw
+    masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, number: int
 ) -> xr.Dataset:
     """Return the critical band of some masters of each substrate, drawn with replacement.
 
@@ -231,24 +214,32 @@ def set_band(
     parts = []
     for surface in masters["surface"].values.tolist():
         known = masters["ratio"].sel(surface=surface).dropna("realization", how="all")
-        chosen = draw.generator(surface, "masters").choice(known.realization, realizations)
+        rng = set_generator(sampling.seed, number, surface, "masters")
+        chosen = rng.choice(known.realization, realizations)
         ratio = known.sel(realization=chosen).assign_coords(realization=range(realizations))
         parts.append(ratio.drop_vars("surface"))
     ratio = xr.concat(parts, masters["surface"])
     return critical_band(masters.drop_dims("realization").assign(ratio=ratio), tolerance, sampling)
 
 
-def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Dataset:
+def judge_sets(
+    sources: Sources,
+    statements: pd.DataFrame,
+    constants: pd.DataFrame,
+    measured: Published,
+    settings: SetSettings,
+) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
 
-    They are over set: `value` (claim), INFERRED (contact_model, ...), OF_BAND (side, ...), the
-    FACTS `<metric>` and `<metric>_std` (surface); `sphere_factor` and `interpolation_error`
-    (contact_model, surface, rho), the latter the root mean square over the pool; NaN of a surface
-    without one.
+    The statements are those of `evaluation.replicated_statements`, the constants those of
+    `published.constants`. The numbers are over set: `value` (claim), INFERRED (contact_model, ...),
+    OF_BAND (side, ...), the FACTS `<metric>` and `<metric>_std` (surface); `sphere_factor` and
+    `interpolation_error` (contact_model, surface, rho), the latter the root mean square over the
+    pool; NaN of a surface without one.
     """
     numbers = range(1, settings.replicates + 1)
     sets = [
-        _judged_set(sources, paper, settings, Draw(settings.seed, number))
+        _judged_set(sources, statements, constants, measured, settings, number)
         for number in progress(numbers, len(numbers), "sets")
     ]
     errors = xr.full_like(sources.sphere_factor, np.nan)
@@ -264,26 +255,33 @@ def judge_sets(sources: Sources, paper: Paper, settings: SetSettings) -> xr.Data
     )
 
 
-def _judged_set(sources: Sources, paper: Paper, settings: SetSettings, draw: Draw) -> xr.Dataset:
+def _judged_set(
+    sources: Sources,
+    statements: pd.DataFrame,
+    constants: pd.DataFrame,
+    measured: Published,
+    settings: SetSettings,
+    number: int,
+) -> xr.Dataset:
     """Return the numbers of one set."""
     sampling = Sampling(settings.seed, 0, settings.confidence)
-    drawn = drawn_scans(sources, draw)
-    adhesion = set_adhesion(sources, drawn, draw)
-    band = set_band(sources.masters, settings.realizations, settings.tolerance, sampling, draw)
+    drawn = drawn_scans(sources, settings.seed, number)
+    adhesion = set_adhesion(sources, drawn, settings.seed, number)
+    band = set_band(sources.masters, settings.realizations, settings.tolerance, sampling, number)
     datasets = {  # by the names that claims give them
         "topography": set_topography(sources.topography, drawn, settings.confidence),
         "adhesion": adhesion,
         "inference": infer(
             adhesion,
-            paper.published,
+            measured,
             settings.reference_surface,
-            settings.error_threshold,
-            settings.force_floor,
+            constants["value"]["error_threshold"],
+            constants["value"]["force_floor"],
             sampling,
         ),
         "band": band.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
     }
-    value = values(paper.statements, datasets, paper.constants)
+    value = values(statements, datasets, constants)
     substrates = adhesion["surface"].values
     topography = datasets["topography"].sel(surface=substrates).assign_coords(surface=substrates)
     facts: dict[str, Any] = {}
