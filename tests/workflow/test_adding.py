@@ -1,0 +1,75 @@
+"""A claim, a figure, a key and a law are added as workflow/README.md says, and computed."""
+
+import pandas as pd
+import xarray as xr
+import yaml
+from repository import QUICK, snakemake
+
+CLAIM = (
+    "largest_force_uncd,Results,The largest force on UNCD exceeds 1 nN.,1e-9,1e-9,,N,above,assumed,"
+    "adhesion,largest_force,surface=uncd;contact_model=plastic,,,,\n"
+)
+QUANTITY = '''
+
+def largest_force(adhesion: xr.Dataset) -> xr.Dataset:
+    """Return the largest force in N at 1 J/m² (surface, contact_model)."""
+    forces = adhesion["pull_off_force"]
+    return number(forces.max(set(forces.dims) - {"surface", "contact_model"}))
+'''
+FIGURE = '''"""Ranges of adhesion."""
+
+import pandas as pd
+import xarray as xr
+from matplotlib.figure import Figure
+
+TITLE = "fits"
+CHAPTER = "3. Adhesion"
+CAPTION = """Range and work of adhesion. Drawn from inference.nc."""
+
+
+def draw(inference: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
+    """Draw the range of adhesion of each contact model."""
+    table = inference["range_of_adhesion"].to_dataframe().reset_index()
+    figure = Figure()
+    figure.subplots().bar(table["contact_model"], table["range_of_adhesion"])
+    return table, figure
+'''
+KEY = '''    percentile: Fraction = 0.9
+    """Percentile of forces."""
+'''
+LAW = '    Law("steep", "steep", 5.0, np.nan),\n'
+
+
+def insert(path, after, text):
+    """Put a text into a file, behind the first place of another."""
+    before, found, rest = path.read_text("utf-8").partition(after)
+    assert found, f"{path}: {after}"
+    path.write_text(before + found + text + rest, "utf-8")
+
+
+def test_a_claim_a_figure_a_key_and_a_law_are_added_in_two_files_each(finished_copy):
+    library = finished_copy / "workflow/hardcontact"
+    with open(finished_copy / "resources/paper/claims.csv", "a", encoding="utf-8") as file:
+        file.write(CLAIM)
+    with open(library / "claims/force_quantities.py", "a", encoding="utf-8") as file:
+        file.write(QUANTITY)
+    (library / "figures/fig_mine.py").write_text(FIGURE, "utf-8")
+    insert(library / "figures/listing.py", "OF_PAPER = (\n", '    "fig_mine",\n')
+    insert(library / "config/model.py", '"""Inference."""\n\n', KEY)
+    insert(library / "insight/interaction_laws.py", "LAWS = (\n    EXPONENTIAL,\n", LAW)
+    overlay = finished_copy / "mine.yaml"
+    overlay.write_text(yaml.safe_dump({"inference": {"percentile": 0.8}}), "utf-8")
+    results = finished_copy / "results/quick"
+
+    targets = ["claims", "fig_mine", "results/quick/laws.nc"]
+    run = snakemake(finished_copy, *targets, "--configfile", QUICK, str(overlay))
+
+    assert run.returncode == 0, run.stdout[-3000:]
+    claims = pd.read_csv(results / "claims.csv").set_index("id")
+    assert claims.loc["largest_force_uncd", "computed"] > 1e-9
+    drawn = pd.read_csv(results / "figures/fig_mine.csv")
+    with xr.open_dataset(results / "inference.nc") as inference:
+        assert drawn["range_of_adhesion"].tolist() == inference["range_of_adhesion"].values.tolist()
+        assert '"percentile":0.8' in inference.attrs["parameters"]
+    with xr.open_dataset(results / "laws.nc") as laws:
+        assert laws["fit_error"].sel(law="steep", case="fitted").notnull()
