@@ -91,6 +91,11 @@ def virtual(file, outside):
     file.create_virtual_dataset("h", layout)
 
 
+def groups(file, _):
+    for number in range(1001):
+        file.create_group(str(number))
+
+
 def too_many_pixels(file, _):
     file.create_dataset("h", (10**6, 10**6), "f8", chunks=(8, 8))
 
@@ -157,6 +162,7 @@ HOSTILE = {
         lambda path: container(path, listed().encode(), "inner.zip"), "none of its readers takes",
     ),
     "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels along an edge"),
+    "groups": (hdf5(groups, False), "found"),
     **{
         f"{write.__name__} {'in a container' * inside}": (hdf5(write, inside), "found")
         for write in (external_storage, external_link, virtual)
@@ -227,11 +233,12 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
     assert sorted(folder.rglob("*")) == before  # nothing unpacked, executed or left behind
 
 
-def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
-    container(folder / "a.zip", text(heights(32, 32)), "a/../../outside.txt")
+@pytest.mark.parametrize("name", ["../outside.txt", "/tmp/outside.txt", "a/../../outside.txt"])
+def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder, name):
+    container(folder / "a.zip", text(heights(32, 32)), name)
     before = sorted(folder.rglob("*"))
     np.testing.assert_allclose(scans.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
-    assert sorted(folder.rglob("*")) == before
+    assert sorted(folder.rglob("*")) == before and not os.path.exists("/tmp/outside.txt")
 
 
 def crash(_):
