@@ -88,7 +88,7 @@ def test_bars_of_reasonable_length_leave_the_axes_as_they_are():
 
 def test_a_legend_has_no_more_columns_than_fit():
     def columns(letters):
-        figure = drawing.blank(4)
+        figure = Figure(figsize=(drawing.WIDTH, 4), layout="constrained")
         style.legend_above(figure, [Line2D([], [], label="x" * letters) for _ in range(5)])
         (legend,) = figure.legends
         assert letters > 100 or legend.get_window_extent().width <= figure.bbox.width

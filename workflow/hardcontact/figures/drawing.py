@@ -102,18 +102,24 @@ def _has_many_points(artist: Artist) -> bool:
 def create(height: float, surfaces: xr.Dataset) -> Figure:
     """Return an empty figure of print width and the given height (inch).
 
-    At its foot a line says which of the surfaces are substitutes, as `mark_basis` does.
+    At its foot a line says which surfaces are substitutes, or that all are measured. The dataset
+    has `label(surface)` and `basis(surface)`, "substitute" or "measured", or both of one surface
+    as attributes.
     """
-    figure = blank(height)
-    mark_basis(figure, surfaces)
-    return figure
-
-
-def blank(height: float) -> Figure:
-    """Return such a figure without the line, for what is drawn of no surface of the study."""
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
-    return Figure(figsize=(WIDTH, height), layout=layout)
+    figure = Figure(figsize=(WIDTH, height), layout=layout)
+    labels, basis = (
+        np.atleast_1d(surfaces[name] if name in surfaces else surfaces.attrs[name])
+        for name in ("label", "basis")
+    )
+    substitutes = labels[basis == "substitute"]
+    note = "all surfaces measured"
+    if substitutes.size:
+        names = ", ".join(map(str, substitutes))
+        note = f"substitute surfaces: {names} (synthesised from published statistics)"
+    figure.text(0.006, 0.05 / height, note, fontsize=7, style="italic", va="bottom")
+    return figure
 
 
 def create_rows(
@@ -126,21 +132,3 @@ def create_rows(
         grid[place].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
         for place, (_, widths) in enumerate(rows)
     ]
-
-
-def mark_basis(figure: Figure, data: xr.Dataset) -> None:
-    """Write at the foot of the figure which surfaces are substitutes, or that all are measured.
-
-    The dataset has `label(surface)` and `basis(surface)`, "substitute" or "measured", or both of
-    one surface as attributes.
-    """
-    labels, basis = (
-        np.atleast_1d(data[name] if name in data else data.attrs[name])
-        for name in ("label", "basis")
-    )
-    substitutes = labels[basis == "substitute"]
-    note = "all surfaces measured"
-    if substitutes.size:
-        names = ", ".join(map(str, substitutes))
-        note = f"substitute surfaces: {names} (synthesised from published statistics)"
-    figure.text(0.006, 0.05 / figure.get_figheight(), note, fontsize=7, style="italic", va="bottom")

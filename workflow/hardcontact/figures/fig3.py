@@ -79,7 +79,7 @@ def draw(
         ascii_lowercase, colours.items(), grid.T, strict=False
     ):
         of_pairs = {pair: forces[pair][surface] for pair in forces}
-        numbers = _numbers(published_pull_off.loc[surface], fit.sel(surface=surface))
+        numbers = _numbers(published_pull_off, fit.sel(surface=surface))
         shapes = numbers[numbers["quantity"] == "lognormal_shape"]
         medians = numbers[numbers["quantity"] == "lognormal_median"]
         # Of the paper, and of the forces computed at its pair.
@@ -91,8 +91,11 @@ def draw(
         of_logarithmic = _draw_logarithmic(logarithmic, of_pairs, lognormals, floor, colour)
         label = fit["label"].sel(surface=surface).item()
         style.label_panel(linear, f"{letter}_1", str(label))
-        of_paper, here = shapes.to_dict("records")[:2]
-        shape = f"published $s$ = {of_paper['value']:.2f}\nhere {print_formatted(here, '.2f')}"
+        at_published = fit.sel(surface=surface, pair="published")
+        here = tables.value_and_bounds(at_published, "lognormal_shape")
+        shape = (
+            f"published $s$ = {shapes['value'].iloc[0]:.2f}\nhere {print_formatted(here, '.2f')}"
+        )
         style.label_panel(logarithmic, f"{letter}_2", shape)
         for axes in (linear, logarithmic):
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
@@ -121,11 +124,15 @@ def _forces_at_pairs(
     return forces
 
 
-def _numbers(forces: pd.Series, of_surface: xr.Dataset) -> pd.DataFrame:
+def _numbers(published_pull_off: pd.DataFrame, of_surface: xr.Dataset) -> pd.DataFrame:
     """Return the numbers that describe the forces of one surface, published and at each pair."""
-    published = forces.to_dict() | {
-        "lognormal_shape": lognormal_shape(forces["mean_force"], forces["median_force"]),
-        "lognormal_median": forces["median_force"],
+    surface = of_surface["surface"].item()
+    mean, median = (published_pull_off[name][surface] for name in ("mean_force", "median_force"))
+    published = {
+        "lognormal_shape": lognormal_shape(mean, median),
+        "lognormal_median": median,
+        "mean_force": mean,
+        "median_force": median,
     }
     frames = [
         tables.rows_of("", name, unit, "published", pair="", value=published[name])

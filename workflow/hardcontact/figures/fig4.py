@@ -253,17 +253,16 @@ def _draw_error_map(axes: Axes, fit: xr.Dataset, published_constants: pd.DataFra
     bar = axes.figure.colorbar(image, ax=axes, label="mean relative error", pad=0.02, extend="max")
     style.label_logarithmic(bar.ax.yaxis)
     style.label_panel(axes, "e")
-    return pd.concat(
-        [
-            tables.rows_of("e", "sampled_work", "J/m2", x=ranges, value=works),
-            _minimum_rows(fit, "e", "work", "J/m2"),
-            *(
-                tables.rows_of("e", name, unit, **tables.value_and_bounds(fit, name))
-                for name, unit in FITTED_UNITS.items()
-            ),
-            tables.published_rows(published_constants, FITTED_UNITS, "e"),
-        ]
-    )
+    frames = [
+        tables.rows_of("e", name, unit, **tables.value_and_bounds(fit, name))
+        for name, unit in FITTED_UNITS.items()
+    ]
+    frames += [
+        tables.rows_of("e", "sampled_work", "J/m2", x=ranges, value=works),
+        _minimum_rows(fit, "e", "work", "J/m2"),
+        tables.published_rows(published_constants, FITTED_UNITS, "e"),
+    ]
+    return pd.concat(frames)
 
 
 def _minimum_rows(fit: xr.Dataset, panel: str, height: str, unit: str) -> pd.DataFrame:

@@ -61,7 +61,8 @@ def draw(
         curves = quartiles.assign_coords(quantile=list(QUARTILES)).to_dataset("quantile")
         frames.append(tables.computed_rows(curves, panel=letter, quantity=name, unit=unit))
         for look, curve in style.by_surface((curves / printed).assign(label=asperities["label"])):
-            style.draw_with_band(axes, curve, "rho", label=str(curve["label"].item()), **look)
+            style.fill_interval(axes, curve, "rho", look["color"])
+            axes.plot(curve["rho"], curve["value"], label=str(curve["label"].item()), **look)
         axes.set_ylabel(label)
         style.label_panel(axes, letter, title.format(share=100 * share))
     for axes in grid[0]:
@@ -73,7 +74,7 @@ def draw(
         axes.set(xscale="log", yscale="log", xlabel="range of adhesion ρ (nm)")
         style.label_logarithmic(axes.xaxis, axes.yaxis)
     entries = style.legend_entries((grid[0, 0], grid[1, 1]))
-    entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=0.25, lw=0)
+    entries["bands: middle half of contacts"] = Patch(color="0.3", alpha=style.OPACITY, lw=0)
     figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=4)
     return tables.tidy(frames, asperities, "rho"), figure
 
@@ -108,6 +109,6 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
         axes.axhspan(low, high, color="0.85", zorder=0, label=f"its {confidence} interval (d)")
     look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
     axes.axhline(published / MICROMETRE, **look)
-    columns = ("d", "critical_wavelength", "nm")
-    of_paper = tables.rows_of(*columns, "published", value=published)
-    return pd.concat([tables.rows_of(*columns, **computed), of_paper])
+    name = "critical_wavelength"
+    of_paper = tables.rows_of("d", name, "nm", "published", value=published)
+    return pd.concat([tables.rows_of("d", name, "nm", **computed), of_paper])

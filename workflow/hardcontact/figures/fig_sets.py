@@ -97,8 +97,10 @@ def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataF
         inside = ranges.clip(edges[0], edges[-1])  # the ends of a sweep belong to it
         shares = np.histogram(inside, edges)[0] / ranges.size
         axes.stairs(shares / style.PERCENT, edges, label=f"{model} contact", **look)
-        bins = {"range_low": edges[:-1], "range_high": edges[1:], "value": shares}
-        frames.append(tables.rows_of("a", "share_of_sets", "1", **bins).assign(contact_model=model))
+        bins = tables.rows_of(
+            "a", "share_of_sets", "1", range_low=edges[:-1], range_high=edges[1:], value=shares
+        )
+        frames.append(bins.assign(contact_model=model))
     spread = tables.over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
     low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
     axes.set_ylabel("share of sets (%)")

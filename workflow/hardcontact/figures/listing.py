@@ -50,10 +50,11 @@ def describe(name: str) -> Description:
     no time before the first job of a run.
     """
     source = Path(__file__).with_name(f"{name}.py").read_text("utf-8")
-    constants, inputs = {}, ()
+    constants: dict[str, str] = {}
+    inputs: tuple[str, ...] = ()
     for node in ast.parse(source).body:
         if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant):
-            constants[ast.unparse(node.targets[0])] = node.value.value
+            constants[ast.unparse(node.targets[0])] = str(node.value.value)
         if isinstance(node, ast.FunctionDef) and node.name == "draw":
             inputs = tuple(argument.arg for argument in node.args.args)
     return Description(constants["TITLE"], constants["CHAPTER"], constants["CAPTION"], inputs)

@@ -31,7 +31,7 @@ PUBLISHED = "#000000"
 MARKERS = ("o", "s", "^", "D", "v", "P")
 
 BEYOND = 10.0  # how many times farther than all values a logarithmic axis may reach
-BAND_OF_SETS = 0.2  # opacity
+OPACITY = 0.2  # of bands
 PERCENT = 1e-2
 MICRONEWTON = 1e-6
 MILLIJOULE = 1e-3
@@ -151,17 +151,9 @@ def end_near_values(panels: Sequence[Axes]) -> None:
     panels[0].set_ylim(max(low, values.min() / BEYOND), min(high, values.max() * BEYOND))
 
 
-def fill_interval(
-    axes: Axes, curve: xr.Dataset, along: str, color: str, opacity: float = BAND_OF_SETS
-) -> None:
+def fill_interval(axes: Axes, curve: xr.Dataset, along: str, color: str) -> None:
     """Fill a band from `low` to `high` along a coordinate."""
-    axes.fill_between(curve[along], curve["low"], curve["high"], color=color, alpha=opacity, lw=0)
-
-
-def draw_with_band(axes: Axes, curve: xr.Dataset, along: str, **look: Any) -> None:
-    """Draw `value` along a coordinate, and a pale band from `low` to `high`."""
-    fill_interval(axes, curve, along, look["color"], 0.15)
-    axes.plot(curve[along], curve["value"], **look)
+    axes.fill_between(curve[along], curve["low"], curve["high"], color=color, alpha=OPACITY, lw=0)
 
 
 def reach(curve: xr.Dataset) -> np.ndarray:
@@ -222,7 +214,7 @@ def half_width(inside: xr.DataArray) -> float:
 def sets_handle() -> Patch:
     """Return the entry in a legend of bands over the sets of substitutes."""
     share = print_share(SHARE_OF_SETS)
-    return Patch(color="0.3", alpha=BAND_OF_SETS, lw=0, label=f"{share} of all sets of substitutes")
+    return Patch(color="0.3", alpha=OPACITY, lw=0, label=f"{share} of all sets of substitutes")
 
 
 def print_pair(pair: pd.Series | xr.Dataset) -> str:

@@ -71,12 +71,12 @@ def over_sets(values: xr.DataArray) -> xr.Dataset:
     return xr.Dataset({name: part.drop_vars("quantile") for name, part in ends})
 
 
-def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, float]:
+def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
     """Return `value`, `low` and `high` of a variable that is a single number with its interval."""
     return {str(end): number.item() for end, number in bounded(data, name).items()}
 
 
-def published_value(constants: pd.DataFrame, name: str) -> dict[str, float]:
+def published_value(constants: pd.DataFrame, name: str) -> dict[str, Any]:
     """Return `value`, `low` and `high` of a published constant; NaN without an uncertainty."""
     value, spread = constants["value"][name], constants["uncertainty"][name]
     return {"value": value, "low": value - spread, "high": value + spread}
