@@ -515,7 +515,8 @@ class InsightKeys(Keys):
 
     Beyond the paper: what decides the critical band, and how far the method can be trusted; the
     chapter that `snakemake insight` makes. `small`, `large` and `reach` are of `laws.nc`,
-    `scaling` is of `scaling.nc`; all else is of `closed_form.nc` and `statistics.nc`.
+    `scaling` and `small.pixels` are of `scaling.nc`; `count` and `realizations` are of both and of
+    `closed_form.nc`; all else is of `closed_form.nc` and `statistics.nc`.
     """
 
     realizations: Realizations = 3
