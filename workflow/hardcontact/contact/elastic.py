@@ -194,7 +194,8 @@ def elastic_contacts_of_pair(
     geometry, pixel_size = bodies.geometry, bodies.geometry.pixel_size
     period = min(bodies.substrate.pixels, geometry.window)
     window = min(max(window_pixels(pull_off_window, pixel_size), LEAST_WINDOW_PIXELS), period)
-    numbers, peaks = [], []
+    numbers: list[tuple[float, ...]] = []
+    peaks = []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):
         for place in progress(places, len(places), "elastic contacts"):
