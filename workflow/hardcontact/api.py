@@ -204,7 +204,11 @@ def force_ratios(
         ``"large"``, above which they are, or of both.
     rho, tolerance : float
         Range of adhesion; relative change of the force that counts.
-    radius, preload, hardness, window, count, sphere
+    radius, preload, hardness, window : float
+        As of `pull_off_forces`.
+    count : int
+        As of `pull_off_forces`.
+    sphere : HeightMap or None
         As of `pull_off_forces`.
 
     Returns

@@ -13,7 +13,7 @@ class Contact:
     `dataclasses.replace` gives the same contact at another load, range or radius. A window,
     range or work that nothing depends on may be left out; computing with it then fails.
 
-    Parameters
+    Attributes
     ----------
     radius : float
         Radius of the sphere in nm.

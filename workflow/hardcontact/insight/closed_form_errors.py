@@ -52,6 +52,13 @@ def spectrum_of_grid(spectrum: Spectrum, size: float, pixels: int) -> Spectrum:
 def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Dataset:
     """Return computed and predicted forces, and what the closed form says of all scales.
 
+    Parameters
+    ----------
+    spectra : mapping of str to Spectrum
+        Of each surface, by its name.
+    trial : Trial
+        Random surfaces and contacts that the closed form is compared on.
+
     Returns
     -------
     xarray.Dataset

@@ -42,9 +42,9 @@ def check(folder: str | Path, described: Mapping[str, str]) -> tuple[list[str], 
 
     Parameters
     ----------
-    folder
+    folder : str or Path
         The results of a study.
-    described
+    described : mapping of str to str
         SHA-256, by path, of what the RO-Crate describes: files and what they were made from. It
         counts for files without a record, as in an archive.
 
