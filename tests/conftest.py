@@ -7,7 +7,7 @@ import tempfile
 
 import pytest
 from hypothesis import configuration, settings
-from repository import ROOT, copy_repository, run_snakemake
+from repository import ROOT, copy_repository
 from shared_study import shared_study
 
 # Tests leave nothing in the repository.
@@ -67,6 +67,12 @@ def finished(tmp_path_factory):
         shared = shared.parent
     study = shared_study(shared, quick_study)
     return shutil.copytree(study, tmp_path_factory.mktemp("finished") / "study")
+
+
+@pytest.fixture(scope="session")
+def results(finished):
+    """Return the results of the quick study; not to be changed."""
+    return finished / "results" / "quick"
 
 
 def quick_study(folder):

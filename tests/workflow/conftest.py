@@ -14,12 +14,6 @@ from hardcontact.numbers.random import generator
 
 
 @pytest.fixture(scope="session")
-def results(finished):
-    """Return the results of the quick study; not to be changed."""
-    return finished / "results" / "quick"
-
-
-@pytest.fixture(scope="session")
 def folder(tmp_path_factory):
     """Copy the repository, with a folder of scans, for all studies of own surfaces."""
     folder = copy_repository(tmp_path_factory.mktemp("own") / "study")

@@ -233,7 +233,10 @@ def test_altered_files_are_never_used_and_made_again(copy, own):
     flip_a_bit(stitched)
     cut(spectra, 0.7)
     (copy / RESULTS / "edges.nc").unlink()  # made from the scales
-    refused = run(copy)
+    (forces,) = (copy / STORE / "pull_off").glob("*/*/*/twin/study/scan-1.nc")
+    forces.unlink()  # made from the stitched scan
+    (copy / RESULTS / "adhesion.nc").unlink()
+    refused = run(copy, "--keep-going")
     assert refused.returncode != 0
     said = "\n".join(errors(refused.stdout))
     for path in (scales, stitched):  # What reads the spectra comes after what reads these.
@@ -245,7 +248,9 @@ def test_altered_files_are_never_used_and_made_again(copy, own):
         path.unlink()
     done = run(copy)
     assert done.returncode == 0 and errors(done.stdout) == [], done.stdout
-    assert differences(copy / "results", own / "results") == []
+    # The crate has digests of bytes, which differ between netCDF files of the same content.
+    crate = f"{RESULTS.removeprefix('results/')}/ro-crate-metadata.json: differs from the reference"
+    assert [line for line in differences(copy / "results", own / "results") if line != crate] == []
 
 
 # Jobs that fail

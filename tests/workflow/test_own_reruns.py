@@ -33,17 +33,14 @@ def test_the_same_study_made_again_is_the_same(folder, probe, tmp_path):
 # What a change makes again
 
 PAGE = {"answer_surfaces", "keep_configuration", "describe_crate"}
-FORCES = {
-    "compute_pull_off", "measure_window_change", "aggregate_adhesion", "predict_force",
-    "fit_forces",
-}  # fmt: skip
+FORCES = {"compute_pull_off", "aggregate_adhesion", "predict_force", "fit_forces"}
 MASTERS = {
     "synthesize_masters", "filter_masters", "aggregate_scales", "find_band_edges",
 }  # fmt: skip
-SPECTRA = {"measure_spectrum", "aggregate_spectra"}
+SPECTRA = {"measure_spectrum", "draw_spectra", "aggregate_spectra"}
 #: What says of every surface how rough it is, and what reads that.
 TOPOGRAPHY = {"aggregate_topography", "predict_force", "fit_forces"}
-SCANS = {"prepare_scan", "measure_topography"} | TOPOGRAPHY
+SCANS = {"prepare_scan"} | TOPOGRAPHY
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """The quick study's robustness: variants, their intervals, and the study's own forces again."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 import xarray as xr
@@ -64,7 +66,11 @@ def test_a_surface_made_otherwise_is_made_from_the_same_random_numbers(finished)
 
 
 def test_robustness_from_all_contacts_has_the_forces_of_the_study(finished_copy, results):
-    path = "results/store-quick/robustness/R250um/H25GPa-F10uN/uncd/study/forces.nc"
+    (path,) = Path(finished_copy).glob(
+        "results/store-quick/mean_forces/R250um/*+*/*/uncd/study/*.nc"
+    )
+    path.unlink()
+    path = str(path.relative_to(finished_copy))
     run = run_snakemake(finished_copy, path, overlays=[{"sets": {"count": 6}}])
     assert run.returncode == 0, run.stdout[-3000:]
     varied = dataset.read(finished_copy / path).pull_off_force.sel(scan=2, sphere_scan=1)

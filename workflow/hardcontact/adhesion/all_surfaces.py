@@ -146,7 +146,7 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
         }
     )
     shifts = factors.map(np.log).map(lambda one: one.assign_attrs(units="1"))
-    return scales.merge(shifts, join="left")
+    return scales.merge(shifts, join="left", compat="no_conflicts")
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
