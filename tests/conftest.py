@@ -7,7 +7,7 @@ import tempfile
 
 import pytest
 from hypothesis import configuration, settings
-from repository import ROOT, copy_repository
+from repository import ROOT, copy_repository, run_snakemake
 from shared_study import shared_study
 
 # Tests leave nothing in the repository.
