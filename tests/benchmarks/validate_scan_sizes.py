@@ -266,7 +266,11 @@ def with_rule(tested: xr.Dataset, known: xr.Dataset) -> xr.Dataset:
         error=(("tested", "kind"), errors, unitless),
         size_needed=(("surface", "rho"), needed.reshape(surfaces, ranges), {"units": "nm"}),
     ).assign_coords(
-        ratio=RATIOS, tested=["random surfaces", "surfaces"], kind=["corrected", "uncorrected"]
+        ratio=RATIOS,
+        tested=["random surfaces", "surfaces"],
+        kind=["corrected", "uncorrected"],
+        scan_size=tested["scan_size"].assign_attrs(units="nm"),
+        rho=tested["rho"].assign_attrs(units="nm"),
     )
 
 

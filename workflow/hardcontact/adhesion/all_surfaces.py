@@ -145,7 +145,7 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
             "unfiltered_shift": varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES),
         }
     )
-    shifts = factors.map(np.log).map(lambda one: one.assign_attrs(units="1"))
+    shifts = factors.map(lambda factor: np.log(factor).assign_attrs(units="1"), keep_attrs=False)
     return scales.merge(shifts, join="left", compat="no_conflicts")
 
 

@@ -8,7 +8,8 @@ from pathlib import Path
 from typing import NamedTuple, get_args
 
 from hardcontact.config.configuration import at, read_yaml
-from hardcontact.config.model import STUDY_NAME, ScanKeys, quantity
+from hardcontact.config.key_types import STUDY_NAME
+from hardcontact.config.model import ScanKeys, quantity
 from hardcontact.config.selection import LABEL, TIP_RADIUS
 from hardcontact.records.code import LIBRARY
 

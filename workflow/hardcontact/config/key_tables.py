@@ -16,6 +16,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from hardcontact.config import model, selection
+from hardcontact.config.key_types import Matching, Quantity
 
 CONFIGURATION, README = Path("config/config.yaml"), Path("config/README.md")
 HEAD = """\
@@ -133,7 +134,7 @@ def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 def _values(field: FieldInfo) -> str:
     """Return which values a field may have, with their unit."""
     for part in field.metadata:
-        if isinstance(part, model.Quantity | model.Matching):
+        if isinstance(part, Quantity | Matching):
             return part.expects
     kind: Any = field.annotation
     if get_origin(kind) is Literal:

@@ -3,30 +3,54 @@
 The defaults are the paper's. The string below a key says what it means, `key` names the section of
 the paper that the default comes from. config/config.yaml and the tables of config/README.md are
 made from this module: ``python -m hardcontact.config.key_tables``.
-Bounds are generous: what lies beyond has no physical meaning here, or no computer holds it.
 """
 
 import os
-import re
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from itertools import chain, pairwise
+from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import (
-    AfterValidator,
     BaseModel,
     ConfigDict,
     Field,
-    GetCoreSchemaHandler,
-    WrapValidator,
     model_validator,
 )
-from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.config.faults import Limit, refuse_lines, section, shortened, unmet, validated
-from hardcontact.numbers.units import magnitude
+from hardcontact.config.faults import Limit, refuse_lines, section, unmet, validated
+from hardcontact.config.key_types import (
+    Contacts,
+    Count,
+    Folder,
+    Force,
+    Forces,
+    Fraction,
+    Length,
+    Lengths,
+    MasterPixels,
+    Modulus,
+    Pixels,
+    PoissonRatio,
+    Pressure,
+    Pressures,
+    Quantity,
+    Radii,
+    Radius,
+    Range,
+    Ranges,
+    Realizations,
+    ScanNumbers,
+    ScanPixels,
+    Skewnesses,
+    SomeForces,
+    StudyName,
+    SurfaceId,
+    TablePath,
+    Tiles,
+    TipRadii,
+    Work,
+)
 
 #: Value of the key `published` in a study that is compared with the paper.
 PAPER = "paper"
@@ -34,155 +58,6 @@ PAPER = "paper"
 NONE = "none"
 #: Value of the key `sphere.surface` of a sphere without roughness.
 SMOOTH = "smooth"
-
-
-@dataclass(frozen=True)
-class Quantity:
-    """Text such as "10 uN", which becomes a number in a unit of the study, between two bounds."""
-
-    unit: str
-    low: float
-    high: float
-
-    @property
-    def expects(self) -> str:
-        """What is accepted, in words."""
-        return f"{self.low:g} to {self.high:g} {self.unit}"
-
-    def number(self, text: object) -> float:
-        """Return the number of a text, or raise a ValueError of what was expected and found."""
-        value = magnitude(text, self.unit)
-        if not self.low <= value <= self.high:
-            raise ValueError(f"expected {self.expects}, found {shortened(text)}")
-        return value
-
-    def __get_pydantic_core_schema__(
-        self, _type: Any, _handler: GetCoreSchemaHandler
-    ) -> CoreSchema:
-        """Let pydantic take numbers from texts."""
-        return core_schema.no_info_plain_validator_function(self.number)
-
-
-@dataclass(frozen=True)
-class Matching:
-    """Printable text that matches a pattern as a whole, and what matches it, in words."""
-
-    pattern: str
-    expects: str
-
-    def check(self, text: str) -> str:
-        """Return a text that matches; raise a ValueError of what was expected and found."""
-        # A terminal would obey what is not printable.
-        if text.isprintable() and re.fullmatch(self.pattern, text):
-            return text
-        raise ValueError(f"expected {self.expects}, found {shortened(text)}")
-
-    def __get_pydantic_core_schema__(self, _type: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
-        """Let pydantic check texts."""
-        return core_schema.no_info_after_validator_function(self.check, handler(str))
-
-
-def _ascending(texts: Any, validate: Callable[[Any], list[float]]) -> list[float]:
-    """Refuse quantities that do not ascend, in whatever units they are written."""
-    numbers = validate(texts)
-    for place, (smaller, larger) in enumerate(pairwise(numbers)):
-        if smaller >= larger:
-            written = f"{texts[place + 1]} after {texts[place]}"
-            raise ValueError(f"expected ascending values, found {written}")
-    return numbers
-
-
-def _once(entries: Any, validate: Callable[[Any], list[float]]) -> list[float]:
-    """Refuse entries that are given twice."""
-    values = validate(entries)
-    if len(set(values)) < len(values):
-        raise ValueError(f"expected each entry once, found {shortened(entries)}")
-    return values
-
-
-def _or_all(value: Any, validate: Callable[[Any], list[int]]) -> list[int] | str:
-    """Accept the word all in place of a list."""
-    if isinstance(value, str):
-        if value != "all":
-            raise ValueError(
-                f"expected all, or a list of numbers of scans, found {shortened(value)}"
-            )
-        return value
-    return validate(value)
-
-
-def _of_six_digits(number: float) -> float:
-    """Refuse a number that stands in names, of which two with more digits might be the same."""
-    if float(f"{number:g}") != number:
-        raise ValueError(f"expected at most six digits, found {number!r}")
-    return number
-
-
-ASCENDING, ONCE = WrapValidator(_ascending), WrapValidator(_once)
-
-Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
-#: A range of adhesion: an atom is ten times larger than the least.
-Range = Annotated[float, Quantity("nm", 0.01, 1000)]
-Radius = Annotated[float, Quantity("nm", 10, 1e9)]
-#: The radius of a tip; on finer pixels than its own a tip is dilated.
-TipRadius = Annotated[float, Quantity("nm", 0.1, 1000)]
-Force = Annotated[float, Quantity("N", 1e-12, 1)]
-Pressure = Annotated[float, Quantity("Pa", 1e3, 1e13)]
-Modulus = Annotated[float, Quantity("Pa", 5e10, 1e13)]
-Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
-
-Lengths = Annotated[list[Length], Field(min_length=1, max_length=100), ASCENDING]
-Ranges = Annotated[list[Range], Field(min_length=1, max_length=100), ASCENDING]
-Radii = Annotated[list[Radius], Field(min_length=1, max_length=20), ASCENDING]
-TipRadii = Annotated[list[TipRadius], Field(max_length=20), ASCENDING]
-#: Loads and hardnesses; robustness may have none.
-Forces = Annotated[list[Force], Field(max_length=20), ASCENDING]
-SomeForces = Annotated[list[Force], Field(min_length=1, max_length=20), ASCENDING]
-Pressures = Annotated[list[Pressure], Field(max_length=20), ASCENDING]
-
-#: Contacts along an edge: 40 000 a pair of scans.
-Count = Annotated[int, Field(ge=1, le=200)]
-Contacts = Annotated[int, Field(ge=1, le=40000)]
-Realizations = Annotated[int, Field(ge=1, le=1000)]
-ScanPixels = Annotated[int, Field(ge=16, le=8192)]
-#: An odd grid has no order that its pixels halve; 16384 x 16384 pixels take 3.2 GiB.
-Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
-#: A smooth sphere on them, where the memory of the machine holds it (grids.py).
-MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
-Tiles = Annotated[int, Field(ge=1, le=256)]
-PoissonRatio = Annotated[float, Field(ge=0, le=0.5, allow_inf_nan=False)]
-Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
-
-Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False), AfterValidator(_of_six_digits)]
-Skewnesses = Annotated[list[Skewness], Field(max_length=20), ONCE]
-
-SurfaceId = Annotated[
-    str,
-    Matching(
-        "[a-z][a-z0-9_]*",
-        "the id of a surface, lower-case letters, digits and underscores, a letter first",
-    ),
-]
-ScanNumber = Annotated[int, Field(ge=1, le=9999)]
-ScanNumbers = Annotated[
-    list[ScanNumber], Field(min_length=1, max_length=9999), ONCE, WrapValidator(_or_all)
-]
-STUDY_NAME = Matching(
-    "[A-Za-z0-9][A-Za-z0-9_.-]{0,99}",
-    "a name of up to 100 letters, digits, dots, dashes and underscores",
-)
-StudyName = Annotated[str, STUDY_NAME]
-Folder = Annotated[
-    str,
-    Matching(
-        r"(?=.{1,200}$)/?(?!\.)[A-Za-z0-9_.-]+(/(?!\.)[A-Za-z0-9_.-]+)*",
-        "a path of up to 200 letters, digits, dots, dashes and underscores, no name with a dot in "
-        "front",
-    ),
-]
-TablePath = Annotated[
-    str, Matching("[^{}<>]{1,1000}", "the path of a table, without {, }, < and >")
-]
 
 
 def nm(*lengths: float) -> list[str]:

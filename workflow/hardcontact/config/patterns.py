@@ -19,7 +19,6 @@ STUDY_VARIANT = "study"
 PURPOSES = ("scales", "drawn", "sets", "scaling")
 
 _SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
-_PAIR = "{radius}/{load}/{surface}/{variant}/scan-{scan}/sphere-scan-{sphere_scan}.nc"
 _REALIZATION = "{surface}/{variant}/realization-{realization}"
 _NUMBER = "[0-9.e+-]+"
 
@@ -47,13 +46,14 @@ class Patterns:
             f"{store}/stitched/{sphere}/{STUDY_VARIANT}/scan-{{sphere_scan}}-sphere-{{radius}}.nc"
         )
 
-        self.elastic = f"{store}/elastic/{_PAIR}"
-        self.asperities = f"{store}/asperities/{_PAIR}"
+        pair = f"{{radius}}/{{load}}/{{surface}}/{{variant}}/scan-{{scan}}/{sphere}"
+        self.elastic = f"{store}/elastic/{pair}-{{sphere_scan}}.nc"
+        self.asperities = f"{store}/asperities/{pair}-{{sphere_scan}}.nc"
 
         at_range = "{radius}/{load}/{range}/{surface}/{variant}"
         self.pool = f"{store}/pool/{at_range}/scans-{{first}}-{{last}}.nc"
-        self.pull_off = f"{store}/pull_off/{at_range}/scan-{{scan}}.nc"
-        of_scan = f"{store}/laws/{at_range}/scan-{{scan}}"
+        self.pull_off = f"{store}/pull_off/{sphere}/{at_range}/scan-{{scan}}.nc"
+        of_scan = f"{store}/laws/{sphere}/{at_range}/scan-{{scan}}"
         self.law_scan, self.law_small, self.law_large = (
             f"{of_scan}/{part}.nc" for part in ("scan", "small", "large")
         )

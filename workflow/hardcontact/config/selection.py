@@ -10,7 +10,8 @@ from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
 from hardcontact.config.faults import plain, validated
-from hardcontact.config.model import Keys, Matching, Quantity
+from hardcontact.config.key_types import Matching, Quantity
+from hardcontact.config.model import Keys
 from hardcontact.config.patterns import PUBLISHED
 from hardcontact.config.tables import user_table
 from hardcontact.numbers.units import magnitude

@@ -73,10 +73,10 @@ def closed_form_errors(spectra: Mapping[str, Spectrum], trial: Trial) -> xr.Data
         [_compare(name, spectrum, size, trial) for size in trial.sizes]
         for name, spectrum in spectra.items()
     ]
-    grids = xr.combine_nested(compared, ["surface", "map_size"], combine_attrs="drop")
+    grids = xr.combine_nested(compared, ["surface", "map_size"], combine_attrs="override")
     whole = [_describe_whole(spectrum, trial) for spectrum in spectra.values()]
     return (
-        grids.merge(xr.concat(whole, "surface", combine_attrs="drop"))
+        grids.merge(xr.concat(whole, "surface", combine_attrs="override"))
         .assign_coords(
             surface=list(spectra),
             map_size=("map_size", list(trial.sizes), {"units": "nm"}),

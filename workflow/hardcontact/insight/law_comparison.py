@@ -112,7 +112,7 @@ def compare_laws(
         label=forces.label,
         basis=forces.basis,
         law_label=("law", [law.label for law in LAWS]),
-        published_ratio=("surface", ratio.to_numpy()),
+        published_ratio=("surface", ratio.to_numpy(), ONE),
     ).assign_attrs(
         atomic_spacing=spacing,
         scale_tolerance=tolerance,

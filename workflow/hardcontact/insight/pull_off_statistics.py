@@ -367,6 +367,9 @@ def with_comparison(
         *table.columns[table.columns.str.startswith("distance_")],
     ]  # fmt: skip
     designed = table[columns].add_prefix("designed_").rename_axis("case").to_xarray()
+    for column in designed.data_vars.values():
+        if column.dtype.kind == "f":
+            column.attrs["units"] = "1"
     return (
         scatter.merge(computed.drop_vars(["label", "basis"], errors="ignore"), join="left")
         .merge(designed)
@@ -374,7 +377,7 @@ def with_comparison(
             published_spread=("surface", shapes, {"units": "1"}),
             designed_quantile=(("case", "share"), quantiles.to_numpy(), {"units": "1"}),
         )
-        .assign_coords(share=list(SHARES))
+        .assign_coords(share=("share", list(SHARES), {"units": "1"}))
     )
 
 

@@ -295,5 +295,5 @@ def _judged_set(
             xr.Dataset(facts),
         ],
         join="exact",
-        combine_attrs="drop",
+        combine_attrs="drop_conflicts",
     )
