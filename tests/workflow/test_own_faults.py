@@ -233,7 +233,7 @@ def test_altered_files_are_never_used_and_made_again(copy, own):
     flip_a_bit(stitched)
     cut(spectra, 0.7)
     (copy / RESULTS / "edges.nc").unlink()  # made from the scales
-    (forces,) = (copy / STORE / "pull_off").glob("*/*/*/*/twin/study/scan-1.nc")
+    (forces,) = (copy / STORE / "pull_off").glob("sphere/*/*/*/twin/study/scan-1.nc")
     forces.unlink()  # made from the stitched scan
     (copy / RESULTS / "adhesion.nc").unlink()
     refused = run(copy, "--keep-going")

@@ -139,13 +139,11 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     of the mean ``unfiltered_pull_off_force``, NaN where there is no other master.
     """
     whole = "unfiltered_pull_off_force"
-    factors = xr.Dataset(
-        {
-            "ratio_shift": varied["ratio"] / scales["ratio"],
-            "unfiltered_shift": varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES),
-        }
-    )
-    shifts = factors.map(lambda factor: np.log(factor).assign_attrs(units="1"), keep_attrs=False)
+    ratio = varied["ratio"] / scales["ratio"]
+    mean = varied[whole].mean(CONTACT_AXES) / scales[whole].mean(CONTACT_AXES)
+    shifts = xr.Dataset({"ratio_shift": np.log(ratio), "unfiltered_shift": np.log(mean)})
+    for name in shifts.data_vars:
+        shifts[name].attrs = {"units": "1"}
     return scales.merge(shifts, join="left", compat="no_conflicts")
 
 

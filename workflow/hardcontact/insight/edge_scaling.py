@@ -256,7 +256,9 @@ def designed_edges(computed: pd.DataFrame, formulas: pd.DataFrame) -> xr.Dataset
     ]
     bounds = [known[f"{name}_is"].map(signs).fillna(0) for name in names]
     places = table.drop(columns=names).add_prefix("designed_").to_xarray()
-    return places.map(lambda values: values.assign_attrs(ONE), keep_attrs=False).assign(
+    for name in places.data_vars:
+        places[name].attrs = ONE
+    return places.assign(
         held_back=("designed", known["held_back"].fillna(0).astype("int8")),
         designed_error=(("prediction", "side", "designed"), errors, ONE),
         designed_bound=(("side", "designed"), np.array(bounds, "int8")),
