@@ -20,7 +20,7 @@ ROWS = (ROOT / "config/surfaces.tsv").read_text()
 #: What robustness makes otherwise in the quick study, as it stands in paths.
 OTHERWISE = [
     "polished_uncd/laplacian", "uncd/laplacian", "ncd/laplacian", "mcd/laplacian",
-    "polished_uncd/skewness+0.5", "uncd/tip-17nm",
+    "polished_uncd/skewness+0.5",
 ]  # fmt: skip
 #: Folders that tools leave in the repository.
 CACHES = shutil.ignore_patterns("__pycache__", "*.egg-info")

@@ -72,7 +72,7 @@ def test_scans_are_made_in_the_groups_that_are_conditioned_together():
 
 def test_what_changes_no_spectrum_has_that_of_the_study():
     study = files()
-    for variant, same in (("skewness+0.5", True), ("tip-17nm", True), ("laplacian", False)):
+    for variant, same in (("skewness+0.5", True), ("laplacian", False)):
         assert (study.spectrum("uncd", variant) == study.spectrum("uncd")) == same
         assert (study.conditioning("uncd", 1, variant) == study.conditioning("uncd", 1)) == same
         assert study.stitched("uncd", 1, variant) != study.stitched("uncd", 1)
@@ -105,11 +105,10 @@ def test_masters_of_the_study_are_shared_by_sets_and_robustness():
 def test_robustness_asks_for_each_variant_of_a_surface_once():
     study = files(
         robustness__heights={"surface": "mcd", "skewness": [-0.5]},
-        robustness__tip_radii=["17 nm"],
         robustness__realizations=3,
     )
     made = [*product(SUBSTRATES, ["study"]), *product(SUBSTRATES, ["laplacian"])]
-    made += [("mcd", "skewness-0.5"), ("uncd", "tip-17nm")]
+    made += [("mcd", "skewness-0.5")]
     assert study.varied_surfaces == made
     rows = study.robustness_masters
     assert {(row.surface, row.variant, row.probe) for row in rows} == {
@@ -203,8 +202,7 @@ def test_each_variant_differs_from_the_study_in_one_choice():
     baseline, *others = variants(configuration(), selection())
     assert [variant.name for variant in others] == [
         "laplacian", "skewness-1", "skewness-0.5", "skewness+0.5", "skewness+1",
-        "tip-10nm", "tip-17nm", "tip-26nm", "rough_sphere",
-        "preload-5uN", "preload-20uN", "hardness-16GPa", "hardness-47GPa",
+        "rough_sphere", "preload-5uN", "preload-20uN", "hardness-16GPa", "hardness-47GPa",
     ]  # fmt: skip
     for other in others:
         choices = ("variant", "contact", "probe")
@@ -216,7 +214,6 @@ def test_variants_concern_the_surfaces_and_loads_that_they_name():
     study = dict.fromkeys(SUBSTRATES, "study")
     assert made["baseline"].variant == made["preload-20uN"].variant == study
     assert made["skewness-1"].variant == study | {"polished_uncd": "skewness-1"}
-    assert made["tip-17nm"].variant == study | {"uncd": "tip-17nm"}
     assert made["skewness-1"].label == "polished UNCD: skewness -1"
     assert made["preload-20uN"].contact.preload == 2e-5
     assert made["preload-20uN"].label == "preload 20 µN"
@@ -240,10 +237,8 @@ def test_the_other_curvature_and_the_other_sphere_follow_from_the_study():
 
 
 def test_what_a_variant_of_a_surface_is_made_with():
-    made = surface_variants(configuration(robustness__tip_radii=["0.017 um"]))
+    made = surface_variants(configuration())
     definitions = {"slope": "gradient", "curvature": "half_laplacian"}
     assert made["study"].table1(definitions) == definitions
     assert made["laplacian"].table1(definitions) == definitions | {"curvature": "laplacian"}
-    assert made["study"].heights(0.1) == {"skewness": 0.1, "tip_radius": None}
-    assert made["skewness-1"].heights(0.1) == {"skewness": -1.0, "tip_radius": None}
-    assert made["tip-17nm"].heights(0.1) == {"skewness": 0.1, "tip_radius": 17.0}
+    assert (made["study"].heights(0.1), made["skewness-1"].heights(0.1)) == (0.1, -1.0)

@@ -4,13 +4,12 @@ import numpy as np
 import pytest
 from measurements import line_of, map_of, measurement
 from random_scans import uncd
-from scipy.ndimage import gaussian_filter, gaussian_filter1d
+from scipy.ndimage import gaussian_filter, gaussian_filter1d, grey_dilation
 
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.measured_spectrum import levelled_topography, measured_psd
 from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import smooth_rolloff
-from hardcontact.surfaces.substitute_scans import imaged_by_tip
 from hardcontact.surfaces.synthesis import random_surface
 
 PIXEL = 10.0
@@ -30,12 +29,21 @@ def test_a_surface_seen_as_it_is_ends_at_its_pixels_and_its_size(make, density):
         assert band.longest == pytest.approx(256 * PIXEL / 3)
 
 
+def imaged_by_tip(heights, pixel, radius):
+    """The path of the lowest point of a spherical tip that slides over heights."""
+    reach = int(radius / pixel)
+    squares = (np.arange(-reach, reach + 1) * pixel) ** 2
+    distance = squares[:, None] + squares
+    cap = np.sqrt(np.maximum(radius**2 - distance, 0)) - radius
+    return grey_dilation(heights, footprint=distance <= radius**2, structure=cap, mode="nearest")
+
+
 def test_a_tip_ends_the_band_where_its_image_leaves_the_surface():
     pixel, radius = 2.5, 40.0
-    surface = random_surface(generator(2), 384, pixel, uncd)
+    heights = random_surface(generator(2), 384, pixel, uncd).heights
     true, imaged = (
-        measurement(np.asarray(one.heights[32:-32, 32:-32], float), pixel)
-        for one in (surface, imaged_by_tip(surface, radius))
+        measurement(np.asarray(surface[32:-32, 32:-32], float), pixel)
+        for surface in (heights, imaged_by_tip(heights, pixel, radius))
     )
     band = reliable_band(imaged, radius)
     cutoff = levelled_topography(imaged).scanning_probe_reliability_cutoff(radius)

@@ -1,4 +1,4 @@
-"""Substitute scans: heights and skewness, the sphere, images by a tip, files that readers know."""
+"""Substitute scans: heights and skewness, the sphere, files that readers know."""
 
 from dataclasses import replace
 
@@ -18,11 +18,8 @@ from hardcontact.surfaces.height_map import HeightMap, flat_map, level, mirror_s
 from hardcontact.surfaces.scans import read_scan
 from hardcontact.surfaces.spectrum import Spectrum, measured_psds
 from hardcontact.surfaces.substitute_scans import (
-    FINENESS,
     ScanGrid,
     _opened,
-    imaged_by_tip,
-    imaged_scan,
     skewed_surface,
     sphere_scan,
     substitute_scan,
@@ -31,7 +28,7 @@ from hardcontact.surfaces.substitute_scans import (
 from hardcontact.surfaces.synthesis import random_surface
 
 AFM = (ROOT / "../shared/scans/afm-10um-512.di").resolve()
-SPHERE_RADIUS, TIP_RADIUS = 250e3, 10.0
+SPHERE_RADIUS = 250e3
 WINDOW = 128
 
 
@@ -74,61 +71,6 @@ def test_a_skewed_scan_is_as_high_as_the_gaussian_one(skewness):
     plain, skewed = scan_with(256), scan_with(256, skewness=skewness)
     assert level(skewed).heights.std() == pytest.approx(level(plain).heights.std(), rel=1e-12)
     assert np.abs(skewed.heights - plain.heights).max() > 1
-
-
-def test_a_scan_of_a_tip_is_of_the_same_surface_and_smoother():
-    plain, imaged = scan_with(), scan_with(tip_radius=26.0)
-    assert np.corrcoef(plain.heights.ravel(), imaged.heights.ravel())[0, 1] > 0.95
-    assert np.diff(imaged.heights, 2).std() < 0.8 * np.diff(plain.heights, 2).std()
-    assert imaged.heights.mean() > plain.heights.mean()
-
-
-def cap(radius, pixels, pixel_size, height=0.0):
-    """A sphere's cap in the middle of a flat map, and the distances from its axis."""
-    place = (np.arange(pixels) - pixels // 2) * pixel_size
-    distance = np.hypot(place[:, None], place)
-    sphere = np.sqrt(np.maximum(radius**2 - distance**2, 0)) - radius + height
-    return HeightMap(sphere, pixel_size, periodic=False, basis="substitute"), distance
-
-
-def test_a_spike_is_imaged_as_the_tip():
-    heights = np.zeros((65, 65))
-    heights[32, 32] = 4.0
-    spike = HeightMap(heights, 0.5, periodic=False, basis="substitute")
-    tip, _ = cap(TIP_RADIUS, 65, 0.5, height=4.0)
-    expected = np.maximum(tip.heights, 0)
-    np.testing.assert_allclose(imaged_by_tip(spike, TIP_RADIUS).heights, expected, atol=1e-12)
-
-
-def test_a_sphere_is_imaged_as_a_sphere_of_both_radii():
-    body, distance = cap(20.0, 201, 0.2)
-    image = imaged_by_tip(body, TIP_RADIUS)
-    both, _ = cap(20.0 + TIP_RADIUS, 201, 0.2)
-    near = distance < 10.0
-    np.testing.assert_allclose(image.heights[near], both.heights[near], atol=0.003)
-
-
-def test_no_image_lies_below_its_surface_and_flat_ones_are_unchanged():
-    surface = random_surface(generator(1), 128, PIXEL / 2, uncd)
-    small, large = (imaged_by_tip(surface, radius).heights for radius in (10.0, 26.0))
-    assert (small >= surface.heights).all() and (large >= small - 1e-4).all()
-    flat = replace(surface, heights=np.full((32, 32), 3.0))
-    np.testing.assert_array_equal(imaged_by_tip(flat, TIP_RADIUS).heights, 3.0)
-
-
-def test_a_scan_of_a_tip_as_small_as_a_pixel_shows_the_surface():
-    surface = random_surface(generator(4), 64, PIXEL / FINENESS, uncd)
-    scan = imaged_scan(surface, 20, 0.1)
-    np.testing.assert_array_equal(scan.heights, surface.heights[:40:FINENESS, :40:FINENESS])
-    assert (scan.pixel_size, scan.periodic) == (PIXEL, False)
-
-
-def test_a_scan_is_touched_by_what_lies_beyond_its_edges():
-    surface = random_surface(generator(4), 64, PIXEL / FINENESS, uncd)
-    tall = replace(surface, heights=surface.heights.copy())
-    tall.heights[-1, 10] += 50.0  # beside the first row, across the edge of the period
-    plain, touched = (imaged_scan(one, 20, 10.0).heights for one in (surface, tall))
-    assert touched[0, 5] > plain[0, 5] + 20
 
 
 @pytest.fixture(scope="module")

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from random_scans import PIXEL, UNCD, levelled_scan, uncd
+from random_scans import UNCD, levelled_scan, uncd
 
 from hardcontact.numbers.random import generator
 from hardcontact.surfaces.filters import interpolate, lowpass
@@ -10,7 +10,6 @@ from hardcontact.surfaces.height_map import HeightMap, mirror_stitch
 from hardcontact.surfaces.synthesis import (
     large_scale_master,
     random_surface,
-    refined,
     small_scale_master,
 )
 
@@ -95,16 +94,3 @@ def test_large_scale_master_adds_the_spectrum_above_the_transition(stitched):
     above = (radius < 2 * np.pi / 500) & (radius > 0)
     assert (power[above] / uncd(radius[above])).mean() == pytest.approx(1, abs=0.1)
     assert power[radius > 2 * np.pi / 499].max() < 1e-6 * power[above].mean()
-
-
-def test_a_refined_surface_has_its_own_orders_and_random_ones_below():
-    surface = random_surface(generator(2), 64, PIXEL, uncd)
-    fine = refined(generator(3), surface, 2, uncd)
-    assert fine.heights.shape == (128, 128) and fine.pixel_size == PIXEL / 2
-    own, orders = np.fft.rfft2(surface.heights), np.fft.rfft2(fine.heights) / 4
-    np.testing.assert_allclose(orders[:32, 1:32], own[:32, 1:32], atol=1e-2)
-    np.testing.assert_allclose(orders[-31:, 1:32], own[-31:, 1:32], atol=1e-2)
-    wave = radii(128, PIXEL / 2)[:, :65]
-    beyond = (wave > np.pi / PIXEL * np.sqrt(2)) & (wave < 2 * np.pi / PIXEL)
-    density = np.abs(4 * orders) ** 2 * (PIXEL / 2) ** 2 / 128**2
-    assert (density[beyond] / uncd(wave[beyond])).mean() == pytest.approx(1, abs=0.05)

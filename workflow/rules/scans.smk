@@ -133,7 +133,9 @@ for scans, surfaces in FILES.scan_groups.items():
                     "scans": scans,
                     "scan": SCAN_GRID,
                     "seed": STUDY["seed"],
-                    **FILES.surface_variants[w.variant].heights(SELECTION.skewness(w.surface)),
+                    "skewness": FILES.surface_variants[w.variant].heights(
+                        SELECTION.skewness(w.surface)
+                    ),
                     "sphere_radius": STUDY["sphere"]["radius"] if w.surface == SPHERE else None,
                 }
             ),

@@ -104,8 +104,6 @@ Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
 #: A range of adhesion: an atom is ten times larger than the least.
 Range = Annotated[float, Quantity("nm", 0.01, 1000)]
 Radius = Annotated[float, Quantity("nm", 10, 1e9)]
-#: The radius of a tip; on finer pixels than its own a tip is dilated.
-TipRadius = Annotated[float, Quantity("nm", 0.1, 1000)]
 Force = Annotated[float, Quantity("N", 1e-12, 1)]
 Pressure = Annotated[float, Quantity("Pa", 1e3, 1e13)]
 Modulus = Annotated[float, Quantity("Pa", 5e10, 1e13)]
@@ -114,7 +112,6 @@ Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 Lengths = Annotated[list[Length], Field(min_length=1, max_length=100), ASCENDING]
 Ranges = Annotated[list[Range], Field(min_length=1, max_length=100), ASCENDING]
 Radii = Annotated[list[Radius], Field(min_length=1, max_length=20), ASCENDING]
-TipRadii = Annotated[list[TipRadius], Field(max_length=20), ASCENDING]
 #: Loads and hardnesses; robustness may have none.
 Forces = Annotated[list[Force], Field(max_length=20), ASCENDING]
 SomeForces = Annotated[list[Force], Field(min_length=1, max_length=20), ASCENDING]

@@ -48,7 +48,6 @@ from hardcontact.config.key_types import (
     SurfaceId,
     TablePath,
     Tiles,
-    TipRadii,
     Work,
 )
 
@@ -327,8 +326,6 @@ class RobustnessKeys(Keys):
     hardnesses: Pressures = key(["16 GPa", "47 GPa"])
     """Other hardnesses, ascending."""
     heights: HeightsKeys = HeightsKeys()
-    tip_radii: TipRadii = key(["10 nm", "17 nm", "26 nm"])
-    """Radii of tips that image the substitutes of the reference surface, ascending."""
     realizations: Realizations = 3
     """Masters of each substrate and side, the first of those of `sets`."""
 

@@ -18,8 +18,8 @@ class SurfaceVariant:
     """One way to make substitutes; None stands for what the study itself takes.
 
     The name stands in paths, the label in print, and the group says which choice it is of. One
-    surface alone may be made so; the curvature of Table 1 may be read as another, heights have
-    another skewness, or a tip of some radius in nm images the surface.
+    surface alone may be made so; the curvature of Table 1 may be read as another, or heights have
+    another skewness.
     """
 
     name: str
@@ -28,7 +28,6 @@ class SurfaceVariant:
     surface: str | None = None
     curvature: str | None = None
     skewness: float | None = None
-    tip_radius: float | None = None
 
     @property
     def spectrum(self) -> str:
@@ -40,12 +39,9 @@ class SurfaceVariant:
         other = {} if self.curvature is None else {"curvature": self.curvature}
         return dict(definitions) | other
 
-    def heights(self, skewness: float) -> dict[str, float | None]:
-        """Return how heights differ from those drawn, given the skewness of the surface."""
-        return {
-            "skewness": skewness if self.skewness is None else self.skewness,
-            "tip_radius": self.tip_radius,
-        }
+    def heights(self, skewness: float) -> float:
+        """Return the skewness of heights made so, given that of the surface in the study."""
+        return skewness if self.skewness is None else self.skewness
 
     def changes(self, selection: Selection, surface: str) -> bool:
         """Return whether a surface made so differs from that of the study."""
@@ -53,8 +49,7 @@ class SurfaceVariant:
             return False
         if self.curvature is not None:
             return selection.reads_curvature(surface)
-        other_heights = self.skewness not in (None, selection.skewness(surface))
-        return other_heights or self.tip_radius is not None
+        return self.skewness not in (None, selection.skewness(surface))
 
 
 @dataclass(frozen=True)
@@ -90,7 +85,7 @@ def study_contact(configuration: Mapping[str, Any]) -> Contact:
 def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
     """Return the ways to make substitutes by their names, that of the study first."""
     curvature = OTHER_CURVATURE[configuration["topography"]["curvature"]]
-    heights, reference = configuration["robustness"]["heights"], configuration["reference_surface"]
+    heights = configuration["robustness"]["heights"]
     label = f"curvature of Table 1: {curvature.replace('_', ' ')}"
     made = [
         SurfaceVariant(STUDY_VARIANT, "as the study", "baseline"),
@@ -99,9 +94,6 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
     for value in heights["skewness"]:
         name, label = f"skewness{value:+g}", f"skewness {value:+g}"
         made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
-    for radius in configuration["robustness"]["tip_radii"]:
-        name, label = f"tip-{token(radius, 'nm')}", f"tip of {radius:g} nm"
-        made.append(SurfaceVariant(name, label, "tip", reference, tip_radius=radius))
     return {variant.name: variant for variant in made}
 
 

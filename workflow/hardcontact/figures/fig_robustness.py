@@ -29,8 +29,8 @@ size. Diamond: the study itself. Dashed: published.
 
 Contact is plastic. The choices: what curvature in Table 1 means to the substitutes; how the
 heights of {{ robustness.heights.surface }} are distributed (the study: Gaussian; skewness
-otherwise, with blunt tops, the rms height of each scan kept); a tip of an AFM that has imaged
-{{ reference_surface }}; a rough sphere in Fig. 6; the preload; the hardness. The skewed heights
+otherwise, with blunt tops, the rms height of each scan kept); a rough sphere in Fig. 6; the
+preload; the hardness. The skewed heights
 are made by a construction that was fitted to one public AFM scan of UNCD; no skewness is known
 of the other surfaces, and none was chosen by its effect here. Variants have the first scan of
 the sphere alone. Small open circles: the other local minima of the error along the range of

@@ -1,4 +1,4 @@
-"""Substitute scans: cut out of random surfaces, flat or of the sphere, as a tip images them.
+"""Substitute scans: cut out of random surfaces, flat or of the sphere, of any skewness.
 
 A skewed distribution and a spectrum leave open how sharp the highest summits are, and these carry
 the contacts. Remapping heights by rank sharpens them; real clusters are rounded, and so are the
@@ -6,7 +6,7 @@ tops of skewed surfaces here. `scipy` is imported where it is used.
 """
 
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -14,7 +14,7 @@ from numpy.lib.stride_tricks import sliding_window_view
 
 from hardcontact.surfaces.height_map import HeightMap, level
 from hardcontact.surfaces.spectrum import Density, Floats
-from hardcontact.surfaces.synthesis import random_surface, refined
+from hardcontact.surfaces.synthesis import random_surface
 
 
 class ScanGrid(NamedTuple):
@@ -61,7 +61,6 @@ def synthesized_scan(
     *,
     sphere_radius: float | None = None,
     skewness: float = 0.0,
-    tip_radius: float | None = None,
 ) -> xr.Dataset:
     """Return a substitute scan as SurfaceTopography reads it from a file.
 
@@ -73,8 +72,8 @@ def synthesized_scan(
         C_iso in nm⁴, and the factor of the heights.
     grid : ScanGrid
         Of the scan.
-    sphere_radius, tip_radius : float or None
-        Of the sphere that the scan shows and of the tip that images it, in nm.
+    sphere_radius : float or None
+        Of the sphere that the scan shows, in nm.
     skewness : float
         Of the heights; a skewed scan has the rms height of the Gaussian one.
 
@@ -90,10 +89,6 @@ def synthesized_scan(
         skewed = substitute_scan(surface, grid.pixels, factor)
         factor *= float(level(scan).heights.std() / level(skewed).heights.std())
         scan = substitute_scan(surface, grid.pixels, factor)
-    if tip_radius is not None:
-        fine = refined(rng, surface, FINENESS, density)
-        fine = replace(fine, heights=factor * fine.heights)
-        scan = imaged_scan(fine, grid.pixels, tip_radius)
     if sphere_radius is not None:
         scan = sphere_scan(rng, scan, sphere_radius)
     position = (np.arange(scan.pixels) + 0.5) * scan.pixel_size
@@ -187,39 +182,3 @@ def _remapped(heights: Floats, skewness: float, deviation: float) -> Floats:
     remapped = np.empty(heights.size)
     remapped[np.argsort(heights, axis=None)] = deviation * quantiles
     return remapped.reshape(heights.shape)
-
-
-#: Pixels of the surface under the tip, along an edge of a pixel of the scan. Four times as many
-#: change slope and half-Laplacian of UNCD by 0.5 to 1 %, and its forces by as much.
-FINENESS = 2
-
-
-def imaged_by_tip(surface: HeightMap, radius: float) -> HeightMap:
-    """Return the image of a surface by a spherical tip: the path of its lowest point.
-
-    The tip is half a sphere of a radius in nm, large beside the pixels. What lies beyond the edges
-    of the map does not touch it.
-    """
-    from scipy.ndimage import grey_dilation
-
-    reach = int(radius / surface.pixel_size)
-    squares = (np.arange(-reach, reach + 1) * surface.pixel_size) ** 2
-    distance = squares[:, None] + squares
-    cap: Any = np.sqrt(np.maximum(radius**2 - distance, 0)) - radius
-    heights = grey_dilation(
-        surface.heights, footprint=distance <= radius**2, structure=cap, mode="nearest"
-    )
-    return replace(surface, heights=heights)
-
-
-def imaged_scan(surface: HeightMap, pixels: int, radius: float) -> HeightMap:
-    """Return the corner of a periodic surface as a tip of a radius in nm images it.
-
-    The surface is sampled at every FINENESS pixels; the corner is of pixels x pixels.
-    """
-    margin = int(radius / surface.pixel_size)
-    place = np.arange(-margin, FINENESS * pixels + margin) % surface.pixels
-    seen = replace(surface, heights=surface.heights[np.ix_(place, place)], periodic=False)
-    sampled = slice(margin, margin + FINENESS * pixels, FINENESS)
-    heights = imaged_by_tip(seen, radius).heights[sampled, sampled].astype(float)
-    return replace(seen, heights=heights, pixel_size=FINENESS * surface.pixel_size)

@@ -37,26 +37,6 @@ def random_surface(
     return HeightMap(heights, pixel_size, periodic=True, basis="substitute")
 
 
-def refined(
-    rng: np.random.Generator, surface: HeightMap, fineness: int, density: Density
-) -> HeightMap:
-    """Return a periodic surface on finer pixels, with random roughness of C_iso below its own.
-
-    It is on an even number of pixels; `fineness` is the number of new pixels along an edge of an
-    old one. All orders below two old pixels along both axes are its own; heights are in float32.
-    """
-    from scipy import fft
-
-    pixels, pixel_size = fineness * surface.pixels, surface.pixel_size / fineness
-    added = random_surface(rng, pixels, pixel_size, density)
-    transform = fft.rfft2(added.heights, overwrite_x=True)
-    own, half = fft.rfft2(surface.heights) * fineness**2, surface.pixels // 2
-    transform[:half, :half] = own[:half, :half]
-    transform[1 - half :, :half] = own[1 - half :, :half]
-    heights = fft.irfft2(transform, s=(pixels, pixels), overwrite_x=True)
-    return replace(surface, heights=heights, pixel_size=pixel_size)
-
-
 def small_scale_master(
     rng: np.random.Generator, stitched: HeightMap, pixels: int, transition: float, density: Density
 ) -> HeightMap:
