@@ -223,6 +223,10 @@ def test_fits_of_several_surfaces_have_a_region_or_a_reason_for_none():
     assert both["allows_range"] and both["range"].value == 5.6
     below = fit(2).assign_attrs(range_of_adhesion=1.0)  # the region begins at 3.2 nm
     assert not fit_status(below)["allows_range"]
+    parted = fit(2)
+    parted["region"].loc[{"rho": slice(6, 9)}] = np.nan
+    rho = parted["rho"].values
+    assert fit_status(parted)["gaps"] == [[rho[rho < 6].max(), rho[rho > 9].min()]]
     nothing = fit(2)
     nothing["region"] *= np.nan
     assert fit_status(nothing)["status"] == "none"

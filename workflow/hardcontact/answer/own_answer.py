@@ -16,7 +16,6 @@ from hardcontact.answer.surface_facts import (
     answer_rows,
     next_measurements,
     pooled_rows,
-    quartile_spans,
     verdict,
 )
 from hardcontact.answer.templates import rendered
@@ -126,8 +125,6 @@ def own_quantities(answer: OwnAnswer) -> Iterator[Quantity]:
         yield quantity(row.fact)
     for number in numbers_within("fit", answer.fit or {}):
         yield quantity(number)
-    for span in quartile_spans(given):
-        yield quantity(span.intervals, span.surface, f"{span.fact.name}_over_quartiles")
     for name, surface in surfaces.items():
         for number in _numbers_of(surface):
             yield quantity(number, name)
@@ -170,7 +167,6 @@ def own_page(answer: OwnAnswer) -> str:
         confidence=float(given.edges.attrs["confidence"]),
         surfaces=[_shown(name, surface) for name, surface in surfaces.items()],
         pooled=answer.pooled,
-        quartiles=quartile_spans(given),
         contact=setting.contact,
         of_paper=setting.of_paper,
         forces=figures.svg(figures.force_figure(given.force, labels), "pull-off forces"),

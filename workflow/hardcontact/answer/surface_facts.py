@@ -1,7 +1,7 @@
 """The facts of the answer of own surfaces: verdict, edges, and what they were made from."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -12,7 +12,7 @@ from hardcontact.answer.artificial import (
     reaches,
     share_at_edge,
 )
-from hardcontact.answer.datasets import Datasets, at_range
+from hardcontact.answer.datasets import Datasets
 from hardcontact.answer.force_facts import (
     Row,
     force_rows,
@@ -21,7 +21,7 @@ from hardcontact.answer.force_facts import (
     pair_rows,
     with_reason,
 )
-from hardcontact.answer.quantities import bare, between, ends, number_of
+from hardcontact.answer.quantities import bare, ends
 from hardcontact.numbers.number import Number
 from hardcontact.surfaces.synthesis import SIDES
 
@@ -33,8 +33,6 @@ SOURCES = {
     "interval": "interval_artificial",
     "outside": "measured",
 }
-#: Endings of the names of surfaces that are described by the quartiles of a source.
-QUARTILES = ("_lower", "_upper")
 
 
 def edge_fact(of_side: xr.Dataset, name: str, source: str = "computed", prefix: str = "") -> Number:
@@ -144,11 +142,6 @@ def pooled_rows(edges: xr.Dataset, of_surfaces: Sequence[Sequence[Row]]) -> list
     return found
 
 
-def _by_value(numbers: Sequence[Number]) -> list[Number]:
-    """Return numbers from the least to the greatest; one without a value counts as zero."""
-    return sorted(numbers, key=lambda one: np.nan_to_num(one.value))
-
-
 def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     """Return the answer of one surface at a glance, without intervals.
 
@@ -174,52 +167,3 @@ def verdict(rows: Sequence[Row]) -> dict[str, Any]:
     if band == "none" or origins == {"artificial"}:
         answer = "no"
     return {"answer": answer, "band": band, "edges": edges, "forces": forces}
-
-
-class Span(NamedTuple):
-    """A quantity of a surface and how far it differs over the quartiles of its source."""
-
-    surface: str  #: Its label.
-    fact: Number  #: Of the median, without an interval.
-    least: Number  #: Of the median and both quartiles.
-    most: Number  #: The same.
-    intervals: Number  #: The span of all their intervals; unknown where one of them is.
-
-
-def surfaces_with_quartiles(given: Datasets) -> dict[str, list[str]]:
-    """Return, by surface, itself and both quartiles; only substitutes have quartiles.
-
-    A surface with the id `x` is described by a median if surfaces `x_lower` and `x_upper` stand
-    beside it, described by the quartiles of the same source. How far these lie apart is how far
-    measurements of one surface differ between laboratories, which no number of realizations shows.
-    """
-    ids = given.topography["surface"].values[given.topography["basis"].values == "substitute"]
-    groups = {name: [name, *(name + ending for ending in QUARTILES)] for name in map(str, ids)}
-    return {name: group for name, group in groups.items() if groups.keys() >= set(group)}
-
-
-def quartile_spans(given: Datasets) -> list[Span]:
-    """Return the spans of both edges and of the force of each surface with quartiles."""
-    labels, spans = given.labels(), []
-    for name, group in surfaces_with_quartiles(given).items():
-        edges, force = (part.sel(surface=group) for part in (given.edges, at_range(given.force)))
-        for side, of_side in ((side, edges.sel(side=side)) for side in EDGES):
-            facts = [edge_fact(of_side.sel(surface=one), EDGES[side]) for one in group]
-            spans.append(_span(labels[name], facts, of_side["edge_interval"]))
-        forces = [number_of(force.sel(surface=one), "force", name="force_mean") for one in group]
-        spans.append(_span(labels[name], forces, force["force_interval"]))
-    return spans
-
-
-def _span(label: str, facts: Sequence[Number], intervals: xr.DataArray) -> Span:
-    """Return the span of facts, and that of their intervals (surface, bound).
-
-    An end of the latter is bounded if that of every interval is: zero and infinity bound nothing.
-    """
-    bounded = intervals.where((intervals > 0) & np.isfinite(intervals))
-    low, high = bounded.min("surface", skipna=False), bounded.max("surface", skipna=False)
-    low, high = low.sel(bound="low").item(), high.sel(bound="high").item()
-    known = [bare(one) for one in facts]
-    least, *_, most = _by_value(known)
-    whole = between("intervals", low, high, facts[0].unit, "not_bounded")
-    return Span(label, known[0], least, most, whole)
