@@ -2,9 +2,15 @@
 
 import numpy as np
 
+from hardcontact.adhesion.pull_off import gaps_and_totals
 from hardcontact.contact.geometry import flattened_gaps
 
 
 def direct_total(gap, contact_pixels, rho):
     """Sum of exp(-gap/rho) at plastic contact, of a gap (window, window) at any approach, in nm."""
     return float(np.exp(-flattened_gaps(gap, contact_pixels) / rho).sum())
+
+
+def plastic_totals(bodies, contact_pixels, rho):
+    """Sums of exp(-gap/rho) of an array of plastic contacts: (load, contact, contact)."""
+    return gaps_and_totals(bodies, contact_pixels, [rho])[1][:, 0]

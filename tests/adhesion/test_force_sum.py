@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
-from direct_sum import direct_total
+from direct_sum import direct_total, plastic_totals
 from periodic_maps import RADIUS, over, periodic_noise
 from scipy.special import ive
 
-from hardcontact.adhesion.pull_off import opened_total, plastic_totals, pull_off_force
+from hardcontact.adhesion.pull_off import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.adhesion.traced_contact import force_separation
 from hardcontact.contact.bearing_area import all_lowest_gaps

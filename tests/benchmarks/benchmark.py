@@ -29,7 +29,7 @@ sys.path.insert(0, str(Path(__file__).parents[1]))  # as a script it finds the m
 
 from direct_sum import direct_total
 
-from hardcontact.adhesion.pull_off import plastic_totals
+from hardcontact.adhesion.pull_off import gaps_and_totals
 from hardcontact.adhesion.sphere_sums import outside_sums
 from hardcontact.contact import elastic as elastic_solvers
 from hardcontact.contact.bearing_area import all_lowest_gaps
@@ -83,7 +83,7 @@ def timed_in_turn(*functions, repeats=3):
 def pull_off(substrate):
     """Plastic totals (contact, contact) of a smooth sphere, closest approach included."""
     pair, contact_pixels = under_sphere(substrate)
-    return plastic_totals(pair, [contact_pixels], RHO)[0]
+    return gaps_and_totals(pair, [contact_pixels], [RHO])[1][0, 0]
 
 
 def smooth_sphere(threads):

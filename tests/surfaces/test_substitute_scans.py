@@ -4,12 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from direct_sum import plastic_totals
 from random_scans import PIXEL, uncd
 from repository import ROOT
 from scipy.ndimage import grey_dilation, grey_erosion, maximum_filter
 from scipy.stats import skew
 
-from hardcontact.adhesion.pull_off import plastic_totals, pull_off_force
+from hardcontact.adhesion.pull_off import pull_off_force
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator

@@ -30,14 +30,6 @@ def with_names(dataset: xr.Dataset, described: Described) -> xr.Dataset:
     )
 
 
-def of_first_scans(parts: Parts, names: list[str]) -> dict[tuple[Any, ...], xr.Dataset]:
-    """Return some variables of the first scan of each surface; the scan is the last label."""
-    first: dict[tuple[Any, ...], xr.Dataset] = {}
-    for (*others, _), part in parts.items():
-        first.setdefault(tuple(others), part[names])
-    return first
-
-
 def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
     """Return `pull_off_of_pair` of one scan on all scans of the sphere, with contacts by number."""
     # Positions of contacts differ between pixel sizes.
@@ -52,9 +44,7 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
     The scans are of `over_sphere_scans` with `window_change`, by (surface, scan).
-    ``pull_off_force`` (surface, scan, sphere_scan, contact_model, rho, contact_y, contact_x) stands
-    beside ``closest_approach`` and ``penetration``; ``contact_pixels`` (contact_model) are the most
-    of any pair; ``window_change`` is over (surface, scan).
+    ``contact_pixels`` (contact_model) are the most of any pair.
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
@@ -63,7 +53,7 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
 
 
 def at_load(forces: Forces, load: str) -> Forces:
-    """Return the forces at one load, by its name; one that is not there is a ValueError."""
+    """Return the forces at one load, by its name; raises ValueError if it is not there."""
     known = forces["load"].values.tolist()
     if load not in known:
         raise ValueError(f"expected forces at the load {load}, found those at {', '.join(known)}")
@@ -75,9 +65,9 @@ def single_masters(
 ) -> Parts:
     """Return the forces on each master, by the key of its file, realization and side.
 
-    The files are of `filtered_masters.filtered_pull_off`, over realization and side; realizations
-    beyond the number asked for are left out. Given a load by its name, the forces are at the single
-    radius and range of the file.
+    The files are of `filtered_masters.filtered_pull_off`; realizations beyond the number asked for
+    are left out. Given a load by its name, the forces are at the single radius and range of the
+    file.
     """
     masters: dict[tuple[Any, ...], xr.Dataset] = {}
     for key, file in files:
@@ -96,25 +86,25 @@ def single_masters(
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     """Return the `elastic_contacts_of_pair` of all surfaces and scans, by (surface, scan).
 
-    The variables (surface, scan, contact) stand beside ``pressure`` (surface, y, x) of one contact
-    on the first scan of each surface.
+    The ``pressure`` (surface, y, x) is that of one contact on the first scan of each surface.
     """
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
         ["surface", "scan"],
     ).drop_encoding()  # whole numbers are missing where a scan is
-    pressure = stack(of_first_scans(scans, ["pressure"]), ["surface"]).pressure
+    first: dict[tuple[Any, ...], xr.Dataset] = {}
+    for (surface, _), scan in scans.items():
+        first.setdefault((surface,), scan[["pressure"]])
+    pressure = stack(first, ["surface"]).pressure
     return with_names(contacts.assign(pressure=pressure), described)
 
 
 def stacked_forces(masters: Parts) -> xr.Dataset:
     """Return the forces on all filtered masters, and their ratios to those on the whole ones.
 
-    The masters are of `forces_at_cutoffs`, by (surface, realization, side). ``pull_off_force``
-    (surface, realization, side, cutoff_wavelength, ...) is NaN at cutoffs of the other side;
-    ``unfiltered_pull_off_force`` (surface, realization, side, ...), ``unfiltered_wavelength``
-    (surface, side) and ``ratio`` (surface, realization, side, cutoff_wavelength, ...) of the means
-    over contacts stand beside it.
+    The masters are of `forces_at_cutoffs`, by (surface, realization, side); forces are NaN at
+    cutoffs of the other side. ``unfiltered_wavelength`` is over (surface, side), ``ratio``
+    (surface, realization, side, cutoff_wavelength, ...) is that of the means over contacts.
     """
     stacked = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in stacked.dims]
@@ -133,10 +123,9 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
 def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
     """Return forces of masters with what another spectrum changes of them.
 
-    Both are of `stacked_forces`; those varied are of drawn spectra, with the same random
-    numbers. ``ratio_shift`` (surface, realization, side, cutoff_wavelength) and
-    ``unfiltered_shift`` (surface, realization, side) are changes of the logarithms of ``ratio`` and
-    of the mean ``unfiltered_pull_off_force``, NaN where there is no other master.
+    Both are of `stacked_forces`; those varied are of drawn spectra, with the same random numbers.
+    ``ratio_shift`` and ``unfiltered_shift`` are changes of the logarithms of ``ratio`` and of the
+    mean ``unfiltered_pull_off_force``, NaN where there is no other master.
     """
     whole = "unfiltered_pull_off_force"
     ratio = varied["ratio"] / scales["ratio"]
@@ -148,10 +137,7 @@ def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
 
 
 def with_transitions(scales: xr.Dataset, transitions: Mapping[str, float]) -> xr.Dataset:
-    """Return forces of masters with the wavelength (nm) beyond which their roughness is artificial.
-
-    It is ``transition`` (side): below it on the small side, above it on the large one.
-    """
+    """Return forces of masters with the wavelengths (nm) where artificial roughness begins."""
     attributes = {"units": "nm", "long_name": "artificial roughness begins"}
     lengths = [transitions[str(side)] for side in scales["side"].values]
     return scales.assign(transition=("side", lengths, attributes))

@@ -2,8 +2,7 @@
 
 A sphere finds the summits that it touches within the draw size 2 sqrt(2 R sigma/t), where it comes
 to rest t rms heights sigma above the mean plane (`insight.summits`). A smaller scan, mirrored,
-shows the same summits everywhere, and the force on it is too large. A window that ends before the
-forces do makes them too small. A pixel larger than the area that carries the preload touches alone.
+shows the same summits everywhere, and the force on it is too large.
 """
 
 from collections.abc import Mapping
@@ -25,10 +24,7 @@ LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.12
 
 
 def finite_scan_ratio(size: float, draw_size: float) -> tuple[float, float]:
-    """Return the least and greatest of the force on a scan over that on a large one, of RATIOS.
-
-    Both sizes are in nm. It is 1 and 1 where the scan is large enough.
-    """
+    """Return the least and greatest of the force on a scan over that on a large one, of RATIOS."""
     near = (found for limit, found in RATIOS.items() if size < limit * draw_size)
     return next(near, (1.0, 1.0))
 
@@ -39,8 +35,7 @@ def with_finite_scans(
     """Return predicted forces (surface) with how the scans of each surface compare with contacts.
 
     The topography has ``scan_size`` (surface) in nm; draw sizes (nm) are given by surface. The
-    forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface, bound), the least
-    and greatest ratio of `finite_scan_ratio`.
+    forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface, bound).
     """
     sizes = topography["scan_size"].sel(surface=force["surface"]).values.tolist()
     drawn = [draw_sizes[name] for name in force["surface"].values.tolist()]
@@ -55,11 +50,10 @@ def with_finite_scans(
 
 
 def with_window_share(force: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return predicted forces, over rho in nm, with the share of the force that the window holds.
+    """Return predicted forces with the share of the force that the window holds: over rho in nm.
 
     A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of the
-    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))². The
-    share is ``window_share`` (rho), with the attribute ``window`` in nm.
+    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))².
     """
     share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
     long_name = "share of the force on a smooth sphere that the window holds"
@@ -68,11 +62,7 @@ def with_window_share(force: xr.Dataset, contact: Contact) -> xr.Dataset:
 
 
 def with_contact_area(force: xr.Dataset, topography: xr.Dataset, area: float) -> xr.Dataset:
-    """Return predicted forces with the area (nm²) that carries the preload, and that of a pixel.
-
-    The topography has ``pixel_size`` (surface) in nm. The forces gain ``pixel_area`` (surface) and
-    the attribute ``contact_area``, both in nm².
-    """
+    """Return predicted forces with the area (nm²) that carries the preload, and that of a pixel."""
     pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2
     return force.assign(pixel_area=pixel_area.assign_attrs(units="nm2")).assign_attrs(
         contact_area=area

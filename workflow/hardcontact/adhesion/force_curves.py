@@ -31,10 +31,10 @@ def mean_forces(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Average forces over all scans of each surface, and sample this mean.
 
-    Forces (surface, scan, rho), of scans or of their contacts, are in N, NaN where a scan is
-    missing. Means (surface, rho) and samples (sample, surface, rho), as from `student_log_samples`,
-    are in N; samples are NaN of a surface of one scan. The random numbers of a surface depend on
-    the purpose and its name alone: contact models share them.
+    Forces (surface, scan, rho), of scans or of their contacts, are NaN where a scan is missing.
+    Samples (sample, surface, rho), as from `student_log_samples`, are NaN of a surface of one scan.
+    The random numbers of a surface depend on the purpose and its name alone: contact models share
+    them.
     """
     scans = mean_of_each_scan(forces)
     drawn = [
@@ -53,9 +53,8 @@ def force_curves(
 ) -> dict[str, Any]:
     """Return mean forces, their ratios to a reference surface, and the spread over contacts.
 
-    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x), in N, have the means and samples
-    of `mean_forces`; the reference is the index of a surface. The variables are over surface and
-    rho, ready for `xarray.Dataset`.
+    Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) have the means and samples of
+    `mean_forces`; the reference is the index of a surface. Variables are over surface and rho.
     """
     dimensions, newton, one = ("surface", "rho"), {"units": "N"}, {"units": "1"}
     ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
@@ -114,13 +113,10 @@ POOLED = ["force_median", "lognormal_shape", "lognormal_median"]
 def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr.Dataset:
     """Return mean, median and censored log-normal fit of the computed forces of one surface.
 
-    Forces (scan, sphere_scan, contact) are in N, NaN where a scan, a scan of the sphere or a
-    contact is missing; those below the floor enter the fit as censored ones.
-
-    The scalars STATISTICS have intervals over substrate scans: the mean by Student's t on the
-    logarithms of the scans' means, the censored fraction by Student's t on the scans' fractions,
-    those of POOLED by the jackknife; without samples there are none. All are NaN where all forces
-    are.
+    Forces (scan, sphere_scan, contact) are in N, NaN where one is missing; those below the floor
+    enter the fit as censored ones. The scalars STATISTICS have intervals over substrate scans: the
+    mean and the censored fraction by Student's t, those of POOLED by the jackknife. All are NaN
+    where all forces are.
     """
     scans, spheres, contacts = (
         np.isfinite(forces).any(axis=axes) for axes in ((1, 2), (0, 2), (0, 1))

@@ -13,7 +13,7 @@ import xarray as xr
 from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.contact.bearing_area import all_lowest_gaps, stacked_gaps
+from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies
 from hardcontact.surfaces.filters import interpolate
@@ -49,9 +49,9 @@ def pull_off_force(
 ) -> Floats:
     """Return the pull-off force (N, positive) from sums of exp(-gap/rho): Eq. 3.
 
-    The sums and the ranges of adhesion rho, in nm as the pixel size, broadcast; W is in J/m². A
-    ValueError tells that a sum exceeds the range of floats, as it does where the highest point
-    outside the window stands many hundred rho above the contact.
+    The sums and the ranges of adhesion rho, in nm as the pixel size, broadcast; W is in J/m².
+    Raises ValueError if a sum exceeds the range of floats: the highest point outside the window
+    stands many hundred rho above the contact.
     """
     if not np.isfinite(total).all():
         raise ValueError(
@@ -66,34 +66,24 @@ def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: flo
     """Return the sum (...) of exp(-gap/rho) where 1 (rigid contact) to k pixels touch.
 
     At this approach every gap is larger by the same length than at that of `outside` (...), of
-    `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch; pixels that
-    are no longer in contact add to the sum with the gap that has opened there.
+    `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch.
     """
     approach = gaps[..., contact_pixels - 1]
     opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
     return np.asarray(contact_pixels + opened + outside * np.exp((approach - gaps[..., -1]) / rho))
 
 
-def _gaps_and_totals(
+def gaps_and_totals(
     bodies: Bodies, counts: Sequence[int], rhos: Sequence[float] | Floats
 ) -> tuple[Floats, Floats]:
-    """Return gaps (contact, contact, k) and totals (count, rho, contact, contact) of an array.
-
-    The counts are contact pixels, of which k is the largest.
-    """
+    """Return gaps (contact, contact, k) and totals (count, rho, contact, contact)."""
     contacts = all_lowest_gaps(bodies, max(counts))
-    gaps = stacked_gaps(contacts, bodies.geometry)
+    along_edge = len(bodies.geometry.positions)
+    gaps = np.array([contact.gaps for contact in contacts.values()])
+    gaps = gaps.reshape(along_edge, along_edge, -1)
     outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
     totals = [[opened_total(sums, gaps, count, rho) for sums, rho in outside] for count in counts]
     return gaps, np.array(totals)
-
-
-def plastic_totals(bodies: Bodies, contact_pixels: Sequence[int], rho: float) -> Floats:
-    """Return the sums (load, contact, contact) of exp(-gap/rho) of an array of plastic contacts.
-
-    The contact pixels are those at each load, and rho is in nm.
-    """
-    return _gaps_and_totals(bodies, contact_pixels, [rho])[1][:, 0]
 
 
 def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) -> xr.Dataset:
@@ -103,10 +93,9 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     ``closest_approach`` (contact_model, contact_y, contact_x), ``penetration`` (contact_y,
     contact_x) and ``contact_pixels`` (contact_model).
     """
-    pixel_size, rhos = bodies.geometry.pixel_size, np.asarray(ranges, float)
+    pixel_size = bodies.geometry.pixel_size
     counts = [1, contact.pixels(pixel_size)]
-    gaps, totals = _gaps_and_totals(bodies, counts, rhos)
-    forces = pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
+    gaps, forces = _forces(bodies, counts, ranges)
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
     beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
@@ -136,26 +125,25 @@ def plastic_forces(bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence
     The contacts differ in their load alone, the ranges of adhesion are in nm.
     """
     counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
-    return _forces(bodies, counts, ranges)
+    return _forces(bodies, counts, ranges)[1]
 
 
-def _forces(bodies: Bodies, counts: Sequence[int], ranges: Sequence[float]) -> Floats:
-    """Return the forces (count, rho, contact, contact) in N with so many contact pixels."""
+def _forces(
+    bodies: Bodies, counts: Sequence[int], ranges: Sequence[float]
+) -> tuple[Floats, Floats]:
+    """Return gaps (contact, contact, k) and forces (count, rho, contact, contact) in N."""
     rhos = np.asarray(ranges, float)
-    _, totals = _gaps_and_totals(bodies, counts, rhos)
-    return pull_off_force(totals, rhos[:, None, None], bodies.geometry.pixel_size, WORK_OF_ADHESION)
+    gaps, totals = gaps_and_totals(bodies, counts, rhos)
+    pixel_size = bodies.geometry.pixel_size
+    return gaps, pull_off_force(totals, rhos[:, None, None], pixel_size, WORK_OF_ADHESION)
 
 
 def mean_pull_off_of_pair(
     bodies: Bodies, contacts: Sequence[Contact], ranges: Sequence[float]
 ) -> xr.Dataset:
-    """Return forces of a pair averaged over contacts, which differ in their load alone.
-
-    ``pull_off_force`` (load, rho) is that of plastic contact, ``rigid_pull_off_force`` (rho) that
-    of rigid contact.
-    """
+    """Return plastic (load, rho) and rigid (rho) forces of a pair averaged over its contacts."""
     counts = [contact.pixels(bodies.geometry.pixel_size) for contact in contacts]
-    rigid, *plastic = _forces(bodies, [1, *counts], ranges).mean(axis=(-2, -1))
+    rigid, *plastic = _forces(bodies, [1, *counts], ranges)[1].mean(axis=(-2, -1))
     return xr.Dataset(
         {
             "pull_off_force": (("load", "rho"), np.array(plastic), FORCE),
@@ -170,36 +158,31 @@ def finer_pixel_change(bodies: Bodies, contact: Contact) -> xr.Dataset:
     """Return the mean plastic force on pixels of half the size over that on those of a pair.
 
     Both maps are Fourier interpolated, so that the surfaces stay the same.
-    ``finer_pixel_change`` is over all contacts.
     """
     geometry = bodies.geometry
     substrate, sphere = bodies.substrate, bodies.roughness
-    halved = replace(
-        geometry,
-        pixel_size=geometry.pixel_size / 2,
-        window=2 * geometry.window,
-        positions=2 * geometry.positions,
-    )
     finer = Bodies(
         interpolate(substrate, 2 * substrate.pixels),
         sphere and interpolate(sphere, 2 * sphere.pixels),
-        halved,
+        replace(
+            geometry,
+            pixel_size=geometry.pixel_size / 2,
+            window=2 * geometry.window,
+            positions=2 * geometry.positions,
+        ),
     )
-    forces = []
-    for pair in (bodies, finer):
-        size = pair.geometry.pixel_size
-        totals = plastic_totals(pair, [contact.pixels(size)], contact.range)
-        forces.append(pull_off_force(totals, contact.range, size, WORK_OF_ADHESION).mean())
+    own, halved = (
+        plastic_forces(pair, [contact], [contact.range]).mean() for pair in (bodies, finer)
+    )
     attributes = {"units": "1", "long_name": "force on half as large pixels over that on the own"}
-    change = ((), forces[1] / forces[0], attributes | {"rho": contact.range})
+    change = ((), halved / own, attributes | {"rho": contact.range})
     return xr.Dataset({"finer_pixel_change": change})
 
 
 def window_change(pairs: Iterable[Bodies], contact: Contact) -> xr.Dataset:
     """Return the largest change of the plastic force in a window larger by a period on each side.
 
-    The pairs are one substrate with several rough spheres; ``window_change`` is over all contacts
-    of all pairs.
+    The pairs are one substrate with several rough spheres.
     """
     changes = []
     for bodies in pairs:

@@ -1,9 +1,8 @@
 """Sums of exp(-gap/rho) over the window of every contact of an array, smooth or rough sphere.
 
 The exponential of the gap g = s - t - h factorizes: of a smooth sphere the sums of all contacts are
-a product over both axes, of a rough one a correlation with a kernel that is computed once. Forces
-of plastic contact sum over the pixels outside it; contact pixels are left out beforehand, as their
-subtraction from a sum over all pixels would cost as many digits as exp(penetration/rho) has.
+a product over both axes, of a rough one a correlation with a kernel. Contact pixels are left out
+beforehand: subtracting them afterwards would cost as many digits as exp(penetration/rho) has.
 """
 
 from collections.abc import Callable, Iterator, Sequence
@@ -57,7 +56,7 @@ class ContactPixels:
 
         d is the separation of closest approach. `total` is the sum over all pixels but these, and
         `others` (pixels,) are the terms of these, overwritten, both at the approach where the
-        highest points would meet, whose sum is `highest`, in nm as rho is.
+        highest points would meet, whose sum is `highest`.
         """
         others[self._own[place]] = 0.0
         approach = self._gaps[place][-1]
@@ -66,10 +65,7 @@ class ContactPixels:
 
 
 def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
-    """Return the gaps (k,) in nm of periodic images, in the window, of contact pixels at offsets.
-
-    Images that are contact pixels themselves are left out. The offsets (k, 2) are from the apex.
-    """
+    """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
     pixels, geometry = bodies.substrate.pixels, bodies.geometry
     reach = -(-geometry.window // (2 * pixels))
     within, which = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
@@ -96,10 +92,7 @@ def _products(
     folds: Sequence[Floats],
     rhos: Sequence[float],
 ) -> Floats:
-    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), without the contact pixels.
-
-    heights: h, (n, n); folds: G of each rho, (contact, n).
-    """
+    """Return G exp((h - highest)/rho) G^T, (rho, contact, contact), without the contact pixels."""
     columns = [np.ascontiguousarray(fold.T) for fold in folds]
 
     def block(start: int) -> Floats:
@@ -144,8 +137,8 @@ def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> Fl
 def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Floats) -> Floats:
     """Return the sum (rho, contact, contact) of exp(-(g + d)/rho) outside plastic contact.
 
-    d is the separation of closest approach. What does not depend on the contact is computed once
-    for each range of adhesion in nm. The contacts are `LowestGaps` by place (i, j) of the array.
+    d is the separation of closest approach. The contacts are `LowestGaps` by place (i, j) of the
+    array.
     """
     substrate, roughness = bodies.substrate, bodies.roughness
     contact_pixels = ContactPixels(bodies, contacts)
@@ -169,11 +162,9 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
 def _of_smooth_sphere(
     bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
 ) -> Iterator[OfSphere]:
-    """Yield, for each range, the sums over all pixels but contact pixels and the factor at these.
-
-    The sum is G exp((h - h_max)/rho) G^T, a product over both axes, because exp(-s/rho) is one.
-    """
+    """Yield, for each range, the sums over all but contact pixels and the factor at these."""
     pixels, row, column = bodies.substrate.pixels, contact_pixels.row, contact_pixels.column
+    # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
     folds = [folded(pixels, bodies.geometry, rho) for rho in rhos]
     totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos)
     for total, fold in zip(totals, folds, strict=True):
@@ -207,10 +198,7 @@ def _of_rough_sphere(
 
 
 def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: float) -> Floats:
-    """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images.
-
-    attraction: exp((t - t_max)/rho), (m, m).
-    """
+    """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
     period = len(attraction)
     weights = _folded_by_shift(pixels, period, geometry, rho)
     kernel, place = np.zeros((pixels, pixels)), np.arange(pixels)
@@ -225,10 +213,7 @@ def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: flo
 def _folded_by_shift(
     pixels: int, period: int, geometry: ContactGeometry, rho: float
 ) -> dict[int, Floats]:
-    """Return exp(-s/rho) along one axis, summed over images of the same shift of the roughness.
-
-    Shift in pixels -> (n,); there is a single shift where both periods are the same.
-    """
+    """Return exp(-s/rho) along one axis, summed over images of the same shift of the roughness."""
     weights: dict[int, Floats] = {}
     reach = -(-geometry.window // (2 * pixels))
     for image in range(-reach, reach):
@@ -241,11 +226,8 @@ def _folded_by_shift(
 
 
 def _correlation(attraction: Floats, kernel: Floats, positions: NDArray[np.int_]) -> Floats:
-    """Return the sum (contact, contact) of attraction * kernel, shifted periodically to contacts.
-
-    attraction, kernel: (n, n); positions: (contact,). Each row of the kernel is multiplied by one
-    row of the attraction for every contact: a product of matrices.
-    """
+    """Return the sum (contact, contact) of attraction * kernel, shifted to each contact."""
+    # Each row of the kernel times one row of the attraction for every contact: matrices again.
     pixels, step = len(kernel), 4
     total = np.zeros((len(positions),) * 2)
     for start in range(0, pixels, step):

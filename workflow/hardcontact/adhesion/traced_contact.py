@@ -23,7 +23,7 @@ def traced_contact(bodies: Bodies, place: tuple[int, int], contact: Contact) -> 
     """Return the gap, the adhesive pressure and the force of one plastic contact of the array.
 
     ``gap`` (y, x) is in nm before flattening, ``adhesive_pressure`` (y, x) in Pa, ``force``
-    (separation) in N, with the pull-off force as an attribute.
+    (separation) in N.
     """
     geometry, rho, work = bodies.geometry, contact.range, contact.work
     gap = gap_map(bodies, place)

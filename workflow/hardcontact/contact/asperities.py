@@ -26,10 +26,9 @@ def asperities(
 ) -> tuple[float, float, int, float]:
     """Return the numbers of UNITS of the fewest pixels that carry a share of the force.
 
-    They are the shares of the whole force that the largest patch and the two largest carry, how
-    many patches there are, and the diameter in nm of the circle about the centre of force that
-    holds the share. The attraction (n, n) is proportional to the force on each pixel of one
-    contact, the pixel size is in nm.
+    They are the shares of the force that the largest patch and the two largest carry, how many
+    patches there are, and the diameter in nm of the circle about the centre of force that holds the
+    share. The attraction (n, n) is proportional to the force on each pixel.
     """
     total = attraction.sum()
     # Pixels of less attraction than the mean of the rest of the force together carry at most the
@@ -70,8 +69,7 @@ def asperities_of_pair(
 ) -> xr.Dataset:
     """Return which asperities carry the force of some plastic contacts, by range of adhesion.
 
-    The places (contact, 2) are of the array, ranges in nm. The dataset has the
-    variables of UNITS (contact, rho).
+    The places (contact, 2) are of the array, ranges in nm. The dataset has UNITS (contact, rho).
     """
     pixel_size = bodies.geometry.pixel_size
     contact_pixels = contact.pixels(pixel_size)

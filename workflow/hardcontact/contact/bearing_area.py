@@ -1,8 +1,8 @@
 """Rigid and plastic (bearing area) contact: closest approach and contact pixels.
 
-The gap of a contact is g = s - t - h: sphere s, its roughness t (growing out of the sphere) and
-substrate h, all in nm. The bodies approach until the contact pixels carry the preload. The highest
-points of the tiles of a map bound its gaps, so that most tiles are never read.
+The gap of a contact is g = s - t - h in nm: sphere s, its roughness t (growing out of the sphere)
+and substrate h. The highest points of the tiles of a map bound its gaps, so that most tiles are
+never read.
 """
 
 from dataclasses import dataclass
@@ -75,10 +75,7 @@ class LowestGaps(NamedTuple):
 
 
 class _Window:
-    """The tiles of the substrate in the window of one contact.
-
-    The bound (tiles,), in nm, is a lower one on the gaps of each tile.
-    """
+    """The tiles of the substrate in the window of a contact, with bounds below their gaps."""
 
     def __init__(
         self,
@@ -134,8 +131,8 @@ def lowest_gaps(
     """Return the smallest gaps of one contact and the pixels that they belong to.
 
     Only tiles with a lower bound on their gaps below the largest gap of the contact are read. The
-    roughness is None of a smooth sphere, the position (2,) the pixel of the apex: row, column.
-    Gaps are as many as contact pixels; equal ones come in the order of their offsets.
+    position (2,) is the pixel of the apex: row, column. Equal gaps come in the order of their
+    offsets.
     """
     window = _Window(substrate, roughness, geometry, position)
     limit = _limit_of_gaps(window, contact_pixels)
@@ -151,10 +148,8 @@ def lowest_gaps(
 
 
 def _limit_of_gaps(window: _Window, contact_pixels: int) -> float:
-    """Return an upper bound on the N-th smallest gap (nm), N the contact pixels.
-
-    It is the N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
-    """
+    """Return an upper bound on the N-th smallest gap (nm), N the contact pixels."""
+    # The N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
     most = min(-(-contact_pixels // TILE**2), window.bound.size)
     gaps = window.gaps(np.argpartition(window.bound, most - 1)[:most])
     return plastic_approach(gaps, contact_pixels) if gaps.size >= contact_pixels else np.inf
@@ -190,9 +185,3 @@ def all_lowest_gaps(bodies: Bodies, contact_pixels: int) -> dict[tuple[int, int]
         for i, y in enumerate(geometry.positions)
         for j, x in enumerate(geometry.positions)
     }
-
-
-def stacked_gaps(contacts: dict[tuple[int, int], LowestGaps], geometry: ContactGeometry) -> Floats:
-    """Return the gaps (contact, contact, contact_pixels) of `all_lowest_gaps` as one array."""
-    gaps = np.array([one.gaps for one in contacts.values()])
-    return gaps.reshape(*[len(geometry.positions)] * 2, -1)

@@ -10,8 +10,7 @@ import numpy as np
 class Contact:
     """A sphere pressed onto a surface at an array of contacts.
 
-    `dataclasses.replace` gives the same contact at another load, range or radius. A window,
-    range or work that nothing depends on may be left out; computing with it then fails.
+    A window, range or work that nothing depends on may be left out; computing with it then fails.
 
     Attributes
     ----------

@@ -1,8 +1,8 @@
 """Elastic contact with the solvers of ContactMechanics and Adhesion, without plasticity.
 
 A rough body of height -gap is pressed into, or pulled off, a flat periodic half space of the
-effective modulus. Towards the solvers lengths are in nm and forces in nN, so that pressures are
-in GPa and energies per area in J/m²: numbers near one, as their tolerances expect.
+effective modulus. Towards the solvers lengths are in nm, forces in nN, pressures in GPa, energies
+per area in J/m².
 """
 
 from typing import Any
@@ -49,9 +49,8 @@ def contact_at_load(
     """Return the pressure (n, n) in Pa of elastic contact without adhesion, and iterations.
 
     Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206). The gap (n, n) at any
-    approach and the pixel size are in nm, the effective modulus in Pa and the load in N. A
-    ValueError says what the solver returned if it is no solution: not converged, another load,
-    tension, an overlap, a gap under pressure, or the uniform pressure from which the solver starts.
+    approach and the pixel size are in nm, the effective modulus in Pa and the load in N. Raises
+    ValueError if what the solver returned is no solution.
     """
     # The solver reports no contact if all heights are below zero; centred heights are not.
     body, half_space = _body_and_half_space(gap.mean() - gap, pixel_size, modulus)
@@ -83,10 +82,10 @@ def adhesive_pull_off(
 
     Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
     bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
-    paper, elastic analysis). The gap (n, n) at any approach, the pixel size and rho, the range of
-    adhesion, are in nm, the effective modulus in Pa and the work of adhesion in J/m². A ValueError
-    is raised if no equilibrium was reached, and for bodies so soft that attraction stretches them
-    by more than a tenth of rho: their pull-off may lie outside the range that is searched.
+    paper, elastic analysis). Lengths are in nm, the effective modulus in Pa and the work of
+    adhesion in J/m². Raises ValueError if no equilibrium was reached, and for bodies so soft that
+    attraction stretches them by more than a tenth of rho: their pull-off may lie outside the range
+    that is searched.
     """
     heights = gap.min() - gap
     attraction = work_of_adhesion / rho * pixel_size**2 * np.exp(heights / rho)
@@ -188,8 +187,8 @@ def elastic_contacts_of_pair(
     """Return some contacts of a pair of scans, elastic instead of rigid or plastic.
 
     The places (contact, 2) are of the array, the effective modulus is in Pa. The pull-off is solved
-    in a window (edge in nm) about the lowest gap of the contact. The dataset has the variables of
-    UNITS by contact, and of the first the pressure (y, x) about its peak.
+    in a window (edge in nm) about the lowest gap of the contact. The dataset has UNITS by contact,
+    and of the first the pressure (y, x) about its peak.
     """
     geometry, pixel_size = bodies.geometry, bodies.geometry.pixel_size
     period = min(bodies.substrate.pixels, geometry.window)

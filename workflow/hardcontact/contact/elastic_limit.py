@@ -1,10 +1,9 @@
 """Whether contacts yield, by the slope of the waves of a surface down to a shortest one.
 
-Where bodies touch over an area on which their gap has the rms slope h', the mean pressure of
-elastic contact is E* h'/k. Of a smooth sphere k = 1.67, exactly: h' is a/(sqrt(2) R) on a disc of
-radius a (Hertz). Of a rough flat k is 1.6 (Persson, J. Chem. Phys. 115 (2001) 3840) to 2.5 (Bush,
-Gibson and Thomas, Wear 35 (1975) 87). The first is taken here. Contacts yield where this pressure
-exceeds the hardness. Shorter waves have higher slopes, and yield first.
+Over an area on which their gap has the rms slope h', bodies press elastically with E* h'/k on
+average: k = 1.67 of a smooth sphere, exactly; of a rough flat 1.6 (Persson, J. Chem. Phys. 115
+(2001) 3840) to 2.5 (Bush, Gibson and Thomas, Wear 35 (1975) 87). The first is taken here. Contacts
+yield where this exceeds the hardness.
 """
 
 from collections.abc import Mapping
@@ -23,8 +22,8 @@ SLOPE_OVER_PRESSURE = 3 * np.pi / (4 * np.sqrt(2))
 def slope_index(spectra: Mapping[str, Spectrum], modulus: float, hardness: float) -> xr.DataArray:
     """Return E* h'/(k H), h' the rms slope of all waves down to the shortest, from spectra.
 
-    Over surface and shortest_wavelength (nm), rising; modulus and hardness are in Pa. It does not
-    grow where a spectrum has no shorter waves. h'² = 1/(2 pi) ∫ q³ C_iso dq.
+    Over surface and shortest_wavelength (nm), rising; modulus and hardness are in Pa. h'² = 1/(2
+    pi) ∫ q³ C_iso dq.
     """
     indices = []
     for spectrum in spectra.values():

@@ -1,7 +1,7 @@
 """The sphere over a surface: its paraboloid, the array of contacts, their gaps in a window.
 
-Pixel indices run along one axis. A contact at index c sees the substrate at the unfolded indices
-c + u, u from -window/2 to window/2 - 1; the substrate continues itself periodically.
+A contact at the pixel c sees the substrate at the unfolded indices c + u along one axis, u from
+-window/2 to window/2 - 1; the substrate continues itself periodically.
 """
 
 from dataclasses import dataclass, replace
@@ -71,7 +71,7 @@ def contact_positions(pixels: int, contacts_along_edge: int) -> NDArray[np.int_]
     """Return the pixels (contacts_along_edge,) of contacts evenly over one period of the substrate.
 
     The first lies a quarter of a step from the edge, so that no two contacts are mirror images of
-    each other on a mirror-stitched surface (which is symmetric about the ends of its period).
+    each other on a mirror-stitched surface.
     """
     steps = np.arange(contacts_along_edge) + 0.25
     return np.floor(steps * pixels / contacts_along_edge).astype(int)
@@ -82,8 +82,7 @@ def sampled_contacts(
 ) -> NDArray[np.int_]:
     """Draw places (contacts, 2) from the array of all contacts, each at most once.
 
-    With the same generator a larger sample contains the smaller one. A ValueError is raised if the
-    array has fewer contacts.
+    With the same generator a larger sample contains the smaller one.
     """
     available = contacts_along_edge**2
     if contacts > available:
@@ -96,7 +95,7 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
     """Bring a substrate and a sphere together, on the smaller of their two pixel sizes.
 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
-    substrate is periodic, the sphere its mirror-stitched roughness, or None for a smooth sphere.
+    sphere is its mirror-stitched roughness, or None for a smooth sphere.
     """
     roughness, stretch = None, 0.0
     if sphere is not None:
@@ -130,17 +129,6 @@ def _on_pixels(surface: HeightMap, pixel_size: float) -> tuple[HeightMap, float]
     if pixels != surface.pixels:
         surface = interpolate(surface, pixels)
     return replace(surface, pixel_size=pixel_size), stretch
-
-
-def sphere_height(pair: Bodies, centre: ArrayLike, reach: int) -> Floats:
-    """Return the height of a rough sphere near one place of it, in nm above the apex.
-
-    The centre (2,) is in pixels from the apex: row, column. The map, (2 reach + 1, 2 reach + 1),
-    has `reach` pixels on either side of it. A ValueError is raised if the sphere is smooth.
-    """
-    if pair.roughness is None:
-        raise ValueError("expected a rough sphere, found a smooth one")
-    return pair.sphere(*(place + np.arange(-reach, reach + 1) for place in np.asarray(centre)))
 
 
 def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:
@@ -178,10 +166,7 @@ def flattened_gaps(gap: Floats, contact_pixels: int) -> Floats:
 
 
 def part_around_lowest(gap: Floats, pixels: int) -> Floats:
-    """Return the square part (pixels, pixels) of a gap map (n, n) about its lowest point.
-
-    Where the lowest point is near an edge of the map the part ends at that edge.
-    """
+    """Return the part (pixels, pixels) of a gap map (n, n) about its lowest point."""
     lowest = np.unravel_index(gap.argmin(), gap.shape)
     rows, columns = (
         slice(first, first + pixels)

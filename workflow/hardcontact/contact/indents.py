@@ -13,7 +13,7 @@ from scipy.sparse.csgraph import connected_components
 
 from hardcontact.contact.bearing_area import LowestGaps, all_lowest_gaps
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.geometry import Bodies, bodies, sphere_height
+from hardcontact.contact.geometry import Bodies, bodies
 from hardcontact.records.dataset import stack
 from hardcontact.records.job import progress
 from hardcontact.surfaces.height_map import HeightMap
@@ -41,10 +41,7 @@ def indents(contact: LowestGaps, pixel_size: float) -> tuple[float, float, float
 
 
 def flattening(contact: LowestGaps, reach: int) -> NDArray[np.float64]:
-    """Return the penetration (nm) of contact pixels, zero elsewhere, about the deepest of them.
-
-    The map has `reach` pixels on either side of the deepest: (2 reach + 1, 2 reach + 1).
-    """
+    """Return the penetration (nm) of pixels up to `reach` pixels from the deepest."""
     gaps, offsets = contact
     depth = np.zeros((2 * reach + 1,) * 2)
     y, x = (offsets - offsets[0] + reach).T
@@ -61,9 +58,9 @@ def indents_of_scans(
 ) -> xr.Dataset:
     """Return the indents that every substrate scan leaves in every sphere scan, by number.
 
-    The contact is made at each of the preloads (N). The dataset has the variables of UNITS (scan,
-    sphere_scan, preload, contact_y, contact_x), and of the contact of median depth at the largest
-    preload ``indentation`` (preload, y, x) and ``sphere_height`` (y, x).
+    The dataset has UNITS (scan, sphere_scan, preload, contact_y, contact_x), preloads in N, and of
+    the contact of median depth at the largest preload ``indentation`` (preload, y, x) and
+    ``sphere_height`` (y, x).
     """
 
     def brought_together(scan: int, sphere_scan: int) -> Bodies:
@@ -124,7 +121,9 @@ def _with_contact(
 ) -> xr.Dataset:
     """Add the indents of one contact at every preload, and the sphere there."""
     contacts = [of_all[place] for of_all in _contacts(pair, loads)]
-    position = np.arange(-REACH, REACH + 1) * pair.geometry.pixel_size
+    reach = np.arange(-REACH, REACH + 1)
+    row, column = contacts[0].offsets[0]
+    position = reach * pair.geometry.pixel_size
     axis = {"units": "nm", "long_name": "position from the deepest point"}
     return sizes.assign(
         indentation=(
@@ -134,7 +133,9 @@ def _with_contact(
         ),
         sphere_height=(
             ("y", "x"),
-            sphere_height(pair, contacts[0].offsets[0], REACH),
+            pair.sphere(
+                *(place + np.arange(-REACH, REACH + 1) for place in contacts[0].offsets[0])
+            ),
             {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

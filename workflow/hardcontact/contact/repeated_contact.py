@@ -1,13 +1,9 @@
 """One place of the sphere pressed onto many places of a substrate: indents accumulate.
 
-The sphere is the softer body and yields: at each contact its pixels that penetrate the substrate
-are flattened to it, until as many are in contact as carry the preload at the hardness of the
-sphere. What is flattened stays so in the next contact. The substrate, harder, keeps its shape. Not
-modelled: elastic recovery, hardening, material that piles up beside an indent (what penetrates
-vanishes), wear and transfer, and that the sphere comes back to the same place by less than a pixel.
-
-Places are drawn at random on a large random surface: in a mirrored scan every summit would press
-its indent into the points of a lattice.
+At each contact pixels of the softer sphere that penetrate the substrate are flattened to it, and
+stay so. Not modelled: elastic recovery, hardening, material that piles up beside an indent, wear
+and transfer. Places are drawn at random on a large random surface: in a mirrored scan every summit
+would press its indent into the points of a lattice.
 """
 
 from collections.abc import Iterator, Sequence
@@ -38,8 +34,7 @@ MAX_PIXELS = 4096
 def over_window(bodies: Bodies) -> Bodies:
     """Return the same bodies with the sphere's roughness over its whole window as one period.
 
-    The roughness of a scan is continued periodically, indents in it must not be. A smooth sphere
-    gets a roughness of zero.
+    The roughness of a scan is continued periodically, indents in it must not be.
     """
     geometry, substrate = bodies.geometry, bodies.substrate
     offset = np.fft.ifftshift(geometry.offsets())
@@ -56,11 +51,9 @@ def repeated_contacts(
 ) -> Iterator[tuple[LowestGaps, Floats]]:
     """Press one place of a sphere onto places of a substrate, and yield contacts and depths.
 
-    The positions (contacts, 2) are pixels (row, column) of the substrate under the apex; the
-    contact pixels are those of each contact, the bodies those before the first. A contact has the
-    gaps before they were flattened. The depth (window, window) in nm is what the sphere is
-    flattened by after it, the apex at the pixel (window/2, window/2); it is the same array at every
-    contact and changes with the next.
+    The positions (contacts, 2) are pixels (row, column) of the substrate under the apex. A contact
+    has the gaps before they were flattened. The depth (window, window) in nm is what the sphere is
+    flattened by after it, about the apex; the next contact changes the same array.
     """
     substrate, whole = as_tiles(bodies.substrate), over_window(bodies)
     assert whole.roughness is not None
@@ -76,10 +69,7 @@ def repeated_contacts(
 
 
 def _flatten(roughness: Tiles, offsets: NDArray[np.int_], penetration: Floats) -> None:
-    """Lower a roughness, in place, at offsets (k, 2) from its origin by a penetration (k,) in nm.
-
-    No two offsets are the same pixel, because the period of the roughness is the window.
-    """
+    """Lower a roughness, in place, at offsets (k, 2) by a penetration (k,) in nm."""
     y, x = (offsets % roughness.pixels).T
     roughness.blocks[y // TILE, y % TILE, x // TILE, x % TILE] -= penetration
     for row, column in np.unique(np.stack([y, x], axis=1) // TILE, axis=0):
@@ -99,7 +89,7 @@ def indented_area_ratio(
 ) -> float:
     """Return the area of the indents of many contacts over that of as many separate contacts.
 
-    One place of the sphere meets random places of the substrate. The ratio is one where no indents
+    One place of the sphere meets random places of the substrate. It is one where no indents
     overlap.
     """
     places = rng.integers(0, bodies.substrate.pixels, (contacts, 2))
@@ -111,10 +101,7 @@ def indented_area_ratio(
 
 
 def mean_over_surfaces(ratios: Sequence[float], confidence: float) -> xr.Dataset:
-    """Return the mean of `indented_area_ratio` over random surfaces.
-
-    ``indented_area_ratio`` has no dimensions; its interval is by Student's t, cut at 0.
-    """
+    """Return the mean of `indented_area_ratio` over surfaces, with an interval above 0."""
     ratio = xr.DataArray(list(ratios), dims="scan", attrs={"units": "1"})
     interval = student_interval(ratio, confidence, "scan").clip(0, keep_attrs=True)
     return xr.Dataset(

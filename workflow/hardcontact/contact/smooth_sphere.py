@@ -1,7 +1,7 @@
 """A smooth elastic sphere on a flat: Hertz without adhesion, and with it between JKR and DMT.
 
-Lengths in nm, forces in N, works of adhesion in J/m², pressures and moduli in Pa. Loads push,
-pull-off forces are positive where they pull. Arguments may be arrays; they broadcast.
+Lengths in nm, forces in N, works of adhesion in J/m², pressures and moduli in Pa. Pull-off forces
+are positive. Arguments may be arrays; they broadcast.
 """
 
 from collections.abc import Callable
@@ -85,10 +85,10 @@ def maugis_parameter(tabor: Values) -> Values:
 def transition_coefficient(maugis: Values) -> Values:
     """Return the pull-off force over πWR for Maugis parameters, by the fit of Carpick et al.
 
-    7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1), for every λ: 2 (DMT) to 3/2 (JKR). Carpick, Ogletree
-    and Salmeron, J. Colloid Interface Sci. 211 (1999) 395, as used by Grierson, Flater and Carpick,
-    J. Adhes. Sci. Technol. 19 (2005) 291. Unverified against the primary source; it keeps within
-    1.7 % of the exact pair it was fitted to (`maugis_dugdale_coefficient`), farthest at λ = 0.26.
+    7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1): 2 (DMT) to 3/2 (JKR). Carpick, Ogletree and Salmeron,
+    J. Colloid Interface Sci. 211 (1999) 395, as used by Grierson, Flater and Carpick, J. Adhes.
+    Sci. Technol. 19 (2005) 291. Unverified against the primary source; it keeps within 1.7 % of the
+    exact pair it was fitted to (`maugis_dugdale_coefficient`).
     """
     stiffness = 4.04 * np.asarray(maugis) ** 1.4
     return 7 / 4 - (stiffness - 1) / (stiffness + 1) / 4
@@ -98,18 +98,15 @@ def maugis_dugdale_coefficient(maugis: Values) -> Values:
     """Return the pull-off force over πWR for Maugis parameters, exact for a Dugdale law.
 
     The pair of equations of Maugis, J. Colloid Interface Sci. 150 (1992) 243, section 6, checked
-    against the implementation in the package Adhesion 0.93, solved numerically. ValueError for a
-    Maugis parameter that is not positive.
+    against the package Adhesion 0.93. Raises ValueError for a parameter that is not positive.
     """
     _require_positive("Maugis parameter", maugis)
     return np.vectorize(_maugis_dugdale, otypes=[float])(maugis)
 
 
 def _maugis_dugdale(maugis: float) -> float:
-    """Return the greatest tension over πWR for one λ.
-
-    Its place in s = sqrt(m² - 1) lies near a sum of the limits: 3/(πλ)^1.5 (DMT) and 1.145/λ (JKR).
-    """
+    """Return the greatest tension over πWR for one λ."""
+    # Near a sum of the limits: 3/(πλ)^1.5 (DMT) and 1.145/λ (JKR).
     guess = np.log(3 / (np.pi * maugis) ** 1.5 + 1.145 / maugis)
     lowest = minimize_scalar(
         lambda logarithm: _maugis_dugdale_force(np.exp(logarithm), maugis),
@@ -121,11 +118,8 @@ def _maugis_dugdale(maugis: float) -> float:
 
 
 def _maugis_dugdale_force(s: float, maugis: float) -> Values:
-    """Return the force over πWR, compression positive, if the cohesive zone has m² = 1 + s².
-
-    The first equation of the pair is quadratic in the contact radius once m is given: no root has
-    to be searched for.
-    """
+    """Return the force over πWR, compression positive, if the cohesive zone has m² = 1 + s²."""
+    # The first equation of the pair is quadratic in the contact radius once m is given.
     angle = np.arctan(s)
     excess = s**2 / (np.sqrt(1 + s**2) + 1)  # m - 1
     quadratic = maugis / 2 * (s + (s**2 - 1) * angle)
@@ -148,7 +142,7 @@ def self_consistent_work_of_adhesion(
 ) -> Values:
     """Return the effective work of adhesion whose own Tabor parameter gives its coefficient.
 
-    `coefficient` is F/πRW as a function of the Maugis parameter. NaN where the force is NaN;
+    `coefficient` is F/πRW as a function of the Maugis parameter. NaN where the force is NaN; raises
     ValueError for a force that is not positive.
     """
     _require_positive("pull-off force", force)

@@ -13,20 +13,14 @@ AXES = ("side", "surface", "cutoff_wavelength")
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
-    """Return the cutoffs (nm), growing, at which any value of one side is known.
-
-    Values (..., cutoff_wavelength) are NaN at cutoffs of the other side.
-    """
+    """Return the cutoffs (nm), growing, at which any value (..., cutoff_wavelength) is known."""
     others = [dim for dim in values.dims if dim != "cutoff_wavelength"]
     known = values["cutoff_wavelength"].values[values.notnull().any(others).values]
     return np.sort(known)
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff (nm) of a side that removes most, which stands for all beyond it.
-
-    The side is "small" or "large"; values (..., cutoff_wavelength) are NaN at cutoffs of the other.
-    """
+    """Return the cutoff (nm) of a side that removes most, which stands for all beyond it."""
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
 
@@ -41,8 +35,7 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
     group, cutoff_wavelength), |ratio - 1|, of the group POOLED the mean over surfaces; and
     ``critical_wavelength`` (side, group) in nm. A surface leaves the tolerance where ln(ratio)
-    does. A sampled change that stays within the tolerance counts as the last cutoff of its side, a
-    bound on where it leaves.
+    does. A sampled change that never does counts as the last cutoff of its side.
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
@@ -111,10 +104,9 @@ def critical_wavelength(
 ) -> float:
     """Return the cutoff (nm) where a curve leaves its limits, coming from no filter; NaN if never.
 
-    Linear in the curve and in log wavelength. The cutoffs (k,), in nm, are in the order of growing
-    effect. The curve (k,) begins within the limits, lower and upper. Of one surface it is
-    ln(ratio), which passes through no change where the ratio crosses one, as |ratio - 1| does not;
-    of several surfaces it is the mean of |ratio - 1|, which has no sign.
+    Linear in the curve and in log wavelength; the cutoffs (k,) are in the order of growing effect.
+    The curve (k,) begins within the limits. Of one surface it is ln(ratio), which passes through no
+    change where the ratio crosses one, as |ratio - 1| does not; of several the mean of |ratio - 1|.
     """
     lower, upper = limits
     outside = np.flatnonzero((curve < lower) | (curve > upper))
@@ -129,10 +121,7 @@ def critical_wavelength(
 def _critical_wavelengths(
     ends: np.ndarray, cutoffs: np.ndarray, ratios: np.ndarray, tolerance: float
 ) -> np.ndarray:
-    """Return critical wavelengths (n, side, group) of ratios (n, side, surface, cutoff).
-
-    ends: (side, group) nm, the unfiltered end: below all cutoffs, or above.
-    """
+    """Return critical wavelengths (n, side, group) of ratios (n, side, surface, cutoff)."""
     curves = np.concatenate([np.log(ratios), _changes(ratios)[:, :, -1:]], axis=2)
     limits = [logarithmic_limits(tolerance)] * ratios.shape[2] + [(-np.inf, tolerance)]
     wavelengths = np.full(curves.shape[:3], np.nan)
@@ -164,13 +153,10 @@ def described_edge(curve: Curve) -> dict[str, Any]:
 
     An edge is that of `critical_wavelength`, found between two cutoffs that were computed. Where
     the curve has left its limits before the first one, or does not leave them up to the last, the
-    edge is open, and a bound is all that is known.
-
-    The ends of its interval are cutoffs that were computed: the last one before any value within
-    the intervals leaves the limits, and the first one at which all values have left. At the true
-    edge the curve is at a limit, which its interval holds with the confidence asked for. Between
-    two cutoffs nothing was computed, so that nothing but a curve that has no further crossing there
-    is taken for granted, not a straight one.
+    edge is open, and a bound is all that is known. The ends of its interval are cutoffs too: the
+    last one before any value within the intervals leaves the limits, and the first one at which all
+    have left. This takes nothing for granted but that the curve has no further crossing between two
+    cutoffs.
 
     ``edge``, ``edge_bound`` and ``edge_interval`` (2,) are in nm, NaN where they are open;
     ``edge_at_least`` is 1 where the edge is longer than its bound; ``edge_status`` and
@@ -207,10 +193,7 @@ def described_edge(curve: Curve) -> dict[str, Any]:
 
 
 def _first_outside(curve: Curve, above: np.ndarray, below: np.ndarray) -> int:
-    """Return the place of the first cutoff beyond the limits, the number of cutoffs if none is.
-
-    Beyond the upper limit count values of one row, beyond the lower one those of another.
-    """
+    """Return the place of the first cutoff beyond the limits, the number of cutoffs if none is."""
     lower, upper = curve.limits
     outside = np.flatnonzero((above > upper) | (below < lower))
     return int(outside[0]) if len(outside) else len(curve.cutoffs)

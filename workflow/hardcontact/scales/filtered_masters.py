@@ -48,9 +48,9 @@ def forces_at_cutoffs(
     """Return the forces on a periodic master, whole and filtered at every cutoff of a side.
 
     `forces` takes a filtered surface and returns its forces (...) in N at 1 J/m², whose dimensions
-    and coordinates, in their order, are the axes. No surface is kept while the next one is
-    filtered. ``pull_off_force`` (cutoff_wavelength, ...) and ``unfiltered_pull_off_force`` (...)
-    stand beside ``unfiltered_wavelength``, the end of the unfiltered spectrum in nm.
+    and coordinates are the axes. ``pull_off_force`` (cutoff_wavelength, ...) and
+    ``unfiltered_pull_off_force`` (...) stand beside ``unfiltered_wavelength``, the end of the
+    unfiltered spectrum in nm.
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
@@ -124,8 +124,8 @@ def varied_master(
 ) -> HeightMap:
     """Return the master of one side of a scan, of their files, with a spectrum that may be drawn.
 
-    The key is that of the random numbers. The heights of the scan are multiplied by the factor of a
-    drawn spectrum. The scales are of `synthesized_master`.
+    The heights of the scan are multiplied by the factor of a drawn spectrum. The scales are of
+    `synthesized_master`, the key is that of the random numbers.
     """
     density, stitched = dataset.read(spectrum), read_height_map(scan)
     if "height_factor" in density.attrs:

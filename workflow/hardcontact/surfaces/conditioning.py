@@ -1,10 +1,8 @@
 """Scans of one surface, conditioned together on what Table 1 says of five.
 
-Random scans of one spectrum differ, and so do their means over a few of them. A smooth gain of the
-spectrum and one factor for each scan give a group of scans exactly the mean and the standard
-deviation of the rms heights, and the mean slope and curvature, that are published.
-
-`scipy` is imported where it is used.
+A smooth gain of the spectrum and one factor for each scan give a group of random scans exactly the
+mean and standard deviation of the rms heights, and the mean slope and curvature, that are
+published.
 """
 
 import math
@@ -56,9 +54,8 @@ def scan_targets(
     """Return the targets of substitute scans on this study's pixels.
 
     On the paper's pixels and size they are what the spectrum expects of a scan: Table 1, if it was
-    calibrated to it. On other pixels slope and curvature are those expected there, and the rms
-    height stays; on another size all three are those expected. The deviation is the share of the
-    rms height that its published uncertainty is.
+    calibrated to it. On other pixels slope and curvature are those expected there; on another size
+    all three are. The deviation is the share of the rms height that its published uncertainty is.
 
     Parameters
     ----------
@@ -114,8 +111,8 @@ def group_heights(drawn: Floats, mean: float, deviation: float) -> Floats:
 def band_shares(grid: ScanGrid) -> Floats:
     """Return the shares of amplitude of three smooth bands: (3, points of WAVEVECTORS).
 
-    They add up to one everywhere and go over into each other between the size of a scan, its
-    geometric mean with two pixels, and two pixels, as sin² in the logarithm of the wavelength.
+    They add up to one, and go over into each other between the size of a scan, its geometric mean
+    with two pixels, and two pixels, as sin² in the logarithm of the wavelength.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
     place = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
@@ -126,10 +123,7 @@ def band_shares(grid: ScanGrid) -> Floats:
 
 
 def amplified(density: Density, gain: Floats) -> Density:
-    """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS.
-
-    Between these it is linear in the logarithm, so that gains of several bands add up there too.
-    """
+    """Return a spectrum whose amplitudes are multiplied by a gain on WAVEVECTORS."""
 
     def amplified_density(wavevector: Floats) -> Floats:
         with np.errstate(divide="ignore"):
@@ -161,13 +155,7 @@ def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
 
 
 def _fitted(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
-    """Return amplitudes (bands,), factors of heights (scan,), relative misses of the means (3,).
-
-    The moments (scan, 3, bands, bands) are `second_moments` of the metrics of the targets. The rms
-    heights are met always; mean slope and curvature as nearly as amplitudes within LARGEST_CHANGE
-    allow: exactly, but for single scans that are far from what is expected. Raises ValueError if an
-    rms height would be negative.
-    """
+    """Return amplitudes (bands,), factors of heights (scan,), relative misses of the means (3,)."""
     from scipy.optimize import least_squares
 
     means = np.array(list(targets.means.values()))
@@ -183,11 +171,9 @@ def _fitted(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
         values, factors = height_factors(logs)
         return np.asarray((factors[:, None] * values).mean(axis=0) / means - 1)
 
-    def slope_and_curvature_misses(logs: Floats) -> Floats:
-        return misses(logs)[1:]
-
+    # The rms heights are met always, mean slope and curvature as nearly as LARGEST_CHANGE allows.
     fit = least_squares(
-        slope_and_curvature_misses,
+        lambda logs: misses(logs)[1:],
         np.zeros(BANDS - 1),
         bounds=(-np.log(LARGEST_CHANGE), np.log(LARGEST_CHANGE)),
         xtol=1e-15,
@@ -212,9 +198,9 @@ def conditioned_group(
 ) -> xr.Dataset:
     """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
 
-    Both are one without targets. The generators, by number of the scan, return a new one: that
-    which the scan is drawn with. The attribute `calibrated_to_table1` has the rows of Table 1 that
-    the surface meets by construction. Raises ValueError if an rms height would be negative.
+    Both are one without targets. The generators, by number of the scan, return that which the scan
+    is drawn with. The attribute `calibrated_to_table1` has the rows of Table 1 that the surface
+    meets by construction. Raises ValueError if an rms height would be negative.
     """
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
     calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])

@@ -1,11 +1,8 @@
 """How a joined spectrum goes on beyond the wavelengths that its measurements show.
 
 Below the shortest it is self-affine down to atoms, within bounds on slope and curvature. Above the
-longest it rises up to a roll-off wavelength, and is constant beyond. Few waves longer than a third
-of a scan fit into it, and levelling removes a part of each, but what is left of them in the rms
-height tells how far the spectrum rises: the roll-off follows from the variance of the levelled
-heights by Bayes' rule. Before that, all roll-offs from the longest reliable wavelength to
-MAX_ROLLOFF times the scan are equally likely in their logarithm.
+longest it rises up to a roll-off wavelength, and is constant beyond. The roll-off follows from the
+variance of the levelled heights by Bayes' rule.
 """
 
 from collections.abc import Sequence
@@ -62,11 +59,10 @@ def continued_spectrum(
     """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
 
     The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
-    of ln C. Above the longest wavelength measured C_iso is constant. Below the shortest it is
-    self-affine with the Hurst exponent of the last decade past the roll-off, changed by a number
-    and held within 0 to 1. The tail ends at the distance of atoms, or where the rms gradient or
-    half-Laplacian of all scales would exceed that of the roughest hard surface known: there is none
-    if the measured part alone does.
+    of ln C. Above them C_iso is constant. Below it is self-affine with the Hurst exponent of the
+    last decade past the roll-off, changed by a number and held within 0 to 1. The tail ends at the
+    distance of atoms, or where the rms gradient or half-Laplacian of all scales would exceed that
+    of the roughest hard surface known.
     """
     # A point of the table at the last wavevector may lie beyond it by rounding.
     table = Spectrum(wavevector, density)(np.minimum(WAVEVECTORS, wavevector[-1]))
@@ -122,10 +118,9 @@ def _bounded(density: Floats) -> tuple[int, str]:
 
 
 def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
-    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured.
+    """Return C_iso (nm⁴) on WAVEVECTORS that rises above the longest wavelength measured (nm).
 
-    It rises with d ln C/d ln q = `slope`, held within STEEPEST and 0, up to the roll-off, and is
-    constant beyond; wavelengths are in nm.
+    It rises with d ln C/d ln q = `slope`, held within STEEPEST and 0, up to the roll-off (nm).
     """
     beyond = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
     rise = np.minimum(beyond, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST, 0.0)
@@ -135,9 +130,8 @@ def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) 
 def levelled_share(wavevector: Floats, size: float, kind: str) -> Floats:
     """Return the share of the variance of random waves (q,) that levelling leaves in a scan.
 
-    A least-squares plane is taken from a map, a line from a profile, of a size in nm; waves have
-    wavevectors in rad/nm, all directions and all phases. The share that is removed is the square of
-    the projections on 1, sqrt(12) x/L and sqrt(12) y/L, in closed form.
+    Waves have all directions and phases, a scan has a size in nm. Levelling removes the squares of
+    the projections on 1, sqrt(12) x/L and, of a map, sqrt(12) y/L, in closed form.
     """
     angle = (np.arange(DIRECTIONS) + 0.5) * np.pi / 2 / DIRECTIONS
     half = np.maximum(wavevector[:, None] * size / 2, 1e-3)
@@ -179,7 +173,8 @@ class LongWaves:
         """Return the roll-off wavelength in nm that is not exceeded with a probability.
 
         The density is C_iso (nm⁴) on WAVEVECTORS, constant above the longest wavelength measured
-        (nm), where its d ln C/d ln q is the slope.
+        (nm), where d ln C/d ln q is the slope. All roll-offs from there to MAX_ROLLOFF times the
+        scan are equally likely beforehand in their logarithm.
         """
         if slope >= 0:
             return longest
@@ -195,18 +190,16 @@ class LongWaves:
         return float(np.exp(np.interp(probability, below, np.log(rolloffs))))
 
     def _log_likelihood(self, density: Floats) -> float:
-        """Return the logarithm of the likelihood of the variance, less a constant.
-
-        The power of each of N independent waves is distributed exponentially, so that theirs is a
-        gamma variable of the relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π along
-        a line, and 1 for waves longer than the scan, which are a bow. Heights that are not of the
-        surface, at wavelengths too short to be reliable, are added to the variance.
-        """
+        """Return the logarithm of the likelihood of the variance, less a constant."""
         from scipy import stats
 
+        # The power of each of N independent waves is distributed exponentially: theirs is a gamma
+        # variable of the relative variance 1/N. N per ln q is q²L²/4π in a map and qL/2π along a
+        # line, and 1 for waves longer than the scan, which are a bow.
         waves = WAVEVECTORS * self.size / (2 * np.pi)
         number = np.maximum(waves if self.kind == "profile" else np.pi * waves**2, 1)
         power = density * WAVEVECTORS**2 * self._share / (2 * np.pi)
+        # Heights that are not of the surface, at wavelengths too short to be reliable, are added.
         excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
         noise = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable].sum() * BIN / (2 * np.pi)
         expected = np.trapezoid(power, LOG_WAVEVECTORS) + noise

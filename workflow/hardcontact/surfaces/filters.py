@@ -1,8 +1,7 @@
 """Fourier interpolation and cutoff filters of periodic surfaces.
 
 A surface whose shortest wavelength is known is kept on the coarsest grid that represents it
-exactly, and interpolated when pixels are needed. `scipy.fft` is imported where it is used: most
-jobs that import this module transform nothing, and the import takes longer than they do.
+exactly.
 """
 
 from collections.abc import Iterator, Sequence
@@ -22,8 +21,8 @@ ROWS = 64  # rows a block: no step holds a second full-size array, and a block f
 def lowpass(surface: HeightMap, cutoff: float) -> HeightMap:
     """Return the wavelengths >= cutoff (nm) of a surface, on the coarsest grid that holds them.
 
-    The surface is periodic and square; the heights, on at most its own pixels, are in float64.
-    Raises ValueError for a cutoff of two pixels or less.
+    The surface is periodic and square; the heights are in float64. Raises ValueError for a cutoff
+    of two pixels or less.
     """
     from scipy import fft
 
@@ -84,8 +83,7 @@ def _with_orders(transform: Spectrum, pixels: int) -> Spectrum:
 def interpolate(surface: HeightMap, pixels: int) -> HeightMap:
     """Return the trigonometric interpolation of a periodic, square surface on pixels x pixels.
 
-    It passes through the original points where they coincide; heights are in float32. Raises
-    ValueError for fewer pixels than the surface has.
+    Heights are in float32. Raises ValueError for fewer pixels than the surface has.
     """
     from scipy import fft
 

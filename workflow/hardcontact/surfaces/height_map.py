@@ -1,8 +1,4 @@
-"""Height maps: levelling, subtracting the sphere, mirror stitching, rms metrics.
-
-SurfaceTopography and `scipy.stats` are imported where they are used: importing them takes longer
-than most jobs compute.
-"""
+"""Height maps: levelling, subtracting the sphere, mirror stitching, rms metrics."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -92,11 +88,10 @@ def level(scan: HeightMap) -> HeightMap:
 
 
 def level_lines(scan: HeightMap) -> HeightMap:
-    """Return a scan whose lines are aligned, minus its least-squares plane.
+    """Return a scan whose lines along x are aligned, minus its least-squares plane.
 
-    Scan lines run along x. Each loses its least-squares line, then its median. This removes drift
-    and jumps of the feedback, but also all real roughness whose wavevector points along y.
-    Source: ``ScanLineAlignedTopography`` of SurfaceTopography.
+    Each line loses its least-squares line, then its median: drift and jumps of the feedback, but
+    also all real roughness whose wavevector points along y. Source: ``ScanLineAlignedTopography``.
     """
     aligned = library_map(scan).scan_line_align(direction="x", mode="median", degree=1)
     return level(replace(scan, heights=aligned.heights().T))
@@ -111,8 +106,7 @@ def flat_map(
 ) -> HeightMap:
     """Return a scan levelled, after the sphere (radius in nm) that it shows is subtracted, if any.
 
-    The paraboloid x²/2R is added back. The position of the apex does not matter, because moving it
-    adds a plane.
+    The apex of the paraboloid x²/2R that is added back may lie anywhere: moving it adds a plane.
     """
     if sphere_radius is not None:
         y, x = (
@@ -156,8 +150,7 @@ def metrics(scan: HeightMap) -> dict[str, float]:
     """Return the METRICS of a scan.
 
     Derivatives are finite differences between neighbouring pixels, as in SurfaceTopography, over
-    the pixels that have them along both axes. Where the paper leaves a definition open there is
-    one metric for each reading.
+    the pixels that have them along both axes.
 
     Parameters
     ----------

@@ -1,7 +1,4 @@
-"""One spectrum of a surface from all its measurements: maps of several sizes, line scans.
-
-`extrapolated_spectrum` continues it beyond its band.
-"""
+"""One spectrum of a surface from all its measurements: maps of several sizes, line scans."""
 
 import io
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -183,12 +180,7 @@ def drawn_spectra(
 
 
 def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tuple[Floats, Floats]:
-    """Return the weighted mean of ln C as C in nm⁴, NaN where nothing is, and its variance (bins,).
-
-    Each measurement (measurement, bins) counts by the inverse of its variance, and ln C is raised
-    by the bias of the logarithm of few waves. The variance returned is that by the number of waves
-    alone.
-    """
+    """Return C in nm⁴ of the mean of ln C over measurements, and its variance by waves alone."""
     wave_variance = variance_of_log(waves)
     weight = np.where(reliable, 1 / (wave_variance + CALIBRATION**2), 0.0)
     logs = np.where(reliable, np.log(density) + bias_of_log(waves), 0.0)
@@ -205,9 +197,8 @@ def smoothed(
     C_iso (bins,) in nm⁴ has the variance (bins,) of its logarithm by the number of waves. The slope
     d ln C/d ln q changes at random by KINK a root of a decade (an integrated Wiener process): the
     mean of all curves that may be, given the points, is a smoothing spline (Wahba, J. R. Stat. Soc.
-    B 40 (1978) 364). It passes through bins of many waves, joins bins of few and bridges gaps. With
-    random numbers one of the curves is drawn. The variance returned is that of these curves and of
-    the calibration.
+    B 40 (1978) 364). With random numbers one of the curves is drawn. The variance returned is that
+    of these curves and of the calibration.
     """
     known = np.flatnonzero(np.isfinite(joined))
     bins = slice(known[0], known[-1] + 1)
@@ -231,10 +222,7 @@ def _continued(
     probability: float,
     hurst_change: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
-    """Return C_iso (nm⁴) on WAVEVECTORS of what is joined, with its tail and roll-off in nm.
-
-    The roll-off is that which is not exceeded with a probability.
-    """
+    """Return C_iso (nm⁴) on WAVEVECTORS of what is joined, with its tail and roll-off in nm."""
     density, tail = continued_spectrum(*points, hurst_change)
     slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
@@ -248,10 +236,7 @@ def _with_measurements(
     reliable: NDArray[np.bool_],
     measurements: Sequence[Mapping[str, Any]],
 ) -> xr.Dataset:
-    """Return a spectrum with its measurements: words, and lengths in nm, of each.
-
-    The joined C_iso (bins,) and that of the measurements (measurement, bins) are in nm⁴.
-    """
+    """Return a spectrum with its measurements, as lists of their words and lengths in nm."""
     both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
     columns = {
         name: (
@@ -274,9 +259,9 @@ def _with_measurements(
 def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     """Return a stored `substitute_spectrum` in the form of `joined_spectrum`.
 
-    Its known bands stand for measurements, neighbours of one source for one: they were fitted to
-    measurements, and their wavelengths are not artificial. What only a measurement has is NaN or
-    empty. The path is that of the description. Raises ValueError if no band is known.
+    Its known bands stand for measurements, neighbours of one source for one. What only a
+    measurement has is NaN or empty. The path is that of the description. Raises ValueError if no
+    band is known.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
     known = bands[bands.basis.isin(KNOWN)]
@@ -323,8 +308,8 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
 def stacked_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
     """Return the joined spectra of all surfaces, given by surface, with their names in print.
 
-    The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or ""
-    where a surface has fewer measurements than another. Variables (surface) hold `label` and ENDS.
+    The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or "".
+    Variables (surface) hold `label` and ENDS.
     """
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(

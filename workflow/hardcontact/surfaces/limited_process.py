@@ -1,8 +1,6 @@
-"""Reading a file of the user in a child process: its bytes may be damaged or hostile.
+"""Reading a file of the user, whose bytes may be damaged or hostile, in a child process.
 
-A reader, or a C library below it, may crash, hang, fill the memory or follow a link to another
-file. The child gets the bytes of its one file. It can open no file, write none, and use only so
-much memory and time. Whatever goes wrong there is a ValueError of one line.
+The child opens no file, writes none, and uses only so much memory and time.
 """
 
 import faulthandler
@@ -43,12 +41,17 @@ def read_in_child(
 ) -> dict[str, Any]:
     """Return what `read` returns for the bytes of a file and the arguments, in a child process.
 
-    It returns a dictionary that JSON can hold; `heights` may be an array. Its modules are imported
-    already. Blanks replace control characters in texts. Raises ValueError, in one line with the
-    path, if the file is missing, empty, too large or refused, or if the reader crashes or passes a
-    limit.
+    It returns a dictionary that JSON can hold; `heights` may be an array. Raises ValueError, in one
+    line with the path, whatever goes wrong with the file or in the child.
     """
-    size = _checked_size(path)
+    if path.is_dir():
+        raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
+    if not path.is_file():
+        found = "no regular file" if path.exists() else "no such file"
+        raise ValueError(f"{path}: expected a scan, found {found}")
+    size = path.stat().st_size
+    if not 0 < size <= MAX_FILE:
+        raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE} bytes, found {size}")
     seconds = min(MAX_SECONDS, SMALL_FILE_SECONDS + SECONDS_PER_MEGABYTE * size // 2**20)
     memory = min(MAX_MEMORY, SMALL_FILE_MEMORY + MEMORY_PER_BYTE * size)
     context = multiprocessing.get_context("fork")
@@ -65,8 +68,7 @@ def read_in_child(
             if not receiver.poll(MAX_WAIT):
                 raise EOFError
             answer: dict[str, Any] = json.loads(receiver.recv_bytes())
-            if "refused" not in answer:
-                answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
+            answer["heights"] = np.load(io.BytesIO(receiver.recv_bytes()))
         except EOFError:
             answer = {
                 "refused": "expected a readable file, found one whose reader crashes or takes more "
@@ -79,21 +81,6 @@ def read_in_child(
     if "refused" in answer:
         raise ValueError(f"{path}: {answer['refused']}")
     return answer
-
-
-def _checked_size(path: Path) -> int:
-    """Return the size of a file in bytes; refuse what is no file, empty or too large."""
-    if path.is_dir():
-        raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
-    if not path.is_file():
-        found = "no regular file" if path.exists() else "no such file"
-        raise ValueError(f"{path}: expected a scan, found {found}")
-    size = path.stat().st_size
-    if size == 0:
-        raise ValueError(f"{path}: expected a scan, found an empty file")
-    if size > MAX_FILE:
-        raise ValueError(f"{path}: expected a file of at most {MAX_FILE} bytes, found {size}")
-    return size
 
 
 def _run_child(
@@ -124,9 +111,7 @@ def _run_child(
             f"({type(error).__name__}: {str(error)[:200]})"
         }
     if "refused" in answer:
-        line = " ".join(_printable(answer["refused"][:MAX_MESSAGE]).split())
-        sender.send_bytes(json.dumps({"refused": line}).encode())
-        return
+        answer = {"refused": " ".join(_printable(answer["refused"][:MAX_MESSAGE]).split())}
     array = io.BytesIO()
     np.save(array, answer.pop("heights", np.empty(0)))
     printable = {key: _printable(value) for key, value in answer.items()}

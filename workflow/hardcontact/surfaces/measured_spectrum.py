@@ -1,12 +1,7 @@
 """C_iso of one measurement, map or profile, and what bears on how far to believe it.
 
-SurfaceTopography and scipy are imported where they are used.
-
-The isotropic PSD of a surface follows from that of its profiles:
-C_1D(q_x) = (1/pi) ∫_0^∞ C_iso(sqrt(q_x² + q_y²)) dq_y is an Abel transform. Its inverse is
-C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp: C_iso depends on the profiles' shorter waves, so
-that no single exponent converts a spectrum with a roll-off.
-Source: Bracewell, The Fourier Transform and Its Applications, chapter on the Abel transform.
+C_iso of a surface follows from C_1D of its profiles by an inverse Abel transform (Bracewell, The
+Fourier Transform and Its Applications): C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp.
 """
 
 from dataclasses import replace
@@ -59,10 +54,7 @@ def _levelled_map(measurement: Measurement) -> HeightMap:
 
 
 def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
-    """Return BIN_CENTRES and C_iso (nm⁴), NaN in empty bins, of a levelled measurement.
-
-    The PSD of a map is averaged over directions, C_1D of a profile is converted.
-    """
+    """Return BIN_CENTRES and C_iso (nm⁴), NaN in empty bins, of a levelled measurement."""
     if measurement.kind == "map":
         wavevector, _, density = measured_psds(_levelled_map(measurement))
         return wavevector, density
@@ -74,7 +66,7 @@ def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
 def axis_ratio(measurement: Measurement) -> Floats:
     """Return how many times C_1D along one axis of a map exceeds that along the other: (bins,).
 
-    The ratio is 1 or more; it is 1 in empty bins and for a profile.
+    It is 1 in empty bins and for a profile.
     """
     if measurement.kind != "map":
         return np.ones(len(BIN_CENTRES))
@@ -103,10 +95,9 @@ def waves_in_bins(kind: str, size: float) -> Floats:
 
 
 def variance_of_log(waves: Floats) -> Floats:
-    """Return the variance of ln C of a mean over a number of independent waves.
+    """Return the variance of ln C of a mean over independent waves: the trigamma of their number.
 
-    Squares of Fourier amplitudes are distributed exponentially, their mean as a gamma variable,
-    the variance of whose logarithm is the trigamma function of their number.
+    Squares of Fourier amplitudes are distributed exponentially, their mean as a gamma variable.
     """
     from scipy.special import polygamma
 
@@ -114,9 +105,9 @@ def variance_of_log(waves: Floats) -> Floats:
 
 
 def bias_of_log(waves: Floats) -> Floats:
-    """Return how far the mean of ln C lies below ln of the mean of C, for a number of waves.
+    """Return how far the mean of ln C lies below ln of the mean of C over independent waves.
 
-    For a gamma variable of n waves it is ln n minus the digamma function of n: 0.58 for one wave.
+    For a gamma variable of n waves it is ln n minus the digamma function of n.
     """
     from scipy.special import digamma
 
@@ -125,10 +116,10 @@ def bias_of_log(waves: Floats) -> Floats:
 
 
 def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple[Floats, Floats]:
-    """Return d ln C / d ln q of a spectrum without gaps, fitted to half a decade around each bin.
+    """Return d ln C / d ln q of a spectrum, fitted to half a decade around each bin, with errors.
 
-    The bins count by the inverse variance of their ln C. Also returns standard errors (bins,).
-    Slope and error are NaN and infinity where fewer than two bins lie within the half decade.
+    The bins count by the inverse variance of their ln C. Slope and error are NaN and infinity where
+    fewer than two bins lie within the half decade.
     """
     distance = np.log(wavevector) - np.log(wavevector)[:, None]
     near = np.abs(distance) <= HALF_WIDTH
@@ -146,9 +137,8 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
     The ratio C_iso/C_1D is that of the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. Beyond its last point C_1D continues as a power law. The
-    wavevectors (bins,), in rad/nm, grow; `waves` (bins,) are numbers of independent ones. Both
-    densities are NaN in empty bins; at least two bins are known.
+    neither amplified nor made negative. `waves` (bins,) are numbers of independent ones. Both
+    densities are NaN in empty bins.
     """
     known = np.isfinite(profile)
     log_q = np.log(wavevector[known])

@@ -1,22 +1,10 @@
 """The wavelengths at which a measurement shows the surface and not the microscope.
 
-Toward short wavelengths a measured spectrum ends where one of these comes first:
-
-- four pixels: shorter waves are sampled too thinly;
-- the tip: SurfaceTopography's `scanning_probe_reliability_cutoff`, if its radius is known
-  (Sanner et al., Appl. Surf. Sci. Adv. 7 (2022) 100190);
-- a noise floor: C_iso flatter than q^-2, which is that of a self-affine surface with H = 0;
-- smoothing: C_iso steeper than a rough surface has.
-
-A self-affine surface with H = 1 has q^-4, but surfaces with facets have down to q^-5. Between these
-a map is compared along its axes: a surface is as smooth along one as along the other, but a lagging
-feedback smooths along the scanned lines alone, and noise from line to line stands across them. The
-measurement is not believed where the C_1D of both axes differ by more than a factor of two. It is
-never believed beyond q^-5: a surface of H = 0.8 that is smoothed by a Gaussian or by a first-order
-filter has lost 50 or 70 % of C_iso there. The error is on the safe side: a surface that is truly
-smooth is called artificial, while smoothing taken for the surface would move the short edge of the
-band to longer wavelengths. On a public 10 µm scan of UNCD, which this cuts at 200 nm, the short
-edge is 44 nm, and 45 nm if a TEM profile of that surface is joined; without the cut it is 87 nm.
+Toward short wavelengths it ends at four pixels, at the cutoff of the tip (Sanner et al., Appl.
+Surf. Sci. Adv. 7 (2022) 100190), at a noise floor or at smoothing, whichever comes first: C_iso is
+flatter than q^-2 (H = 0) or steeper than a rough surface has. Surfaces with facets have down to
+q^-5; between q^-4 (H = 1) and q^-5 C_1D must be alike along both axes, because a lagging feedback
+smooths along the scanned lines alone.
 """
 
 from typing import NamedTuple
@@ -52,8 +40,6 @@ ALIKE = 2.0
 MARGIN = 2
 #: Relative error of the tip's cutoff, far below the safety factor of the criterion.
 TOLERANCE = 1e-3
-
-
 #: What ends a band toward short wavelengths, in words for messages.
 LIMITS = {
     "pixels": f"{PIXELS} pixels",
@@ -94,9 +80,8 @@ def reliable_band(
     """
     if density is None:
         _, density = measured_psd(measurement)
-    ends = _spectral_ends(measurement, density)
-    ends.append((PIXELS * measurement.pixel_size, "pixels"))
-    shortest, limit = max(ends)
+    pixels = PIXELS * measurement.pixel_size, "pixels"
+    shortest, limit = max([pixels, *_spectral_ends(measurement, density)])
     band = ReliableBand(shortest, size_of(measurement) / PARTS, limit)
     return band if tip_radius is None else with_tip(band, measurement, tip_radius)
 
@@ -132,11 +117,8 @@ def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[floa
 
 
 def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:
-    """Return how many of the first `count` bins are left, their last half decade not smoothed.
-
-    The slope passes through that of a rough surface where smoothing turns into noise, so that
-    single bins between smoothed ones are no better.
-    """
+    """Return how many of the first `count` bins are left, their last half decade not smoothed."""
+    # Where smoothing turns into noise the slope passes through that of a rough surface.
     while smoothed[max(count - HALF_DECADE, 0) : count].any():
         first = max(count - HALF_DECADE, 0)
         count = first + int(np.argmax(smoothed[first:count]))

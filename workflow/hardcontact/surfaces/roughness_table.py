@@ -33,8 +33,8 @@ def measured_roughness(scan: HeightMap) -> xr.Dataset:
 def averages(scans: xr.Dataset, confidence: float) -> xr.Dataset:
     """Return mean, standard deviation and interval of the mean over scans, of every metric.
 
-    The METRICS (surface, scan) are NaN where a surface has no such scan. Returns <metric>_mean and
-    <metric>_std (surface) and, by Student's t over scans, <metric>_mean_interval (surface, bound).
+    The METRICS (surface, scan) are NaN where a surface has no such scan. Intervals are by Student's
+    t.
     """
     variables: dict[str, Any] = {}
     for name in METRICS:
@@ -131,10 +131,7 @@ def _spectra(stored: list[xr.Dataset], wavevector: Floats) -> xr.Dataset:
 
 
 def _maps(examples: list[xr.Dataset]) -> xr.Dataset:
-    """Return maps for pictures, evenly thinned to the pixels of the coarsest, with their sizes.
-
-    A rough sphere also has its scan with its shape.
-    """
+    """Return maps for pictures, evenly thinned to the pixels of the coarsest, with their sizes."""
     pixels = min(len(example["x"]) for example in examples)
 
     def thinned(heights: xr.DataArray) -> np.ndarray:

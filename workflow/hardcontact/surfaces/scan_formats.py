@@ -1,16 +1,13 @@
 """The bytes of a scan: any format SurfaceTopography reads, contact.engineering containers.
 
-`scans` calls this in a child process with limits: nothing here guards against hostile bytes. What
-readers import while they read is imported here, because the child opens no file. A container is a
-zip archive with a list of its scans, `index.json` or, in older ones, `meta.yml`; the format is
-described by `SurfaceTopography.Container.IO.Schema`.
+`scans` calls this in a child process with limits, which opens no file: what readers import while
+they read is imported here. `SurfaceTopography.Container.IO.Schema` describes containers.
 """
 
 import io
 import json
 import math
 import zipfile
-from collections.abc import Callable
 from contextlib import suppress
 from importlib import import_module
 from typing import Any
@@ -31,7 +28,7 @@ from hardcontact.surfaces.scan_heights import (
     unit_in_nm,
 )
 
-#: What readers import while they read, when the child opens no file any more.
+#: What readers import while they read.
 IMPORTED_LATE = (
     "SurfaceTopography.IO.description", "h5py", "tifffile", "zstandard", "encodings.ascii",
     "encodings.cp1252", "encodings.cp437", "encodings.latin_1", "encodings.utf_16",
@@ -40,21 +37,8 @@ IMPORTED_LATE = (
 for module in IMPORTED_LATE:
     import_module(module)
 
-
-class _ListLoader(yaml.CSafeLoader):
-    """Plain data only; the containers' tuples are read as lists."""
-
-
-_ListLoader.add_constructor(
-    "tag:yaml.org,2002:python/tuple",
-    yaml.CSafeLoader.construct_yaml_seq,  # type: ignore[type-var]
-)
-
-#: The lists of scans, in the order in which they are looked for.
-LISTS: dict[str, Callable[[bytes], Any]] = {
-    "index.json": json.loads,
-    "meta.yml": lambda text: yaml.load(text, Loader=_ListLoader),
-}
+#: The lists of scans in containers, new and old, in the order in which they are looked for.
+LISTS = ("index.json", "meta.yml")
 #: Scans in a container: each is read in a process of its own.
 MAX_SCANS = 1000
 #: Keys of the data file of a scan: as it was measured, else as it was kept after processing, with
@@ -65,7 +49,8 @@ OF_ORIGINAL = ("data_source", "height_scale")
 NO_UNIT = "none"
 #: Metadata that a container may state, by their names as arguments of a reader.
 STATED = {"physical_sizes": "size", "unit": "unit", "height_scale_factor": "height_scale"}
-#: Spacings, in the unit of a text file, below which its reader takes any line scan for uniform.
+#: Spacings, in the unit of a text, below which its reader takes any line scan for uniform: it takes
+#: spacings that differ by less than 1e-6 of the unit for equal, 1 µm in a file in metres.
 COARSE_SPACING = 1e-4
 
 
@@ -78,10 +63,7 @@ def datasets_of(content: bytes) -> dict[str, Any]:
 def measurement_of(
     content: bytes, dataset: str, undefined_pixels: str, unit: str
 ) -> dict[str, Any]:
-    """Return the fields of a `Measurement` but its path; arguments as of `scans.read_measurement`.
-
-    Raises RefusedFile for a scan that cannot be used.
-    """
+    """Return the fields of a `Measurement` but its path, as `scans.read_measurement` does."""
     entries = _container_entries(content)
     entry: dict[str, Any] = {}
     if entries is not None:
@@ -117,7 +99,13 @@ def measurement_of(
         notes.append(f"{', '.join(used)} as {origin}".replace("_", " "))
     is_map = topography.dim == 2
     if is_map and isinstance(reader, AscReader):
-        _check_lines(topography)
+        # A text has no count of lines: it may have been cut short.
+        along_x, along_y = np.divide(topography.physical_sizes, topography.nb_grid_pts)
+        if abs(along_x / along_y - 1) > OBLONG:
+            raise RefusedFile(
+                "expected square pixels of a text, which has lost lines else, "
+                f"found {along_x:.6g} {topography.unit} x {along_y:.6g} {topography.unit}"
+            )
     values = (map_values if is_map else profile_values)(
         topography, unit_in_nm(topography.unit), undefined_pixels
     )
@@ -134,10 +122,7 @@ def measurement_of(
 
 
 def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
-    """Return what a container says of each of its scans, None of any other file.
-
-    The keys are those of ``TopographyMeta`` of SurfaceTopography, and `file`, the data file.
-    """
+    """Return the ``TopographyMeta`` of each scan in a container and its data file, None else."""
     if not zipfile.is_zipfile(io.BytesIO(content)):
         return None
     with zipfile.ZipFile(io.BytesIO(content)) as archive:
@@ -146,7 +131,8 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
             return None
         text = archive.read(name)
     try:
-        surfaces = LISTS[name](text)["surfaces"]
+        listed = json.loads(text) if name == LISTS[0] else yaml.load(text, yaml.CFullLoader)
+        surfaces = listed["surfaces"]
         entries = [_entry(scan) for surface in surfaces for scan in surface["topographies"]]
     except Exception as error:  # a list that is none may raise anything
         raise RefusedFile(
@@ -161,7 +147,7 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
 
 
 def _entry(scan: dict[str, Any]) -> dict[str, Any]:
-    """Return what is said of a scan, with its data file, whose name it has if it states none."""
+    """Return what is said of a scan, with its data file, after which it is named if need be."""
     key = next(key for key in DATA_FILES if scan["datafile"].get(key))
     file = scan["datafile"][key]
     if not isinstance(file, str):
@@ -186,11 +172,7 @@ def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
 
 
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
-    """Return the channel of a name, or that the container names, or the reader's own, with notes.
-
-    If it holds no heights it is the first that does, and a note says so. Phases and voltages of
-    Nanoscope files are channels of heights, too, with a pair of units: of pixels and of values.
-    """
+    """Return the channel named, or that of the container or reader, else the first of heights."""
     channels = reader.channels
     if not channels:
         raise RefusedFile("expected a file with heights, found no channel of them")
@@ -210,6 +192,7 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
             )
         wanted = channels[0]
     for channel in (wanted, *channels):
+        # Phases and voltages of Nanoscope files are channels of heights, with two units.
         if channel.is_height_channel and not isinstance(channel.unit, tuple):
             note = f"channel {channel.name} read: {wanted.name} holds no heights"
             return channel, [] if channel.index == wanted.index else [note]
@@ -217,10 +200,7 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
 
 
 def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
-    """Return the topography of a channel, and the stated metadata that its file lacks, in words.
-
-    Other stated metadata do not count: a height scale would calibrate a calibrated file twice.
-    """
+    """Return the topography of a channel, and the stated metadata that its file lacks, in words."""
     check_points(channel.nb_grid_pts)
     has_positions = channel.dim == 1 and channel.is_uniform is False
     size = None if has_positions else tuple(stated.get("size") or ()) or None
@@ -234,6 +214,7 @@ def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
             "expected a file that states the physical size of the scan, found none: "
             "the file is damaged, or its format has none"
         )
+    # A height scale that the file has already would calibrate it twice.
     used: dict[str, Any] = {}
     for argument, key in STATED.items():
         value = size if argument == "physical_sizes" else stated.get(key)
@@ -243,21 +224,9 @@ def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
                 used[argument] = value
     words = [f"{STATED[argument]} {value}" for argument, value in used.items()]
     topography = channel.topography(**used)
-    # The reader of text takes spacings that differ by less than 1e-6 of the unit for equal: 1 µm in
-    # a file in metres.
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
     if is_text_line and (
         abs(topography.physical_sizes[0]) <= COARSE_SPACING * topography.nb_grid_pts[0]
     ):
         topography = channel.reader._read(tol=0, **used)
     return topography, words
-
-
-def _check_lines(matrix: Any) -> None:
-    """Refuse a text whose pixels are not square: it has no count of lines, and may be cut short."""
-    along_x, along_y = np.divide(matrix.physical_sizes, matrix.nb_grid_pts)
-    if abs(along_x / along_y - 1) > OBLONG:
-        raise RefusedFile(
-            f"expected square pixels of a text, which has lost lines else, found {along_x:.6g} "
-            f"{matrix.unit} x {along_y:.6g} {matrix.unit}"
-        )

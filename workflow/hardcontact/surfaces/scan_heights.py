@@ -1,7 +1,6 @@
 """Heights, spacing and tip of a scan, from what a reader of SurfaceTopography returns.
 
-Maps are cropped to squares, gaps filled, line scans resampled. A scan whose size, heights, slope
-or number of points no microscope has is refused.
+Maps are cropped to squares, gaps filled, line scans resampled.
 """
 
 import re
@@ -57,12 +56,9 @@ def unit_in_nm(unit: str) -> float:
 
 
 def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int) -> dict[str, Any]:
-    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has.
-
-    An offset larger than any relief, such as the position of a stage, is subtracted if the heights
-    have digits below it.
-    """
+    """Return these fields of a `Measurement`; refuse heights and a pixel size that no scan has."""
     minimum, maximum = LENGTHS
+    # An offset larger than any relief is the position of a stage; heights need digits below it.
     offset = float(np.median(heights))
     if maximum < abs(offset) < minimum / np.finfo(float).eps:
         heights = heights - offset
@@ -84,11 +80,7 @@ def _fields(heights: Floats, pixel_size: float, notes: list[str], undefined: int
 
 
 def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return heights, pixel size, notes and undefined pixels of a map whose unit is `factor` nm.
-
-    They are those of the central square, on square pixels. Raises RefusedFile for undefined pixels
-    in it that may not be filled, and for heights of no scan.
-    """
+    """Return `_fields` of the central square of a map, whose unit is `factor` nm."""
     from SurfaceTopography import Topography
 
     sizes = np.asarray(topography.physical_sizes, float) * factor
@@ -112,15 +104,11 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
 def _square_pixels(
     heights: np.ma.MaskedArray, edges: Floats
 ) -> tuple[np.ma.MaskedArray, float, list[str]]:
-    """Return heights (x, y) of pixels with these edges (nm) on square ones, their edge, a note.
-
-    Square pixels have the longer edge: on the shorter one waves would be missing along one axis.
-    Heights are interpolated linearly, and are undefined beside an undefined pixel.
-    """
+    """Return heights (x, y) on square pixels, interpolated from pixels of these edges (nm)."""
+    # On squares of the shorter edge waves would be missing along one axis.
     longer = float(edges.max())
     if not 0 < edges.min() <= longer < np.inf:
-        found = " nm x ".join(f"{edge:.6g}" for edge in edges)
-        raise RefusedFile(f"expected pixels of positive edges, found {found} nm")
+        raise RefusedFile(f"expected pixels of positive edges, found edges of {edges} nm")
     if longer <= (1 + OBLONG) * edges.min():
         return heights, float(edges.mean()), []
     values = heights.filled(np.nan)
@@ -157,11 +145,7 @@ def _undefined(heights: np.ma.MaskedArray, undefined_pixels: str) -> tuple[int, 
 
 
 def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict[str, Any]:
-    """Return what `map_values` does, of a line scan: on uniform spacing, the median of its own.
-
-    Between points and over gaps heights are interpolated linearly, which on a line is harmonic.
-    Raises RefusedFile also for a reentrant line scan, or too many points on the median spacing.
-    """
+    """Return `_fields` of a line scan on uniform spacing, gaps filled; its unit is `factor` nm."""
     heights = _masked(line_scan.heights())
     positions = np.asarray(line_scan.positions(), float) * factor
     if positions[-1] < positions[0]:
@@ -175,7 +159,7 @@ def profile_values(line_scan: Any, factor: float, undefined_pixels: str) -> dict
 
 
 def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
-    """Return positions on uniform spacing, and what was changed if these (nm) are not."""
+    """Return positions on the median spacing of these (nm), and a note if they are not uniform."""
     spacings = np.diff(positions)
     if not (spacings > 0).all():
         point = int(np.argmin(spacings > 0)) + 1
@@ -202,27 +186,22 @@ def stated_tip_radius(
 ) -> tuple[float | None, list[str]]:
     """Return the radius of the tip in nm, None if none is stated, and a note of where it is.
 
-    The metadata of the file count before those of its container, and a number before words. Of
-    several radii in words the largest counts: tips wear, and a scan shows no more than a worn one.
+    The file counts before its container, a number before words. Of several radii in words the
+    largest counts: tips wear, and a scan shows no more than a worn one.
     """
     for source, metadata in (("file", file), ("container", container)):
         radius = _radius_in_numbers(metadata)
         if radius is not None:
             return radius, [f"tip radius of {radius:.4g} nm stated by the {source}"]
     stated = IN_WORDS.findall(str(container.get("description") or ""))
-    radii = [float(value) * unit_in_nm(unit) for value, unit in stated]
-    if not radii:
+    if not stated:
         return None, []
-    found = " and ".join(f"{radius:.4g} nm" for radius in radii)
-    used = "" if len(radii) == 1 else ", of which the largest is used"
-    return max(radii), [f"tip radius of {found} in the container's description{used}"]
+    radius = max(float(value) * unit_in_nm(unit) for value, unit in stated)
+    return radius, [f"largest tip radius in the container's description, {radius:.4g} nm"]
 
 
 def _radius_in_numbers(metadata: dict[str, Any]) -> float | None:
-    """Return the radius (nm) of the instrument's tip in metadata, if it is one that a tip may have.
-
-    The keys are those of ``InfoModel`` and ``TopographyMeta`` of SurfaceTopography.
-    """
+    """Return the radius (nm) of the instrument's tip in metadata, None if no tip has such."""
     try:
         stated = metadata["instrument"]["parameters"]["tip_radius"]
         radius = float(stated["value"]) * unit_in_nm(stated["unit"])

@@ -1,8 +1,4 @@
-"""Reading scans of any microscope, and preparing them.
-
-`limited_process` reads the file in a child process. SurfaceTopography is imported when the first
-scan is read.
-"""
+"""Reading scans of any microscope, and preparing them."""
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace

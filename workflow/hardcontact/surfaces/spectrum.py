@@ -1,8 +1,8 @@
 """Power spectral densities: tables, their moments, models, and what is measured of scans.
 
-Conventions: C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq, and C_1D = |h~|²/L in nm³
-with h_rms² = (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka,
-Surf. Topogr.: Metrol. Prop. 5 (2017) 013001.
+C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq; C_1D = |h~|²/L in nm³ with h_rms² =
+(1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol.
+Prop. 5 (2017) 013001.
 """
 
 from collections.abc import Callable
@@ -133,8 +133,8 @@ def varying_hurst(
 ) -> Floats:
     """Return C_iso (nm⁴) whose Hurst exponent changes linearly with the logarithm of wavelength.
 
-    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off (nm) and C_0, the
-    plateau, before it: locally a power law of the exponent H + H' x, with H' the change a decade.
+    C_iso = C_0 10^(-(2 + 2H) x - H' x²), x = log10(q/q_r), beyond the roll-off (nm), and C_0 before
+    it.
     """
     decades = np.log10(np.maximum(wavevector * rolloff / (2 * np.pi), 1.0))
     return np.asarray(plateau * 10 ** (-(2 + 2 * hurst) * decades - change * decades**2))
@@ -170,10 +170,9 @@ def is_calibrated(bands: pd.DataFrame) -> bool:
 
 
 def continued(above: Floats, hurst: float) -> Floats:
-    """Return C_iso ∝ q^(-2-2H) that continues a spectrum where it ends, without a jump.
+    """Return C_iso ∝ q^(-2-2H) that continues a spectrum, `above`, where it ends, without a jump.
 
-    Both are in nm⁴ on WAVEVECTORS; the result is zero where the spectrum, `above`, is not. Raises
-    ValueError for a spectrum without roughness.
+    Both are in nm⁴ on WAVEVECTORS; the result is zero where the spectrum is not.
     """
     if not above.any():
         raise ValueError("expected roughness above a power law, found none")
@@ -183,11 +182,7 @@ def continued(above: Floats, hurst: float) -> Floats:
 
 
 def share_of_cells(shortest: float) -> Floats:
-    """Return the share of each cell of WAVEVECTORS that lies above a wavelength (nm).
-
-    The cell that the wavelength lies in counts by the share before it, so that moments of the table
-    depend on it continuously.
-    """
+    """Return the share of each cell of WAVEVECTORS that lies above a wavelength (nm)."""
     cells = np.log(2 * np.pi / (shortest * WAVEVECTORS)) / np.log(WAVEVECTORS[1] / WAVEVECTORS[0])
     return np.asarray(np.clip(cells + 0.5, 0, 1))
 

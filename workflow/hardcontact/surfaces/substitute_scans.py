@@ -1,9 +1,4 @@
-"""Substitute scans: cut out of random surfaces, flat or of the sphere, of any skewness.
-
-A skewed distribution and a spectrum leave open how sharp the highest summits are, and these carry
-the contacts. Remapping heights by rank sharpens them; real clusters are rounded, and so are the
-tops of skewed surfaces here. `scipy` is imported where it is used.
-"""
+"""Substitute scans: cut out of random surfaces, flat or of the sphere, of any skewness."""
 
 from dataclasses import replace
 from typing import NamedTuple
@@ -113,10 +108,9 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
     """Return a surface with the same spectrum, heights of given skewness and blunt tops.
 
     In turn tops are rounded by an opening with a paraboloid, heights are remapped by rank to a
-    Pearson III distribution, and the Fourier amplitudes restored. Without the first step this is
-    the amplitude-adjusted surrogate of Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635. The
-    skewness of the whole surface, -1 to 1, is met to some 5 %, because the target is corrected each
-    time by what was missed. The surface is periodic and square; heights are in float64.
+    Pearson III distribution, and the Fourier amplitudes restored: the amplitude-adjusted surrogate
+    of Schreiber and Schmitz, Phys. Rev. Lett. 77 (1996) 635, whose summits would be sharp. The
+    skewness of the whole surface, -1 to 1, is met to some 5 %. Heights are in float64.
     """
     from scipy import fft
     from scipy.stats import skew
@@ -141,10 +135,7 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
 
 
 def _opened(heights: Floats, depth: Floats) -> Floats:
-    """Return periodic heights without what a paraboloid that slides below does not reach.
-
-    The paraboloid is the sum of the parabola along both axes, so that each may be taken in turn.
-    """
+    """Return periodic heights without what a paraboloid that slides below does not reach."""
     eroded = _eroded(_eroded(heights, depth, 1), depth, 0)
     return -_eroded(_eroded(-eroded, depth, 1), depth, 0)
 
@@ -154,10 +145,7 @@ LINES = 64
 
 
 def _eroded(heights: Floats, depth: Floats, axis: int) -> Floats:
-    """Return where the apex of a parabola gets that slides below periodic heights along an axis.
-
-    This is an erosion, bit by bit that of `scipy.ndimage.grey_erosion`, in a fraction of its time.
-    """
+    """Return `scipy.ndimage.grey_erosion` by a parabola along an axis, in less time."""
     lines, reach = heights.swapaxes(axis, 1), len(depth) - 1
     lowest = np.empty_like(lines)
     for first in range(0, len(lines), LINES):

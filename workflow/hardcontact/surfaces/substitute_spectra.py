@@ -1,7 +1,7 @@
 """Spectra of substitutes from descriptions: bands of wavelengths, each with its model.
 
 Parameters that a description leaves blank are calibrated to the paper's Table 1: scans of the
-spectrum have its rms height, slope and curvature. `scipy` is imported where it is used.
+spectrum have its rms height, slope and curvature.
 """
 
 from pathlib import Path
@@ -49,10 +49,9 @@ def transfer_weights(pixels: int, pixel_size: float, window_pixels: int) -> Weig
     """Return wavevectors (bins,) in rad/nm and weights (3, bins): moments = weights @ C_iso.
 
     The moments are the expected squares of a scan: rms height², gradient² and half-Laplacian². The
-    scan is cut out of a larger periodic surface, of `pixels` of a size in nm, and levelled.
-    Levelling removes from its height variance what a plane fits (Legendre functions of degree 0 and
-    1, whose transforms are spherical Bessel functions); its derivatives are differences of
-    neighbouring pixels.
+    scan is cut out of a larger periodic surface, of `pixels` of a size in nm, and levelled, which
+    removes what a plane fits (Legendre functions of degree 0 and 1, whose transforms are spherical
+    Bessel functions).
     """
     from scipy.special import spherical_jn
 
@@ -90,9 +89,9 @@ def expected_moments(density: Density, weights: Weights) -> Floats:
 def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: str) -> pd.DataFrame:
     """Return Table 1 of a surface, slopes as rms gradients, curvatures as half rms Laplacians.
 
-    The table is that of `published.table1`, whose slope is read as ``"gradient"`` or ``"profile"``
-    (smaller by sqrt(2) on an isotropic surface), whose curvature as ``"half_laplacian"`` or
-    ``"laplacian"``. The rows, value and uncertainty by quantity, are empty for other surfaces.
+    The slope of `published.table1` is read as ``"gradient"`` or ``"profile"`` (smaller by sqrt(2)
+    on an isotropic surface), its curvature as ``"half_laplacian"`` or ``"laplacian"``. The rows,
+    value and uncertainty by quantity, are empty for other surfaces.
     """
     rows = table1[table1["surface"] == surface].set_index("quantity")
     factor = {
@@ -106,8 +105,7 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
 def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
     """Return the parameters with which scans of a band of a model of SEARCHED are those of Table 1.
 
-    The table of the model on WAVEVECTORS is fitted, because scans are made of that. Raises
-    ValueError if no such spectrum has the three moments.
+    Raises ValueError if no such spectrum has the three moments.
     """
     from scipy.optimize import least_squares
 
@@ -154,7 +152,7 @@ def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tup
 
     The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength at which the power law
     begins; gradient and half-Laplacian (1/nm) are those over all scales of both. Raises ValueError
-    if the part above already exceeds one of them, or if no power law adds them.
+    if no power law adds what is missing of them.
     """
     from scipy.optimize import brentq
 
@@ -260,10 +258,7 @@ def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
-
-    Raises ValueError as `from_description` does, or if parameters are left to Table 1.
-    """
+    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone."""
     if is_calibrated(_bands(path)):
         raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
     no_weights = np.empty(0), np.empty((3, 0))

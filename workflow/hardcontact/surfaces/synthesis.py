@@ -1,7 +1,6 @@
 """Random surfaces from a PSD, and the multi-scale masters of Fig. 6, of either side of the scales.
 
-Surfaces are periodic, lengths in nm, densities C_iso in nm⁴ as functions of the wavevector in
-rad/nm. `scipy` is imported where it is used.
+Surfaces are periodic, lengths in nm, densities C_iso in nm⁴ of the wavevector in rad/nm.
 """
 
 from collections.abc import Mapping
@@ -18,10 +17,10 @@ from hardcontact.surfaces.spectrum import Density
 def random_surface(
     rng: np.random.Generator, pixels: int, pixel_size: float, density: Density
 ) -> HeightMap:
-    """Return a Gaussian random surface of a given power spectral density.
+    """Return a Gaussian random surface of a given power spectral density, of mean zero, in float32.
 
     White noise of unit variance has C_iso = pixel area; its transform is scaled by the root of the
-    ratio. The surface is periodic, of mean zero; heights (pixels, pixels) are in float32.
+    ratio.
     """
     from scipy import fft
 
@@ -43,8 +42,8 @@ def small_scale_master(
     """Return a mirror-stitched scan with artificial roughness below the transition wavelength (nm).
 
     Shorter wavelengths of the scan, interpolated to pixels x pixels, are replaced by a random
-    surface whose C_iso follows the density there, and is constant above the transition. Heights are
-    in float32. Source: the paper, section Determining the Most Relevant Length-scales of Roughness.
+    surface whose C_iso follows the density there, and is constant above the transition. Source: the
+    paper, section Determining the Most Relevant Length-scales of Roughness.
     """
     band = lowpass(stitched, transition)
     limit = 2 * np.pi / transition
@@ -61,8 +60,7 @@ def large_scale_master(
     """Return a mirror-stitched scan with artificial roughness above the transition wavelength (nm).
 
     The scan is repeated `tiles` times along each edge, and its longer wavelengths are replaced by a
-    random surface that follows the density there. Heights are in float32. Source: as
-    `small_scale_master`.
+    random surface that follows the density there. Source: as `small_scale_master`.
     """
     repeated = replace(stitched, heights=np.tile(stitched.heights, (tiles, tiles)))
     band = lowpass(repeated, transition)
