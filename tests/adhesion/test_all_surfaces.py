@@ -2,7 +2,6 @@
 
 import numpy as np
 import xarray as xr
-from refusals import assert_says, refusal
 
 from hardcontact.adhesion import all_surfaces
 
@@ -63,9 +62,3 @@ def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():
     )
     np.testing.assert_array_equal(contacts.pressure.isel(y=0, x=0), [1.0, 3.0])
     assert "contact_y" in contacts.coords
-
-
-def test_forces_at_a_load_that_is_not_there_are_refused():
-    forces = xr.DataArray([1.0, 2.0], {"load": ["light", "heavy"]}, ["load"])
-    assert all_surfaces.at_load(forces, "heavy").item() == 2.0
-    assert_says(refusal(all_surfaces.at_load, forces, "other"), "at the load other", "light, heavy")

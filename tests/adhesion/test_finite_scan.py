@@ -10,8 +10,6 @@ from hardcontact.adhesion.finite_scan import (
     LARGE_ENOUGH,
     RATIOS,
     finite_scan_ratio,
-    with_contact_area,
-    with_finite_scans,
     with_window_share,
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
@@ -62,14 +60,6 @@ def test_a_large_scan_is_large_enough():
     assert finite_scan_ratio(0.9 * LARGE_ENOUGH * 3e3, 3e3) == RATIOS[LARGE_ENOUGH]
 
 
-def test_every_surface_has_its_draw_size_and_its_ratios():
-    sizes = xr.Dataset({"scan_size": ("surface", [1000.0, 12e3])}, {"surface": ["a", "b"]})
-    drawn = {"a": 3000.0, "b": 4000.0}
-    found = with_finite_scans(xr.Dataset(coords={"surface": ["b", "a"]}), sizes, drawn)
-    assert found.draw_size.values.tolist() == [4000, 3000]
-    np.testing.assert_array_equal(found.finite_scan_ratio, [[1, 1], RATIOS[0.5]])
-
-
 def test_a_window_holds_what_a_sum_over_its_pixels_finds():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
@@ -80,10 +70,3 @@ def test_a_window_holds_what_a_sum_over_its_pixels_finds():
         weight = np.exp(-place / (2 * RADIUS * rho))
         assert share == pytest.approx((weight[inside].sum() / weight.sum()) ** 2, rel=1e-3)
     assert found.window_share[0] > 0.99 > 0.2 > found.window_share[-1]
-
-
-def test_the_area_that_carries_the_preload_is_compared_with_a_pixel():
-    sizes = xr.Dataset({"pixel_size": ("surface", [10.0, 20.0])}, {"surface": ["a", "b"]})
-    found = with_contact_area(xr.Dataset(coords={"surface": ["b"]}), sizes, 20.0)
-    assert found.pixel_area.values.tolist() == [400.0]
-    assert found.attrs["contact_area"] == 20.0

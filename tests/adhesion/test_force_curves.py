@@ -39,12 +39,6 @@ def test_contact_models_share_the_random_numbers_and_surfaces_do_not():
     assert abs(np.corrcoef(np.log(sampled[:, :2, 0]).T)[0, 1]) < 0.9
 
 
-def test_one_scan_has_a_mean_and_no_samples():
-    means, sampled = force_curves.mean_forces(power_forces(scans=1), Sampling(0, 3, 0.95))
-    np.testing.assert_allclose(means, power_curves())
-    assert sampled.shape == (3, *means.shape) and np.isnan(sampled).all()
-
-
 def test_power_laws_are_followed_between_the_ranges_computed():
     forces = power_forces(rho=4.0, work=0.05)
     at_four = force_curves.at_range(forces, 4.0)

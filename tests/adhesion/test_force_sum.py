@@ -8,7 +8,6 @@ from scipy.special import ive
 
 from hardcontact.adhesion.pull_off import opened_total, pull_off_force
 from hardcontact.adhesion.sphere_sums import outside_sums
-from hardcontact.adhesion.traced_contact import force_separation
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.geometry import gap_map
 
@@ -71,17 +70,6 @@ def test_force_of_a_contact_does_not_depend_on_what_touches_elsewhere(rough):
     fewer = contacts | {(0, 0): all_lowest_gaps(bodies, 1)[0, 0]}
     all_of_them, other = (outside_sums(bodies, one, [5.6])[0] for one in (contacts, fewer))
     np.testing.assert_allclose(other.ravel()[1:], all_of_them.ravel()[1:], rtol=1e-13)
-
-
-@pytest.mark.parametrize("case", CASES)
-@pytest.mark.parametrize("contact_pixels", [1, 9])
-@pytest.mark.parametrize("rho", [0.1, 5.6])
-def test_smooth_sphere_force_is_the_direct_sum(case, contact_pixels, rho):
-    bodies = bodies_of(case, 5, rough=False)
-    (totals,) = plastic_totals(bodies, [contact_pixels], rho)
-    for place, total in np.ndenumerate(totals):
-        expected = direct_total(gap_map(bodies, place), contact_pixels, rho)
-        assert total == pytest.approx(expected, rel=1e-12)
 
 
 @pytest.mark.parametrize("case", CASES)
@@ -153,8 +141,3 @@ def test_force_over_a_gaussian_plane_grows_with_its_roughness(rough):
         mean = mean_attraction(heights, rho, rough) * np.exp(heights.max() / rho)
         error = np.sqrt(np.expm1(sigma**2 / rho**2)) / pixels
         assert mean * np.exp(-(sigma**2) / (2 * rho**2)) == pytest.approx(1, abs=4 * error)
-
-
-def test_force_decays_with_the_range_of_adhesion_on_parting():
-    force = force_separation(1e-6, 5.6, [0.0, 5.6])
-    np.testing.assert_allclose(force, [-1e-6, -1e-6 / np.e])

@@ -53,18 +53,6 @@ def test_more_sampled_contacts_keep_the_fewer_and_none_comes_twice():
     assert (other != every).any()
 
 
-def test_more_contacts_than_there_are_is_refused():
-    with pytest.raises(ValueError, match=r"^expected at most 36 contacts, found 37$"):
-        geometry.sampled_contacts(np.random.default_rng(0), 6, 37)
-
-
-def test_a_sphere_without_roughness_is_its_paraboloid():
-    pair = over(heights(80), np.zeros((96, 96)), 25.0, 120, 4)
-    cap = pair.sphere(7 + np.arange(-2, 3), -30 + np.arange(-2, 3))
-    y, x = (np.arange(5)[:, None] + 5) * 25.0, (np.arange(5) - 32) * 25.0
-    np.testing.assert_allclose(cap, (y**2 + x**2) / (2 * RADIUS), rtol=1e-12)
-
-
 @pytest.mark.parametrize("centre", [(0, 0), (7, -30), (-41, 44)])
 def test_the_rough_sphere_is_the_gap_to_a_flat(centre):
     pair = over(np.zeros((80, 80)), heights(96), 25.0, 120, 4)

@@ -2,19 +2,11 @@
 
 import numpy as np
 import pytest
-from known_spectra import rough
 from periodic_maps import over, periodic_noise
 
-from hardcontact.contact.bearing_area import all_lowest_gaps, as_tiles, lowest_gaps
+from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.geometry import gap_map
-from hardcontact.contact.repeated_contact import (
-    MAX_PIXELS,
-    indented_area_ratio,
-    large_surface,
-    mean_over_surfaces,
-    over_window,
-    repeated_contacts,
-)
+from hardcontact.contact.repeated_contact import indented_area_ratio, repeated_contacts
 
 
 def rough_pair(window=320):
@@ -24,11 +16,6 @@ def rough_pair(window=320):
 
 def places(bodies):
     return np.stack(np.meshgrid(*[bodies.geometry.positions] * 2, indexing="ij"), -1).reshape(-1, 2)
-
-
-def test_roughness_over_the_window_gives_the_same_gaps():
-    bodies = rough_pair()
-    np.testing.assert_array_equal(gap_map(over_window(bodies), (2, 1)), gap_map(bodies, (2, 1)))
 
 
 def test_the_first_contact_is_the_single_contact():
@@ -84,37 +71,9 @@ def test_each_contact_is_that_of_the_sphere_as_it_was_left():
         before = depth.copy()
 
 
-def test_indents_lie_at_one_place_of_a_periodic_roughness():
-    # The window has several periods of the roughness, the indent is in one of them.
-    bodies = over(np.zeros((64, 64)), periodic_noise(32, 0.5, 2), 5.0, 128, 1)
-    ((_, depth),) = repeated_contacts(bodies, [[0, 0]], 9)
-    again = lowest_gaps(
-        as_tiles(bodies.substrate),
-        as_tiles(over_window(bodies).roughness),
-        bodies.geometry,
-        np.array([0, 0]),
-        9,
-    )
-    assert np.count_nonzero(depth) == np.count_nonzero(again.gaps < again.gaps[-1])
-
-
 def test_indents_of_a_flat_all_overlap_and_those_of_rough_surfaces_partly():
     flat = over(np.zeros((64, 64)), None, 10.0, 128, 1)
     assert indented_area_ratio(flat, 4, np.random.default_rng(1), 9) == pytest.approx(1 / 9)
     uneven = over(periodic_noise(64, 3.0, 1), periodic_noise(64, 0.3, 51), 10.0, 128, 1)
     ratio = indented_area_ratio(uneven, 4, np.random.default_rng(1), 9)
     assert 1 / 9 < ratio <= 1
-
-
-def test_a_large_surface_has_the_pixels_asked_for_and_a_limit():
-    surface = large_surface(np.random.default_rng(1), rough(4, 500, 0.8, 40), 1000.0, 10.1)
-    assert (surface.pixels, surface.pixel_size) == (100, 10.1) and surface.periodic
-    huge = large_surface(np.random.default_rng(1), rough(4, 500, 0.8, 40), 1e9, 10.0)
-    assert huge.pixels == MAX_PIXELS
-
-
-def test_the_mean_over_surfaces_has_an_interval():
-    mean = mean_over_surfaces([0.98, 1.0, 0.99], 0.95)
-    low, high = mean["indented_area_ratio_interval"].values
-    ratio = mean["indented_area_ratio"].item()
-    assert low < ratio < high and ratio == pytest.approx(0.99)

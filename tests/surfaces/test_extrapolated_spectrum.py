@@ -12,7 +12,6 @@ from hardcontact.surfaces.extrapolated_spectrum import (
     HALF_LAPLACIAN,
     continued_spectrum,
     levelled_share,
-    with_rolloff,
 )
 from hardcontact.surfaces.joined_spectrum import drawn_spectra, joined_spectrum
 from hardcontact.surfaces.spectrum import (
@@ -56,12 +55,6 @@ def test_levelling_leaves_what_a_plane_does_not_fit(kind, order):
     share = levelled_share(np.array([2 * np.pi * order]), 1.0, kind).item()
     error = np.std(left) / np.sqrt(len(left))
     assert share == pytest.approx(np.mean(left), abs=4 * error + 0.01 * share)
-
-
-def test_a_spectrum_rises_to_its_rolloff_and_is_constant_beyond():
-    density = with_rolloff(np.ones(len(WAVEVECTORS)), 1000.0, -3.0, 8000.0)
-    wavelength = 2 * np.pi / WAVEVECTORS
-    np.testing.assert_allclose(density, np.clip(wavelength / 1000, 1, 8) ** 3.0)
 
 
 @pytest.mark.study
@@ -161,9 +154,3 @@ def test_a_surface_that_is_measured_to_be_steeper_gets_no_tail():
     assert np.isnan(tail.tail_hurst)
     points = Spectrum(WAVEVECTORS, spectrum)(np.minimum(BINS, WAVEVECTORS[174]))
     np.testing.assert_allclose(points, steep, rtol=1e-6)
-
-
-def test_points_below_the_distance_of_atoms_are_kept():
-    points = 2 * np.pi / np.array([1.0, 0.5, 0.2, 0.1])
-    spectrum, tail = continued(1e-9 * points**-3.0, points)
-    assert spectrum[-1] > 0 and np.isnan(tail.tail_hurst)

@@ -5,7 +5,6 @@ import io
 import json
 import multiprocessing
 import os
-import pickle
 import signal
 import struct
 import sys
@@ -91,28 +90,14 @@ def virtual(file, outside):
     file.create_virtual_dataset("h", layout)
 
 
-def groups(file, _):
-    for number in range(1001):
-        file.create_group(str(number))
-
-
 def too_many_pixels(file, _):
     file.create_dataset("h", (10**6, 10**6), "f8", chunks=(8, 8))
-
-
-def pickled(path):
-    path.write_bytes(pickle.dumps(Payload(path.parent / "made")))
 
 
 def pickled_array(path):
     with open(path, "wb") as file:
         values = np.array([[Payload(path.parent / "made")] * 32] * 32, object)
         np.save(file, values, allow_pickle=True)
-
-
-def pickled_in_container(path):
-    pickled_array(path)
-    container(path, path.read_bytes(), "a.npy")
 
 
 def altered(offset, form, value):
@@ -146,15 +131,12 @@ MANY = [{"datafile": {"original": f"{number}.txt"}} for number in range(3000)]
 #: What is written to a file, and a part of what its refusal says.
 HOSTILE = {
     "missing": (lambda path: None, "found no such file"),
-    "empty": (lambda path: path.write_bytes(b""), "found an empty file"),
+    "empty": (lambda path: path.write_bytes(b""), "1 to 1073741824 bytes"),
     "folder": (os.mkdir, "found a folder"),
     "pipe": (os.mkfifo, "no regular file"),
-    "huge": (huge, "at most 1073741824 bytes"),
+    "huge": (huge, "1 to 1073741824 bytes"),
     "words": (lambda path: path.write_text("sample,good\n" * 5000), "found"),
-    "picture": (lambda path: path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 4096), ""),
-    "pickle": (pickled, "none of its readers takes"),
     "pickled array": (pickled_array, "found"),
-    "pickled array in a container": (pickled_in_container, "found"),
     "zip bomb": (lambda path: container(path, bytes(2**27)), "MemoryError"),
     "lying zip": (altered(24, "<I", 1000), "Bad CRC-32"),
     "encrypted zip": (altered(8, "<H", 1), "encrypted"),
@@ -162,12 +144,9 @@ HOSTILE = {
         lambda path: container(path, listed().encode(), "inner.zip"), "none of its readers takes",
     ),
     "pixels": (hdf5(too_many_pixels, True), "16 to 8192 pixels along an edge"),
-    "groups": (hdf5(groups, False), "found"),
-    **{
-        f"{write.__name__} {'in a container' * inside}": (hdf5(write, inside), "found")
-        for write in (external_storage, external_link, virtual)
-        for inside in (False, True)
-    },
+    "external storage": (hdf5(external_storage, False), "found"),
+    "external link in a container": (hdf5(external_link, True), "found"),
+    "virtual data": (hdf5(virtual, False), "found"),
     "many scans": (
         listing(json.dumps({"surfaces": [{"topographies": MANY}]})), "at most 1000 scans",
     ),
@@ -176,27 +155,16 @@ HOSTILE = {
         "lists surfaces",
     ),
     "aliases": (listing(ALIASES + "surfaces: *a11\n"), "lists surfaces"),
-    "alias of itself": (listing("surfaces: &a\n- topographies: *a\n"), "lists surfaces"),
     "deep list": (listing("[" * 1200), "lists surfaces"),
-    "no list": (listing(b"\xff\xfe\x00"), "lists surfaces"),
     "aliased unit": (listing(ALIASED_UNIT), "found"),
     "no text": (listing(listed(["a.txt"])), "lists surfaces"),
     "letters": (listing(listed("b\n\033[31m.txt")), "found"),
     "size in words": (listing(listed(size="large")), "found"),
     "unit of no length": (listing(listed(unit="V")), "a unit of length"),
-    "unit of another kind": (listing(listed(unit={"nm": 1})), "found"),
-    **{
-        f"size {size}": (listing(listed(size=size)), "2 positive numbers")
-        for size in ([float("inf")] * 2, [320.0], [-1, -1])
-    },
+    "infinite size": (listing(listed(size=[float("inf")] * 2)), "2 positive numbers"),
     "large size": (listing(listed(size=[1e30] * 2)), "pixels and differences of height"),
-    **{
-        f"height scale {scale}": (listing(listed(height_scale=scale)), part)
-        for scale, part in (
-            (-1, "a positive height scale"), (float("nan"), "a positive height scale"),
-            (1e30, "pixels and differences of height"), (1e6, "a mean slope of at most 10"),
-        )
-    },
+    "no height scale": (listing(listed(height_scale=float("nan"))), "a positive height scale"),
+    "steep heights": (listing(listed(height_scale=1e6)), "a mean slope of at most 10"),
     "channel": (listing(listed(data_source=99)), "a data_source from 0 to 0"),
 }  # fmt: skip
 
@@ -233,12 +201,11 @@ def test_a_hostile_file_is_refused_in_one_line(folder, monkeypatch, name):
     assert sorted(folder.rglob("*")) == before  # nothing unpacked, executed or left behind
 
 
-@pytest.mark.parametrize("name", ["../outside.txt", "/tmp/outside.txt", "a/../../outside.txt"])
-def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder, name):
-    container(folder / "a.zip", text(heights(32, 32)), name)
-    before = sorted(folder.rglob("*"))
+def test_a_member_with_the_name_of_another_file_is_read_in_its_archive(folder):
+    container(folder / "a.zip", text(heights(32, 32)), "../outside.txt")
+    before = sorted(folder.parent.rglob("*"))
     np.testing.assert_allclose(scans.read_scan(folder / "a.zip", "one").heights, heights(32, 32))
-    assert sorted(folder.rglob("*")) == before and not os.path.exists("/tmp/outside.txt")
+    assert sorted(folder.parent.rglob("*")) == before
 
 
 def crash(_):
@@ -299,12 +266,6 @@ def test_a_child_cannot_write_to_a_file_that_is_open(folder):
 
         assert_says(refusal(limited_process.read_in_child, write, scan(folder / "a.nc")), "OSError")
     assert (folder / "open.txt").read_bytes() == b""
-
-
-def test_control_characters_are_no_part_of_the_name_of_a_channel(folder):
-    write = hdf5(lambda file, _: file.create_dataset("\033[31mh", data=heights(32, 32)), True)
-    write(folder / "a.zip")
-    assert scans.read_measurement(folder / "a.zip", "one").channel == " [31mh"
 
 
 def imported_late(path):

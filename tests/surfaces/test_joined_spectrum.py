@@ -21,8 +21,6 @@ from hardcontact.surfaces.joined_spectrum import (
 )
 from hardcontact.surfaces.measured_spectrum import (
     CALIBRATION,
-    bias_of_log,
-    independent_waves,
     measured_psd,
     variance_of_log,
 )
@@ -30,7 +28,6 @@ from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     WAVEVECTORS,
-    read_spectrum,
     self_affine,
     smooth_rolloff,
     spectrum_dataset,
@@ -70,20 +67,6 @@ def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scat
     assert not np.isfinite(errors[:, (wavelength < 15) | (wavelength > 14_000)]).any()
 
 
-def test_the_joined_spectrum_is_the_table_that_masters_are_made_with(tmp_path):
-    joined = joined_spectrum(two_sizes_and_a_line(9), [None] * 3)
-    dataset.write(joined, tmp_path / "a.nc")
-    spectrum = read_spectrum(str(tmp_path / "a.nc"))
-    np.testing.assert_array_equal(spectrum.wavevector, WAVEVECTORS)
-    known = np.isfinite(joined["joined"].values)
-    wavevector = joined["bin_wavevector"].values[known]
-    np.testing.assert_allclose(spectrum(wavevector), joined["joined"].values[known], rtol=1e-6)
-    assert joined.attrs["shortest_measured"] == 16 and joined.attrs["longest_measured"] == (
-        pytest.approx(40_000 / 3)
-    )
-    assert 0.7 <= joined.attrs["tail_hurst"] < 0.9
-
-
 def test_only_what_is_reliable_is_joined():
     scans = two_sizes_and_a_line(10)
     noise = generator(11).normal(0, 10.0, scans[0].heights.shape)
@@ -95,12 +78,6 @@ def test_only_what_is_reliable_is_joined():
         within = (wavelength >= band.shortest) & (wavelength <= band.longest)
         np.testing.assert_array_equal(stored["reliable"] == 1, within & np.isfinite(stored["psd"]))
     assert joined["limited_by"].values[0] == "noise"
-    # Where the second map is alone, the spectrum follows it within its scatter.
-    single = (joined["reliable"].values.sum(axis=0) == 1) & (joined["reliable"].values[1] == 1)
-    waves, mean = independent_waves(scans[1])[single], joined["joined"].values[single]
-    expected = joined["psd"].values[1, single] * np.exp(bias_of_log(waves))
-    assert (np.abs(np.log(mean / expected)) < 2 * np.sqrt(variance_of_log(waves))).all()
-    assert waves.max() > 600 and mean[-1] == pytest.approx(expected[-1], rel=0.01)
 
 
 def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
@@ -227,8 +204,3 @@ def test_what_is_not_known_is_artificial():
     stacked = stacked_spectra({"x": described_spectrum(stored(), "x.csv")}, {"x": "X"})
     bands = artificial_bands(stacked.sel(surface="x"))
     np.testing.assert_allclose(bands, [(0, 10), (100, 1000), (1e6, np.inf)])
-
-
-def test_a_description_without_known_bands_is_refused():
-    assumed = BANDS.assign(basis="assumed")
-    assert_says(refusal(described_spectrum, stored(assumed), "x.csv"), "x.csv", "published")

@@ -1,7 +1,5 @@
 """Measured scans: their numbers, and a study with one's own scan among substitutes."""
 
-import re
-
 import numpy as np
 import pytest
 import xarray as xr
@@ -101,17 +99,3 @@ def test_a_study_with_an_own_scan(tmp_path):
     assert (rigid > 0).all() and (plastic >= rigid).all()
     assert force.sel(surface="uncd", scan=2).isnull().all()
     assert force.sel(surface="mcd", sphere_scan=1).notnull().all()
-
-
-def test_a_measured_surface_keeps_its_scans_in_every_variant(tmp_path):
-    folder = copy_repository(tmp_path / "study")
-    (folder / "own.tsv").write_text(TABLE)
-    run = run_snakemake(folder, "-n", "robustness", overlays=[OWN])
-    assert run.returncode == 0, run.stdout[-3000:]
-    outputs = re.findall(r"^    output: (.*)$", run.stdout, re.M)
-    assert any("/mcd/laplacian/" in output for output in outputs)
-    own = [output for output in outputs if "/uncd/" in output]
-    assert any(re.search("/mean_forces/.*/uncd/study/", o) for o in own)
-    # What the file holds is no variant's.
-    others = [output for output in own if "/uncd/study/" not in output]
-    assert [output for output in others if "/measurements/uncd/" not in output] == []

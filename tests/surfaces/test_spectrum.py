@@ -64,14 +64,6 @@ def test_published_model_of_ncd_has_its_published_height():
     assert all_scales_moments(table)[0] == pytest.approx(94, abs=0.5)
 
 
-def test_without_change_a_varying_hurst_exponent_is_a_self_affine_spectrum():
-    np.testing.assert_allclose(
-        spectrum.varying_hurst(WAVEVECTORS, 1e7, 800.0, 0.9, 0.0),
-        spectrum.self_affine(WAVEVECTORS, 1e7, 800.0, 0.9),
-        rtol=1e-10,
-    )
-
-
 def test_a_varying_hurst_exponent_is_that_of_the_power_law_at_each_wavelength():
     q = 2 * np.pi / 2000.0 * np.array([10.0, 100.0])
     step = 1e-6
@@ -93,13 +85,3 @@ def test_a_tail_continues_the_power_law_above_it(above):
     inside = 2 * np.pi / WAVEVECTORS > 1.1
     np.testing.assert_allclose((above + tail)[inside], WAVEVECTORS[inside] ** -3.6, rtol=1e-9)
     assert (tail[2 * np.pi / WAVEVECTORS < 0.9] == 0).all()
-
-
-def test_a_tail_grows_evenly_with_its_end(above):
-    ends = np.geomspace(1.0, 0.99, 101)
-    curvatures = [
-        all_scales_moments(Spectrum(WAVEVECTORS, spectrum.power_law_tail(above, 0.8, end)))[2]
-        for end in ends
-    ]
-    assert (np.diff(curvatures) >= 0).all()
-    assert np.diff(curvatures).max() < 0.02 * curvatures[0]

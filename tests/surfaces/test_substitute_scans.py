@@ -105,17 +105,6 @@ def test_tops_are_blunter_than_those_of_a_gaussian_surface(surface):
         assert summit_curvature(skewed_surface(surface, skewness)) < 0.7 * gaussian
 
 
-def test_heights_and_lengths_have_no_scale_of_their_own(surface):
-    skewed = skewed_surface(surface, 0.5).heights
-    larger = replace(surface, heights=4 * surface.heights, pixel_size=2 * surface.pixel_size)
-    np.testing.assert_allclose(skewed_surface(larger, 0.5).heights, 4 * skewed, rtol=1e-9)
-
-
-def test_the_paraboloid_may_be_wider_than_the_map():
-    rough = random_surface(generator(1), 16, PIXEL, uncd)
-    assert np.isfinite(skewed_surface(rough, 0.5).heights).all()
-
-
 def windows(heights, pixel_size):
     """All levelled windows of 2.5 µm, of whole scans side by side."""
     for place in np.ndindex(heights.shape[0] // WINDOW, heights.shape[1] // WINDOW):

@@ -74,7 +74,7 @@ def test_a_tail_completes_slope_and_curvature(above, moments):
 @pytest.mark.parametrize(
     ("moments", "message"),
     [
-        ((0.01, 6.32), "slope and curvature above .* found 0.01 and 6.32"),
+        ((0.01, 6.32), "that a power law below .* can add, found 0.01 and 6.32"),
         ((0.5, 200.0), "that a power law below .* can add, found 0.5 and 200"),
     ],
 )
@@ -195,10 +195,9 @@ def test_a_band_that_cannot_be_made_is_named(described, band, part):
         substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
 
 
-@pytest.mark.parametrize("end", ["", "_lower", "_upper"])
 @pytest.mark.parametrize("coating", ["crn_smoother", "crn_rougher"])
-def test_description_of_chromium_nitride_makes_power_laws_without_a_jump(coating, end):
-    path = ROOT / f"resources/spectra/{coating}{end}.csv"
+def test_description_of_chromium_nitride_makes_power_laws_without_a_jump(coating):
+    path = ROOT / f"resources/spectra/{coating}.csv"
     density, bands, calibrated = substitute_spectra.from_description(path, NO_TABLE1, None)
     *measured, last = bands.basis
     assert (set(measured), last, calibrated) == ({"measured"}, "assumed", [])
@@ -214,9 +213,7 @@ def test_description_of_chromium_nitride_makes_power_laws_without_a_jump(coating
     np.testing.assert_allclose(density[inside], expected[inside], rtol=0.15)
 
 
-@pytest.mark.parametrize(
-    "content", [b"", b"a,b\n1,2\n", b"\xff\xfe", b'"', b"model,table,longest_nm\n\xb5,,1\n", None]
-)
+@pytest.mark.parametrize("content", [b"", b"a,b\n1,2\n", b"\xff\xfe", None])
 def test_what_is_no_description_is_named(tmp_path, content):
     path = tmp_path / "a.csv"
     path.write_bytes(content) if content is not None else path.mkdir()

@@ -4,19 +4,10 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from numpy.typing import ArrayLike, NDArray
 
 from hardcontact.adhesion.pull_off import pull_off_force
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import Bodies, gap_map, plastic_approach
-
-
-def force_separation(pull_off: float, rho: float, separation: ArrayLike) -> NDArray[np.float64]:
-    """Return the force (N, negative: attractive) at separations (nm) beyond closest approach.
-
-    The bodies keep their deformed shape, so that all gaps grow alike and Eq. 3 decays with rho.
-    """
-    return -pull_off * np.exp(-np.asarray(separation) / rho)
 
 
 def traced_contact(bodies: Bodies, place: tuple[int, int], contact: Contact) -> xr.Dataset:
@@ -31,6 +22,7 @@ def traced_contact(bodies: Bodies, place: tuple[int, int], contact: Contact) -> 
     attraction = np.exp(-np.maximum(gap, 0) / rho)
     pressure = work / (rho * 1e-9) * attraction
     pull_off = float(pull_off_force(attraction.sum(), rho, geometry.pixel_size, work))
+    # The bodies keep their deformed shape: all gaps grow alike, and Eq. 3 decays with rho.
     separation = np.linspace(0, 10 * rho, 201)
     position = geometry.offsets() * geometry.pixel_size
     from_apex: dict[str, Any] = {"units": "nm", "long_name": "position from the apex"}
@@ -39,7 +31,7 @@ def traced_contact(bodies: Bodies, place: tuple[int, int], contact: Contact) -> 
         {
             "gap": (("y", "x"), gap.astype(np.float32), before),
             "adhesive_pressure": (("y", "x"), pressure.astype(np.float32), {"units": "Pa"}),
-            "force": ("separation", force_separation(pull_off, rho, separation), {"units": "N"}),
+            "force": ("separation", -pull_off * np.exp(-separation / rho), {"units": "N"}),
         },
         {
             "y": ("y", position, from_apex),

@@ -155,28 +155,6 @@ UNITS = {
 }
 
 
-def _as_dataset(
-    places: NDArray[np.int_], numbers: list[tuple[float, ...]], peak: Floats, pixel_size: float
-) -> xr.Dataset:
-    """Return the numbers of UNITS of contacts at places (contacts, 2), and a pressure (n, n)."""
-    variables = {
-        name: ("contact", list(values), {"units": unit})
-        for (name, unit), values in zip(UNITS.items(), zip(*numbers, strict=True), strict=True)
-    }
-    position = (np.arange(len(peak)) - len(peak) // 2) * pixel_size
-    from_peak = {"units": "nm", "long_name": "position from the peak"}
-    example = {"units": "Pa", "long_name": "pressure, one contact"}
-    return xr.Dataset(
-        variables | {"pressure": (("y", "x"), peak, example)},
-        {
-            "contact_y": ("contact", places[:, 0]),
-            "contact_x": ("contact", places[:, 1]),
-            "y": ("y", position, from_peak),
-            "x": ("x", position, from_peak),
-        },
-    )
-
-
 def elastic_contacts_of_pair(
     bodies: Bodies,
     contact: Contact,
@@ -217,13 +195,31 @@ def elastic_contacts_of_pair(
                 )
             )
             peaks.append(-part_around_lowest(-pressure, min(64, period)))
-    return _as_dataset(places, numbers, peaks[0], pixel_size).assign_attrs(
-        hardness=contact.hardness,
-        preload=contact.preload,
-        effective_modulus=modulus,
-        rho=contact.range,
-        work_of_adhesion=contact.work,
-        window=window * pixel_size,
-        sphere_radius=geometry.radius,
-        hertz_peak_pressure=hertz_contact(contact.preload, geometry.radius, modulus).peak_pressure,
+    variables: dict[str, Any] = {
+        name: ("contact", list(values), {"units": unit})
+        for (name, unit), values in zip(UNITS.items(), zip(*numbers, strict=True), strict=True)
+    }
+    example = {"units": "Pa", "long_name": "pressure, one contact"}
+    position = (np.arange(len(peaks[0])) - len(peaks[0]) // 2) * pixel_size
+    from_peak = {"units": "nm", "long_name": "position from the peak"}
+    return xr.Dataset(
+        variables | {"pressure": (("y", "x"), peaks[0], example)},
+        {
+            "contact_y": ("contact", places[:, 0]),
+            "contact_x": ("contact", places[:, 1]),
+            "y": ("y", position, from_peak),
+            "x": ("x", position, from_peak),
+        },
+        {
+            "hardness": contact.hardness,
+            "preload": contact.preload,
+            "effective_modulus": modulus,
+            "rho": contact.range,
+            "work_of_adhesion": contact.work,
+            "window": window * pixel_size,
+            "sphere_radius": geometry.radius,
+            "hertz_peak_pressure": hertz_contact(
+                contact.preload, geometry.radius, modulus
+            ).peak_pressure,
+        },
     )

@@ -133,9 +133,7 @@ def _with_contact(
         ),
         sphere_height=(
             ("y", "x"),
-            pair.sphere(
-                *(place + np.arange(-REACH, REACH + 1) for place in contacts[0].offsets[0])
-            ),
+            pair.sphere(row + reach, column + reach),
             {"units": "nm", "long_name": "undeformed sphere, up from its apex"},
         ),
     ).assign_coords(y=("y", position, axis), x=("x", position, axis))

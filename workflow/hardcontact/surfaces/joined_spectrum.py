@@ -234,7 +234,7 @@ def _with_measurements(
     joined: Floats,
     psds: Floats,
     reliable: NDArray[np.bool_],
-    measurements: Sequence[Mapping[str, Any]],
+    measurements: Sequence[Mapping[Any, Any]],
 ) -> xr.Dataset:
     """Return a spectrum with its measurements, as lists of their words and lengths in nm."""
     both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
@@ -270,36 +270,26 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     before = known.shift()
     begins = (known.longest_nm != before.shortest_nm) | (known.source != before.source)
     runs = known.groupby(begins.cumsum()).agg(
-        longest=("longest_nm", "first"),
-        shortest=("shortest_nm", "last"),
-        source=("source", "first"),
+        shortest_reliable=("shortest_nm", "last"),
+        longest_reliable=("longest_nm", "first"),
+        notes=("source", "first"),
     )
-    runs["longest"] = runs.longest.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
+    longest = runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
+    described = runs.assign(
+        longest_reliable=longest, kind="description", path=path, dataset="", limited_by="source"
+    ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius"), np.nan))
     wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
-    shortest, longest = runs[["shortest", "longest"]].to_numpy().T[..., None]
+    shortest, longest = described[["shortest_reliable", "longest_reliable"]].to_numpy().T[..., None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
-    described = [
-        {
-            "kind": "description",
-            "path": path,
-            "dataset": "",
-            "size": np.nan,
-            "pixel_size": np.nan,
-            "tip_radius": np.nan,
-            "shortest_reliable": run.shortest,
-            "longest_reliable": run.longest,
-            "limited_by": "source",
-            "notes": run.source,
-        }
-        for run in runs.itertuples()
-    ]
     joined = np.where(reliable.any(axis=0), density, np.nan)
     psds = np.where(reliable, density, np.nan)
-    return _with_measurements(stored[["spectrum"]], joined, psds, reliable, described).assign_attrs(
+    return _with_measurements(
+        stored[["spectrum"]], joined, psds, reliable, described.to_dict("records")
+    ).assign_attrs(
         basis="substitute",
         calibrated_to_table1=stored.attrs["calibrated_to_table1"],
-        shortest_measured=runs.shortest.min(),
-        longest_measured=runs.longest.max(),
+        shortest_measured=described.shortest_reliable.min(),
+        longest_measured=described.longest_reliable.max(),
         **Tail()._asdict(),
         rolloff=np.nan,
     )

@@ -158,11 +158,13 @@ def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tup
 
     _, *moments_above = all_scales_moments(Spectrum(WAVEVECTORS, above))
     missing = [gradient**2 - moments_above[0] ** 2, half_laplacian**2 - moments_above[1] ** 2]
+    ends = 2 * np.pi / WAVEVECTORS[above.nonzero()[0][-1] + 1 :]
+    refusal = ValueError(
+        f"expected an all-scales slope and curvature that a power law below {ends[0]:.3g} nm can "
+        f"add, found {gradient} and {half_laplacian}"
+    )
     if min(missing) <= 0:
-        raise ValueError(
-            f"expected an all-scales slope and curvature above {moments_above[0]:.3g} "
-            f"and {moments_above[1]:.3g} nm-1, found {gradient} and {half_laplacian}"
-        )
+        raise refusal
 
     def excess(moment: int, hurst: float, shortest: float) -> float:
         tail = power_law_tail(above, hurst, shortest)
@@ -173,16 +175,12 @@ def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tup
         return float(brentq(lambda hurst: excess(0, hurst, shortest), *TAIL_HURST, xtol=1e-14))
 
     # Of the tails that add the gradient, those that end later add more to the half-Laplacian.
-    ends = 2 * np.pi / WAVEVECTORS[above.nonzero()[0][-1] + 1 :]
     possible = [
         end for end in ends if excess(0, TAIL_HURST[0], end) > 0 > excess(0, TAIL_HURST[1], end)
     ]
     reached = [excess(1, hurst_of(end), end) for end in possible]
     if not reached or not reached[0] < 0 < reached[-1]:
-        raise ValueError(
-            "expected an all-scales slope and curvature that a power law "
-            f"below {ends[0]:.3g} nm can add, found {gradient} and {half_laplacian}"
-        )
+        raise refusal
     shortest = brentq(
         lambda end: excess(1, hurst_of(end), end), possible[0], possible[-1], xtol=1e-14
     )
