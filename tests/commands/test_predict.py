@@ -79,14 +79,16 @@ def test_units_order_and_zeros_of_a_table(table):
 
 #: Lines of a table, and what the refusals say.
 FAULTY = [
-    (["wavelength,c_iso", "1,2"], ["wavelength_unit beside", "c_iso_unit beside"]),
-    (["wavelength,wavevector,c_iso,x", "1,2"], ["found both", "c_iso_unit"]),
-    ([HEADER, "1,s,2,nm3"], ["wavelength_unit: expected a length", "power of 4"]),
-    ([HEADER, "-1,nm,x,", "1,nm"], ["found -1", "found x", "found nothing", "line 3: expect"]),
-    ([HEADER, *[f"{n},s,1,nm4" for n in range(7)]], ["line 2 and 6 more: wavelength_unit"]),
+    (["wavelength,c_iso", "1,2"], ["found wavelength, c_iso and 1 rows"]),
+    (
+        ["wavelength,wavevector,c_iso,x", "1,2"],
+        ["one of the columns", "found wavelength, wavevector, c_iso, x"],
+    ),
+    ([HEADER, "1,s,2,nm4", "1,nm,2,nm3"], ["wavelength_unit: expected a length", "power of 4"]),
+    ([HEADER, "-1,nm,x,", "1,nm"], ["found -1", "line 3: expect"]),
     ([HEADER, "1,nm,1,nm4", "1e-3,um,1,nm4"], ["line 3: expected each wavelength once"]),
     ([HEADER, "1,nm,1,nm4"], ["at least 5 wavelengths, found 1"]),
-    ([""], ["found no column"]),
+    ([""], ["found nothing"]),
     (["wavevector,wavevector_unit,c_1d,c_1d_unit", "1,1/nm,1,nm3"], ["rad/nm", "found 1/nm"]),
     # Wavelengths, and powers, that no surface has.
     (

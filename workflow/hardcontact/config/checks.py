@@ -31,73 +31,72 @@ RELIEF_OVER_RMS = 4.5
 def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
     """Refuse what could only fail in a job; measured scans are read once all names are known.
 
-    As a ValueError of one line a fault, naming the key or the file: names of surfaces or scans that
-    are not in the table, values that contradict each other, unusable scans, wavelengths, windows
-    and loads that the pixels do not permit. The configuration has numbers, the table is that of
-    `selection.selected_scans`, and surfaces that are compared have a published pull-off force.
+    Raises ValueError with a line for each fault, naming the key or the file: names of surfaces or
+    scans that are not in the table, values that contradict each other, unusable scans,
+    wavelengths, windows and loads that the pixels do not permit. The configuration has numbers,
+    the table is that of `selection.selected_scans`, and surfaces that are compared have a
+    published pull-off force.
     """
     contacts = table[table.use == CONTACT]
     substitutes = table[table.source == "substitute"].drop_duplicates("surface")
-    described = dict(zip(substitutes.surface, substitutes.path, strict=True))
     table1 = published.table1(PUBLISHED["published_table1"]).groupby("surface").quantity.agg(set)
-    smooth = config["published"] != PAPER and config["sphere"]["surface"] == SMOOTH
-    sphere = [] if smooth else [_one_of(config, "sphere.surface", list(contacts.surface.unique()))]
-    checks: list[Callable[[], object]] = [partial(refuse_lines, unmet(sphere))]
-    checks += [
+    checks: list[Callable[[], object]] = [
         partial(refuse_description, path, table1.get(surface, set()))
-        for surface, path in described.items()
+        for surface, path in zip(substitutes.surface, substitutes.path, strict=True)
     ]
     if config["published"] == PAPER:
-        checks.append(partial(refuse_lines, unmet(_limits_of_paper(config, contacts, compared))))
+        limits = _limits_of_paper(config, contacts, compared)
     else:
-        checks += _checks_of_own_surfaces(config, table, described, table1.index)
-    refuse_all(checks)
-    of_surfaces = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
-    grids = refuse_all(partial(surface_grid, config, *one) for one in of_surfaces.items())
-    check_grids(config, dict(zip(of_surfaces, grids, strict=True)))
+        limits = _limits_of_own_surfaces(config, contacts)
+        checks += _checks_of_own_surfaces(config, table, substitutes, table1.index)
+    refuse_all([partial(refuse_lines, unmet(limits)), *checks])
+    rows_of = {str(name): rows for name, rows in contacts.groupby("surface", sort=False)}
+    grids = refuse_all(partial(surface_grid, config, *item) for item in rows_of.items())
+    check_grids(config, dict(zip(rows_of, grids, strict=True)))
 
 
-def _one_of(config: dict[str, Any], key: str, known: list[str]) -> Limit:
+def _limit_of_name(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
     """Return the limit of the name of a surface: it is one of those in the table."""
-    expected = f"one of {', '.join(known)}, surfaces of the table"
-    return Limit(at(config, key) in known, key, expected, at(config, key))
+    expected = f"one of {', '.join(surfaces)}, surfaces of the table"
+    return Limit(at(config, key) in surfaces, key, expected, at(config, key))
+
+
+def _limits_of_own_surfaces(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:
+    """Yield the limit of the sphere, which may be smooth."""
+    if config["sphere"]["surface"] != SMOOTH:
+        yield _limit_of_name(config, "sphere.surface", list(contacts.surface.unique()))
 
 
 def _limits_of_paper(
-    config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
+    config: dict[str, Any], contacts: pd.DataFrame, compared: Collection[str]
 ) -> Iterator[Limit]:
-    """Give the limits of what only a study that is compared with the paper computes."""
-    sphere = config["sphere"]["surface"]
-    surfaces = list(table.surface.unique())
-    for key in (
-        "reference_surface",
-        "indent.surface",
-        "robustness.heights.surface",
-    ):
-        yield _one_of(config, key, [surface for surface in surfaces if surface != sphere])
+    """Yield the limits of what only a study that is compared with the paper computes."""
+    sphere, surfaces = config["sphere"]["surface"], list(contacts.surface.unique())
+    yield _limit_of_name(config, "sphere.surface", surfaces)
+    substrates = [surface for surface in surfaces if surface != sphere]
+    for key in ("reference_surface", "indent.surface", "robustness.heights.surface"):
+        yield _limit_of_name(config, key, substrates)
     reference = config["reference_surface"]
     expected = f"a surface with a published pull-off force ({', '.join(compared)})"
     yield Limit(reference in compared, "reference_surface", expected, reference)
-    pool = config["sets"]["pool"]
-    scans_of = table[table.source == "substitute"].groupby("surface", sort=False).size()
-    for surface, scans in scans_of.items():
-        if surface != sphere and scans > pool:
-            yield Limit(False, "sets.pool", f"at least the {scans} scans of {surface}", pool)
-            break
+    pool, drawn = config["sets"]["pool"], contacts[contacts.source == "substitute"]
+    scans = drawn.surface[drawn.surface != sphere].value_counts(sort=False)
+    if len(scans):
+        expected = f"at least the {scans.max()} scans of {scans.idxmax()}"
+        yield Limit(scans.max() <= pool, "sets.pool", expected, pool)
 
 
 def _checks_of_own_surfaces(
     config: dict[str, Any],
     table: pd.DataFrame,
-    described: dict[str, str],
+    substitutes: pd.DataFrame,
     of_paper: Collection[str],
 ) -> Iterator[Callable[[], object]]:
     """Yield the checks of substitutes, of scans that contacts do not use, and of own forces."""
-    for surface, path in described.items():
+    for surface, path in zip(substitutes.surface, substitutes.path, strict=True):
         yield partial(refuse_of_paper, path, surface, of_paper)
-    others = table[table.use != CONTACT]
+    others, scan = table[table.use != CONTACT], config["scan"]
     for path, dataset in zip(others.path, others.dataset, strict=True):
-        scan = config["scan"]
         yield partial(read_measurement, path, dataset, scan["undefined_pixels"], unit=scan["unit"])
     if config["forces"] != NONE:
         substrates = table.surface[table.surface != config["sphere"]["surface"]]

@@ -120,6 +120,16 @@ def at(tree: Mapping[str, Any], key: str) -> Any:
     return reduce(getitem, key.split("."), tree)
 
 
+def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
+    """Return the key of each setting of the masters of one side that a section filters.
+
+    What a section does not set itself, the section around it does, and at last `scales`.
+    """
+    parts = section.split(".")
+    sections = ["scales", *(".".join(parts[: end + 1]) for end in range(len(parts)))]
+    return {name: f"{part}.{side}.{name}" for part in sections for name in at(config, part)[side]}
+
+
 def made(configuration: Mapping[str, Any]) -> list[str]:
     """Return the targets that the data of a study allow, in their order."""
     targets = OF_PAPER if configuration["published"] == PAPER else OF_OWN_SURFACES

@@ -7,6 +7,7 @@ from functools import cached_property
 from itertools import cycle, product
 from typing import Any, TypeVar
 
+from hardcontact.config.configuration import at, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
@@ -233,20 +234,17 @@ class Files:
 
     def filters(self, purpose: str) -> dict[str, Any]:
         """Return how masters are made and filtered on both sides, and contacts along an edge."""
-        configuration, insight = self._configuration, self._configuration["insight"]
-        section: dict[str, Any] = {
-            "sets": configuration["sets"],
-            "scaling": insight["scaling"] | {"count": insight["count"]},
-        }.get(purpose, configuration["contact"] | configuration["scales"])
-        sides = {side: configuration["scales"][side] | section[side] for side in SIDES}
-        if purpose == "scaling":
-            sides["small"]["pixels"] = insight["small"]["pixels"]
-        keys = ("transition", "pixels", "tiles", "cutoffs")
+        configuration = self._configuration
+        section = {"sets": "sets", "scaling": "insight.scaling"}.get(purpose, "scales")
+        count = {"sets": "sets.count", "scaling": "insight.count"}.get(purpose, "contact.count")
         return {
-            "count": section["count"],
+            "count": at(configuration, count),
             "sides": {
-                side: {key: scales[key] for key in keys if key in scales}
-                for side, scales in sides.items()
+                side: {
+                    name: at(configuration, key)
+                    for name, key in master_keys(configuration, section, side).items()
+                }
+                for side in SIDES
             },
         }
 

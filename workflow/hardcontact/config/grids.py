@@ -4,6 +4,7 @@ import math
 import os
 from typing import NamedTuple
 
+from hardcontact.config.faults import Limit
 from hardcontact.numbers.printing import print_length
 
 #: Pixel sizes in nm at which spectra are known: tables and bins end at 0.1 nm and 100 um.
@@ -74,14 +75,12 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
     return float(f"{math.ceil(least / step) * step:.3g}"), reason
 
 
-def refuse_beyond_memory(key: str, pixels: int, available: int) -> None:
-    """Refuse a master larger than any map if the memory available (megabytes) cannot hold it."""
+def limit_of_memory(key: str, pixels: int, available: int) -> Limit:
+    """Return the limit of a master larger than any map by the memory available (megabytes)."""
     needed = master_megabytes(pixels, 0)
-    if pixels > MAP_PIXELS and needed > available:
-        raise ValueError(
-            f"config key {key}: expected at most {MAP_PIXELS} on this machine of "
-            f"{available / 1e3:.3g} GB, found {pixels}, which take {needed / 1e3:.3g} GB"
-        )
+    fits = pixels <= MAP_PIXELS or needed <= available
+    expected = f"at most {MAP_PIXELS} on this machine of {available / 1e3:.3g} GB"
+    return Limit(fits, key, expected, f"{pixels}, which take {needed / 1e3:.3g} GB")
 
 
 def master_megabytes(pixels: int, least: int) -> int:

@@ -7,14 +7,15 @@ reliable.
 import math
 import re
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from hardcontact.config.faults import plain, refuse_lines
-from hardcontact.config.tables import Row, UserTable, found, in_unit, number, user_table
+from hardcontact.config.tables import Row, UserTable, found, number, user_table
+from hardcontact.numbers.units import magnitude
 from hardcontact.surfaces.contradictions import contradictions, told_contradictions
 from hardcontact.surfaces.joined_spectrum import joined_spectrum
 from hardcontact.surfaces.measured_spectrum import isotropic_from_profile
@@ -25,7 +26,10 @@ from hardcontact.surfaces.spectrum import Spectrum
 
 #: Columns of which a table has one of each pair, each with a column of its unit.
 WAVES, DENSITIES = ("wavevector", "wavelength"), ("c_iso", "c_1d")
-COLUMNS = "wavevector or wavelength, c_iso or c_1d, and the unit of each (wavevector_unit, ...)"
+COLUMNS = (
+    "a table with one of the columns wavevector and wavelength, one of c_iso and c_1d, and the "
+    "unit of each (wavelength_unit, ...)"
+)
 #: The unit of a column: how it is written about that of a length, and in words.
 UNITS = {
     "wavevector": (
@@ -127,79 +131,59 @@ def table_spectrum(path: str | Path) -> Spectrum:
     Columns: `wavevector` (q = 2 pi/lambda) or `wavelength`; `c_iso` (h_rms² = 1/(2 pi) ∫ q C_iso
     dq) or `c_1d` (h_rms² = (1/pi) ∫ C_1D dq); and the unit of each, named for it with `_unit`. A
     density of 0 says no roughness. Returns C_iso in nm⁴ at the table's own wavevectors, of profiles
-    by the inverse Abel transform. Raises ValueError with a line for each problem.
+    by the inverse Abel transform. Raises ValueError with a line for each faulty row.
     """
     table = user_table(path, "a table of a power spectral density")
-    wave, density = _quantities(table)
-    problems = table.problems(lambda row: _faults(row, wave, density))
-    points, lines = [], dict[str, int]()
-    for line, row in table.rows().items():
-        if _faults(row, wave, density):
-            continue
-        value, length = float(row[wave]), _nanometres(row, wave)
-        wavevector = 2 * math.pi / (value * length) if wave == "wavelength" else value / length
-        power = 4 if density == "c_iso" else 3
-        points.append((wavevector, float(row[density]) * _nanometres(row, density) ** power))
+    wave, density = _column(table, WAVES), _column(table, DENSITIES)
+    points = table.convert(partial(_point, wave=wave, density=density))
+    lines = dict[str, int]()
+    for line, (wavevector, _) in points.items():
         before = lines.setdefault(f"{wavevector:.9g}", line)
         if before != line:
-            problems.append(
+            raise ValueError(
                 f"{path}: line {line}: expected each wavelength once, found that of line {before}"
             )
-    rough = sum(value > 0 for _, value in points)
-    if not problems and rough < FEWEST:
-        problems.append(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
-    refuse_lines(problems)
-    wavevectors, densities = np.array(sorted(points)).T
+    rough = sum(value > 0 for _, value in points.values())
+    if rough < FEWEST:
+        raise ValueError(f"{path}: expected at least {FEWEST} wavelengths, found {rough}")
+    wavevectors, densities = np.array(sorted(points.values())).T
     if density == "c_1d":
         waves = np.full(densities.shape, WAVES_OF_A_BIN)
         densities = isotropic_from_profile(wavevectors, densities, waves)
     return Spectrum(wavevectors, densities)
 
 
-def _quantities(table: UserTable) -> tuple[str, str]:
-    """Return the names of the columns of waves and of densities."""
-    path, header = table.path, table.header
-    if not header:
-        raise ValueError(f"{path}: expected the columns {COLUMNS}; found no column")
-    faults, present = [], []
-    for pair in (WAVES, DENSITIES):
-        named = [name for name in pair if name in header]
-        present += named[:1]
-        if len(named) != 1:
-            faults.append(
-                f"{path}: expected one of the columns {' and '.join(pair)}, found "
-                f"{'both' if named else plain(', '.join(header))}"
-            )
-    faults += [
-        f"{path}: expected a column {name}_unit beside {name}, found none"
-        for name in present
-        if f"{name}_unit" not in header
-    ]
-    faults += [
-        f"{path}: expected each column once, found {plain(name)} {header.count(name)} times"
-        for name in dict.fromkeys(header)
-        if header.count(name) > 1
-    ]
-    refuse_lines(faults)
-    return present[0], present[1]
+def _column(table: UserTable, names: Sequence[str]) -> str:
+    """Return which of two columns a table has, beside that of its unit."""
+    present = [name for name in names if name in table.header]
+    if len(present) != 1:
+        raise ValueError(
+            f"{table.path}: expected {COLUMNS}, found {found(', '.join(table.header))}"
+        )
+    table.require([present[0], f"{present[0]}_unit"], COLUMNS)
+    return present[0]
 
 
-def _faults(row: Row, wave: str, density: str) -> list[str]:
-    """Return what is wrong with the cells of a row."""
-    faults = []
-    for name in (wave, density):
-        value = number(row[name])
-        if not (0 < value < math.inf or (name == "c_iso" and value == 0)):
-            accepted = "a number of at least 0" if name == "c_iso" else "a positive number"
-            faults.append(f"{name}: expected {accepted}, found {found(row[name])}")
-    for name in (wave, density):
-        if math.isnan(_nanometres(row, name)):
-            unit = found(row[f"{name}_unit"])
-            faults.append(f"{name}_unit: expected {UNITS[name][1]}, found {unit}")
-    return faults
+def _point(row: Row, wave: str, density: str) -> tuple[float, float]:
+    """Return wavevector (1/nm) and density (nm⁴, of profiles nm³) of a row."""
+    value, power = number(row[density]), 4 if density == "c_iso" else 3
+    if not 0 < number(row[wave]) < math.inf:
+        raise ValueError(f"{wave}: expected a positive number, found {found(row[wave])}")
+    if not (0 < value < math.inf or (power == 4 and value == 0)):
+        accepted = "a number of at least 0" if power == 4 else "a positive number"
+        raise ValueError(f"{density}: expected {accepted}, found {found(row[density])}")
+    wavevector = number(row[wave]) / _nanometres(row, wave)
+    if wave == "wavelength":
+        wavevector = 2 * math.pi / (number(row[wave]) * _nanometres(row, wave))
+    return wavevector, value * _nanometres(row, density) ** power
 
 
 def _nanometres(row: Row, name: str) -> float:
-    """Return the length in the unit of a column, in nm; NaN if it is no unit of the quantity."""
-    match = re.fullmatch(UNITS[name][0], row[f"{name}_unit"])
-    return in_unit(1, match[1], "nm") if match else math.nan
+    """Return the length in the unit of a column, in nm; refuse a unit of another quantity."""
+    pattern, words = UNITS[name]
+    unit = row[f"{name}_unit"]
+    match = re.fullmatch(pattern, unit)
+    try:
+        return magnitude(f"1 {match[1]}" if match else None, "nm")
+    except ValueError:
+        raise ValueError(f"{name}_unit: expected {words}, found {found(unit)}") from None

@@ -9,7 +9,7 @@ import pandas as pd
 from pydantic import GetCoreSchemaHandler
 from pydantic_core import CoreSchema, core_schema
 
-from hardcontact.config.faults import plain, validated
+from hardcontact.config.faults import validated
 from hardcontact.config.key_types import Matching, Quantity
 from hardcontact.config.model import Keys
 from hardcontact.config.patterns import PUBLISHED
@@ -208,25 +208,13 @@ def surface_table(path: str | Path) -> pd.DataFrame:
     if not os.path.isfile(path):
         raise ValueError(f"config key surfaces: expected a table of surfaces, found no file {path}")
     content = "a table of surfaces"
-    _, header, rows = user_table(path, content, form=content, separator="\t")
+    written = user_table(path, content, form=content, separator="\t")
     known = SurfaceRow.model_fields
     columns = [name for name, field in known.items() if field.is_required()]
-    once = len(header) == len(set(header))
-    if not (rows and once and set(columns) <= set(header) <= set(known)):
-        raise ValueError(
-            f"{path}: expected a table of surfaces, the columns {', '.join(columns)}, "
-            "separated by tabs, and a row a scan; "
-            f"found {plain(', '.join(header))} and {len(rows)} rows"
-        )
-    for line, cells in rows.items():
-        if len(cells) != len(header):
-            raise ValueError(
-                f"{path}: line {line}: expected {len(header)} cells, separated by tabs, "
-                f"found {len(cells)}"
-            )
-        validated(SurfaceRow, dict(zip(header, cells, strict=True)), f"{path}: line {line}, ")
-    table = pd.DataFrame([*rows.values()], columns=header, index=[*rows], dtype=str)
-    table = table.reindex(columns=[*known], fill_value="")
+    listed = f"the columns {', '.join(columns)}, separated by tabs, and a row a scan"
+    written.require(columns, f"{content}, {listed}", known)
+    rows = written.convert(lambda row: validated(SurfaceRow, row).model_dump())
+    table = pd.DataFrame.from_dict(rows, orient="index", dtype=str)
     table["scan"] = table["scan"].astype(int)
     table["use"] = table["use"].replace("", CONTACT)
     _refuse_repeated(path, table, ["surface", "scan"])

@@ -1,4 +1,4 @@
-"""Tables that the user wrote, and what is wrong with them, a line a fault: one reader for all.
+"""Tables that the user wrote, read and refused with a line for each faulty row.
 
 Own pull-off forces, of single tests or of a mean and a median a surface; descriptions of substitute
 surfaces (`resources/README.md`), checked before a spectrum is made from them.
@@ -10,13 +10,14 @@ import math
 import os
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import pandas as pd
 
 from hardcontact.config.faults import plain, refuse_lines
-from hardcontact.numbers.units import magnitude
+from hardcontact.config.key_types import Quantity
 from hardcontact.surfaces.spectrum import CALIBRATED, KNOWN, PARAMETERS, is_calibrated
 
 #: A number with a decimal comma.
@@ -25,11 +26,12 @@ DECIMAL = re.compile(r"^([-+]?\d*),(\d+(?:[eE][-+]?\d+)?)$")
 TABLE_LIMIT = 2**22
 #: Cells by the name of their column.
 Row = Mapping[str, str]
+Result = TypeVar("Result")
 #: Columns of a table of single tests, and of one row a surface.
 TESTS = ("surface", "value", "unit")
 SUMMARIES = ("surface", "mean", "median", "count", "unit")
-#: The least and the largest pull-off force in N: of an atom, and of a hundred kilograms.
-FORCES = (1e-15, 1e3)
+#: A pull-off force: of an atom at least, and of a hundred kilograms at most.
+FORCE = Quantity("N", 1e-15, 1e3)
 #: Models of a band; a power law continues the band above, so that it cannot come first.
 MODELS = ("self-affine", "varying Hurst", "smooth roll-off", "profile", "power law")
 #: Columns of numbers that may be below zero: local exponents of shoulders are.
@@ -50,28 +52,40 @@ class UserTable(NamedTuple):
     header: list[str]
     cells: dict[int, list[str]]
 
-    def rows(self) -> dict[int, Row]:
-        """Return, by line, the rows that have a cell for each column."""
-        return {
-            line: dict(zip(self.header, cells, strict=True))
-            for line, cells in self.cells.items()
-            if len(cells) == len(self.header)
-        }
+    def require(
+        self, columns: Sequence[str], content: str, known: Collection[str] | None = None
+    ) -> None:
+        """Refuse a table without a row, without one of the columns, or with a column twice.
 
-    def problems(self, faults: Callable[[Row], list[str]]) -> list[str]:
-        """Return one line a problem; a fault that many lines have is told of the first."""
-        rows = self.rows()
-        lines: dict[str, list[int]] = {}
+        If the known columns are given, others are refused, too.
+        """
+        complete = set(columns) <= set(self.header) <= set(known or self.header)
+        if not (self.cells and complete and len(set(self.header)) == len(self.header)):
+            header = found(", ".join(self.header))
+            raise ValueError(
+                f"{self.path}: expected {content}, found {header} and {len(self.cells)} rows"
+            )
+
+    def convert(self, function: Callable[[Row], Result]) -> dict[int, Result]:
+        """Return what a function makes of each row, by line.
+
+        Raises ValueError with a line for each fault that the function, or a number of cells other
+        than that of the header, raises.
+        """
+        results, faults = dict[int, Result](), list[str]()
         for line, cells in self.cells.items():
-            many = len(cells) > len(self.header)
-            hint = "; decimal commas need semicolons between cells" if many else ""
-            wrong = [f"expected {len(self.header)} cells, found {len(cells)}{hint}"]
-            for fault in faults(rows[line]) if line in rows else wrong:
-                lines.setdefault(fault, []).append(line)
-        return [
-            f"{self.path}: line {first}{f' and {len(more)} more' if more else ''}: {fault}"
-            for fault, (first, *more) in lines.items()
-        ]
+            try:
+                if len(cells) != len(self.header):
+                    hint = "; decimal commas need semicolons between cells"
+                    raise ValueError(
+                        f"expected {len(self.header)} cells, found {len(cells)}"
+                        f"{hint if len(cells) > len(self.header) else ''}"
+                    )
+                results[line] = function(dict(zip(self.header, cells, strict=True)))
+            except ValueError as error:
+                faults += [f"{self.path}: line {line}: {text}" for text in str(error).splitlines()]
+        refuse_lines(faults)
+        return results
 
 
 def user_table(
@@ -80,8 +94,8 @@ def user_table(
     """Read a table that the user wrote, in UTF-8, with a header; between tabs nothing is quoted.
 
     Cells may stand between semicolons, as some spreadsheets write them; then decimals may have a
-    comma.
-    A ValueError of one line says what the table should hold (content) and be (form).
+    comma. Raises ValueError with one line that says what the table should hold (content) and be
+    (form).
     """
     if not os.path.isfile(path):
         raise ValueError(f"{path}: expected {content}, found no file")
@@ -120,88 +134,46 @@ def number(cell: str) -> float:
         return math.nan
 
 
-def in_unit(value: float, given: str, unit: str) -> float:
-    """Return a value with a given unit in another; NaN if these have other dimensions."""
-    try:
-        return magnitude(f"{value!r} {given}", unit)
-    except ValueError:
-        return math.nan
-
-
 def measured_forces(
     path: str | Path, surfaces: Collection[str], given_as: str = "config key forces"
 ) -> pd.DataFrame:
     """Read the user's own pull-off forces on the surfaces of a study.
 
     The file is a CSV with a header: surface, value, unit, one row a test; or surface, mean, median,
-    count, unit, one row a surface. Returned are, by line of the file, the columns surface; mean and
+    count, unit, one row a surface. Returns, by line of the file, the columns surface; mean and
     median in N, positive; count, the tests they are of: a single test is the mean and the median of
-    one. A ValueError has one line a problem, all of them, and says how the table was given.
+    one. Raises ValueError with a line for each faulty row; it says how the table was given.
     """
     table = user_table(path, f"a table of forces ({given_as})")
-    if sorted(table.header) not in (sorted(TESTS), sorted(SUMMARIES)) or not table.cells:
-        raise ValueError(
-            f"{path}: expected the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}, "
-            f"separated by commas, and a row for each force; found "
-            f"{plain(', '.join(table.header)) or 'no column'} and {len(table.cells)} rows"
-        )
-    problems = table.problems(lambda row: _faults(row, surfaces))
-    forces = pd.DataFrame.from_dict(
-        {line: _force(row) for line, row in table.rows().items()},
-        orient="index",
-        columns=["surface", "mean", "median", "count"],
-    ).rename_axis("line")
-    if "count" in table.header:
-        problems += [
+    columns = SUMMARIES if "mean" in table.header else TESTS
+    content = f"a row for each force, the columns {', '.join(TESTS)} or {', '.join(SUMMARIES)}"
+    table.require(columns, f"{content}, separated by commas")
+    rows = table.convert(partial(_force, surfaces=surfaces))
+    names = ["surface", "mean", "median", "count"]
+    forces = pd.DataFrame.from_dict(rows, orient="index", columns=names).rename_axis("line")
+    if columns == SUMMARIES:
+        refuse_lines(
             f"{path}: line {line}: expected each surface once, found again {plain(surface)}"
             for line, surface in forces.surface[forces.duplicated("surface")].items()
-        ]
-    refuse_lines(problems)
+        )
     return forces
 
 
-def _faults(row: Row, surfaces: Collection[str]) -> list[str]:
-    """Return what is wrong with the cells of a row, by column."""
-    faults = []
-    if row["surface"] not in surfaces:
-        faults.append(f"surface: expected {' or '.join(surfaces)}, found {found(row['surface'])}")
-    known = math.isfinite(in_unit(1.0, row["unit"], "N"))
-    if not known:
-        faults.append(f"unit: expected one of force, such as uN, found {found(row['unit'])}")
-    least, most = FORCES
-    for name in (name for name in ("value", "mean", "median") if name in row):
-        if not 0 < number(row[name]) < math.inf:
-            faults.append(f"{name}: expected a positive number, found {found(row[name])}")
-        elif known and not least <= _newtons(row[name], row["unit"]) <= most:
-            faults.append(
-                f"{name}: expected {least:g} to {most:g} N, found {row[name]} {row['unit']}"
-            )
-    if "count" in row and _count(row["count"]) < 1:
-        faults.append(f"count: expected a number of tests, found {found(row['count'])}")
-    if "median" in row and number(row["median"]) > number(row["mean"]):
-        faults.append(
+def _force(row: Row, surfaces: Collection[str]) -> tuple[str, float, float, int]:
+    """Return surface, mean and median in N, and count of tests; refuse the first fault of a row."""
+    surface, count = row["surface"], row.get("count", "1")
+    if surface not in surfaces:
+        raise ValueError(f"surface: expected {' or '.join(surfaces)}, found {found(surface)}")
+    names = ("mean", "median") if "mean" in row else ("value", "value")
+    mean, median = (FORCE.number(f"{row[name]} {row['unit']}") for name in names)
+    if not re.fullmatch("[1-9][0-9]{0,8}", count):
+        raise ValueError(f"count: expected a number of tests, found {found(count)}")
+    if median > mean:
+        raise ValueError(
             "median: expected at most the mean, as of log-normal forces (or give single tests), "
             f"found {row['median']} beside {row['mean']}"
         )
-    return faults
-
-
-def _force(row: Row) -> tuple[str, float, float, int]:
-    """Return surface, mean and median in N, and count of tests; NaN and 0 of what is faulty."""
-    mean, median = (
-        _newtons(row.get(name, row.get("value", "")), row["unit"]) for name in ("mean", "median")
-    )
-    return row["surface"], mean, median, _count(row.get("count", "1"))
-
-
-def _newtons(text: str, unit: str) -> float:
-    """Return a force in N, of twelve digits; NaN if it is no number with a unit of force."""
-    return float(f"{number(text) * in_unit(1.0, unit, 'N'):.12g}")
-
-
-def _count(text: str) -> int:
-    """Return a whole number; 0 if it is none."""
-    return int(text) if text.isascii() and text.isdigit() and len(text) < 10 else 0
+    return surface, mean, median, int(count)
 
 
 def refuse_description(path: str | Path, published: Collection[str]) -> None:
@@ -229,7 +201,7 @@ def refuse_description(path: str | Path, published: Collection[str]) -> None:
 def refuse_of_paper(path: str | Path, surface: str, published: Collection[str]) -> None:
     """Refuse a substitute in a study of own surfaces that stands for one of the paper.
 
-    As a ValueError of one line, given a description that `refuse_description` accepts and the
+    Raises ValueError with one line, given a description that `refuse_description` accepts and the
     surfaces in the paper's Table 1, which substitutes of these names are conditioned on.
     """
     bands = pd.read_csv(path)
@@ -252,21 +224,17 @@ def _description(
 
     Only a Hurst exponent and its change may be below zero.
     """
-    columns = ", ".join([*numbers, *others])
-    content = f"a table, comma-separated, with the columns {columns} (resources/README.md)"
+    columns = (*numbers, *others)
+    content = f"a table with the columns {', '.join(columns)} (resources/README.md)"
     table = user_table(path, content)
-    if missing := [name for name in (*numbers, *others) if name not in table.header]:
-        raise ValueError(f"{path}: expected {content}; found: no {', '.join(missing)}")
-    if not table.cells:
-        raise ValueError(f"{path}: expected {content}; found: no row")
+    table.require(columns, content)
 
-    def faults(row: Row) -> list[str]:
-        return [
-            f"{name}: expected a number{'' if name in SIGNED else ', none below zero'}, "
-            f"found {found(row[name])}"
-            for name in numbers
-            if row[name] and not (number(row[name]) >= (-math.inf if name in SIGNED else 0))
-        ]
+    def checked(row: Row) -> Row:
+        for name in numbers:
+            lowest = -math.inf if name in SIGNED else 0
+            if row[name] and not number(row[name]) >= lowest:
+                accepted = "a number" if name in SIGNED else "a number, none below zero"
+                raise ValueError(f"{name}: expected {accepted}, found {found(row[name])}")
+        return row
 
-    refuse_lines(table.problems(faults))
-    return table.rows()
+    return table.convert(checked)
