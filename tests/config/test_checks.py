@@ -45,7 +45,11 @@ CONTRADICTIONS = [
     # Loads
     ("contact.preload", "1 N", "a quarter of", "at most 156 mN", "found 1 N"),
     ("robustness.preloads", ["1 uN", "1 N"], "found 1 N"),
-    ("robustness.hardnesses", ["0.1 MPa", "1 GPa"], "at most 625 nN at a hardness of 0.0001"),
+    (
+        "robustness.hardnesses",
+        ["0.1 MPa", "1 GPa"],
+        "at most 625 nN of load at a hardness of 0.0001",
+    ),
     ("indent.preloads", ["3 mN"], "4096", "found 5034"),
     # Ranges of adhesion
     ("insight.ranges", ["0.04 nm", "1 nm"], "at least 0.05 nm on", "25 nm apart", "found 0.04 nm"),

@@ -6,10 +6,10 @@ hold is reported.
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice, product
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -35,7 +35,8 @@ from hardcontact.surfaces.synthesis import SIDES
 INDENT_PIXELS = 2**12
 
 
-class Use(NamedTuple):
+@dataclass(frozen=True)
+class Use:
     """One use of scans and masters by a section of the configuration."""
 
     section: str
@@ -61,7 +62,7 @@ def uses_of_scans(config: dict[str, Any]) -> list[Use]:
     scaled = replace(contact, preload=scaling["preloads"][-1])
     shortest = (f"{section}.ranges", scaling["ranges"][0], scaling["radii"][0])
     return [
-        uses[0]._replace(loads=loads | {"indent.preloads": indented}),
+        replace(uses[0], loads=loads | {"indent.preloads": indented}),
         uses[1],
         Use("sets", "sets.count", varied, ranges),
         Use("insight", "insight.count", loads, ranges),
@@ -224,7 +225,7 @@ def _limits_of_loads(use: Use, available: int, pixel_size: float, why: str) -> I
     for key, contact in use.loads.items():
         largest = available * (pixel_size * 1e-9) ** 2 * contact.hardness
         expected = (
-            f"a preload of at most {print_quantity(largest, 'N')} at a hardness of "
+            f"at most {print_quantity(largest, 'N')} of load at a hardness of "
             f"{contact.hardness / 1e9:.4g} GPa, {why}"
         )
         holds = contact.pixels(pixel_size) <= available
