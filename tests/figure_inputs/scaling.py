@@ -6,7 +6,6 @@ import xarray as xr
 from figure_inputs.building import bounded, named
 from hardcontact.insight.edge_scaling import (
     CLOSED_FORM,
-    COMPUTED,
     FORMULA,
     LENGTHS,
 )
@@ -23,7 +22,6 @@ def scaling() -> xr.Dataset:
     formula = 1.1 * edge
     edge[1, 0, 0, 1, 0] = np.nan
     exponent = np.linspace(-0.2, 1.2, 2 * 4 * 3).reshape(2, 4, 3)
-    local = np.linspace(-0.5, 1.5, 2 * 3 * edge.size).reshape(2, 3, *edge.shape)
     errors = np.linspace(0.5, 2, 2 * 2 * 5).reshape(2, 2, 5)
     errors[..., 3:] = np.nan
     data = named().assign_coords(
@@ -32,7 +30,6 @@ def scaling() -> xr.Dataset:
         area=AREAS,
         rho=RANGES,
         length=list(LENGTHS),
-        origin=[COMPUTED, FORMULA],
         prediction=[FORMULA, CLOSED_FORM],
         designed=DESIGNED,
     )
@@ -42,8 +39,6 @@ def scaling() -> xr.Dataset:
     )
     return data.assign(
         formula_edge=(CASES, formula),
-        local_exponent=(("origin", "length", *CASES), local),
-        local_bound=(("length", *CASES), np.zeros(local.shape[1:], "int8")),
         reach=np.sqrt(2 * data["radius"] * data["rho"]),
         over_range=("surface", [0.6, 3.2, 20.0, 23.0]),
         approach_level=("surface", [2.5, 3.2, 3.0, 3.0]),

@@ -11,11 +11,8 @@ from scipy.special import erf
 from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.insight.closed_form import closed_form
 from hardcontact.insight.edge_scaling import (
-    COMPUTED,
-    FORMULA,
     among_regimes,
     edge_scaling,
-    local_exponents,
 )
 from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.scales.filtered_masters import Filters, filtered_pull_off
@@ -123,44 +120,9 @@ def test_open_edges_are_left_out_and_few_give_no_exponent():
     data, _ = curves(1.0, 1.0, 0.0)
     computed = edges(data, 0).sel(side="small", surface="a")
     assert computed["edge"].isnull().all() and computed["exponent"].isnull().all()
-    # Nothing is known between two open edges.
-    assert computed["local_exponent"].sel(origin=COMPUTED).isnull().all()
 
 
 SPECTRA = {"a": rough(30.0), "b": rough(100.0, 2500.0)}
-
-
-def known_edges(opened=()):
-    """Return edges that are products of powers of all lengths, those of places without one open."""
-    edge = xr.concat([power_law(0.25, 0.5, 0.75), 30 * power_law(0.25, 0.5, 0.75)], "side")
-    edge = edge.assign_coords(side=["small", "large"]).transpose("side", "radius", "area", "rho")
-    for place in opened:
-        edge.loc[place] = np.nan
-    last = xr.DataArray([1000.0, 10.0], {"side": edge["side"]})
-    contact_area = xr.DataArray([AREAS, AREAS], {"side": edge["side"], "area": AREAS})
-    return edge, last, 2 * edge.fillna(1.0), contact_area
-
-
-def test_local_exponents_are_those_of_a_power_law():
-    local = local_exponents(*known_edges())["local_exponent"]
-    for length, expected in {"radius": 0.25, "rho": 0.5, "contact": 0.75}.items():
-        for origin in (COMPUTED, FORMULA):
-            values = local.sel(length=length, origin=origin)
-            assert np.nanmin(values) == pytest.approx(expected) == np.nanmax(values)
-    assert local.sel(length="contact").isel(area=0).isnull().all()
-
-
-def test_exponents_of_open_edges_are_bounds():
-    place = {"radius": 1e5, "rho": 5.6}
-    opened = [{"side": side, "area": 400.0} | place for side in ("small", "large")]
-    edge, *others = known_edges(opened)
-    local = local_exponents(edge, *others).sel(place).sel(length="contact")
-    # A short edge beyond the last cutoff rises at least, an open long one at most so much.
-    assert local["local_bound"].sel(side="small").values.tolist() == [0, 1, -1]
-    assert local["local_bound"].sel(side="large").values.tolist() == [0, -1, 1]
-    start = edge.sel(place).sel(side="small", area=50.0).item()
-    rise = local["local_exponent"].sel(side="small", origin=COMPUTED, area=400.0).item()
-    assert rise == pytest.approx(2 * np.log(1000.0 / start) / np.log(8.0))
 
 
 def test_surfaces_lie_among_the_regimes_where_the_closed_form_places_them():

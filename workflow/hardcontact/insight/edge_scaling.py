@@ -2,9 +2,7 @@
 
 An edge that belongs to the surface has the exponents 0 against sqrt(R), sqrt(rho) and sqrt(F/H).
 The short edge has 1 against sqrt(F/H) if the contact sets it, and 2/H against sqrt(rho), H the
-Hurst exponent, if the range does. One exponent for all combinations hides a crossover: local
-exponents are those between neighbours of the grid, of computed edges and of the formulas
-(`edge_formulas`). An open edge is a bound, the last cutoff, and so is an exponent from or to it.
+Hurst exponent, if the range does. The formulas are those of `edge_formulas`.
 """
 
 from collections.abc import Mapping
@@ -19,14 +17,14 @@ from hardcontact.contact.contact import Contact, contact_of_area
 from hardcontact.insight.closed_form import closed_form
 from hardcontact.insight.edge_formulas import formula_edges
 from hardcontact.numbers.statistics import Sampling, jackknife_interval, with_interval
-from hardcontact.scales.critical_band import POOLED, critical_band, last_cutoff
+from hardcontact.scales.critical_band import POOLED, critical_band
 from hardcontact.surfaces.spectrum import Floats, Spectrum, roll_off
 from hardcontact.surfaces.synthesis import SIDES
 
 #: What an edge may follow: sqrt(R), sqrt(rho) and sqrt(F/H), by the axis of the grid.
 LENGTHS = {"radius": "radius", "rho": "rho", "contact": "area"}
-#: Where local exponents come from, and edges that designed surfaces are held to.
-COMPUTED, FORMULA, CLOSED_FORM = "computed", "formula", "closed form"
+#: The predictions that edges of designed surfaces are compared with.
+FORMULA, CLOSED_FORM = "formula", "closed form"
 
 COMBINATION = ["radius", "area", "rho"]
 ONE, NM = {"units": "1"}, {"units": "nm"}
@@ -74,20 +72,15 @@ def edge_scaling(
         interval over realizations, and ``formula_edge``. ``exponent`` (side, surface, length), by
         least squares of ln(edge) against the logarithms of LENGTHS, of the edges that are there,
         with intervals by the jackknife over realizations. ``reach`` (radius, rho), sqrt(2 R rho) in
-        nm. The variables of `local_exponents` and `among_regimes`.
+        nm. The variables of `among_regimes`.
     """
     edges = _edges(scaling, tolerance, sampling)
-    last = [last_cutoff(scaling["ratio"].sel(side=side), side) for side in edges["side"].values]
     formula = _formula_edges(spectra, scaling, contact.work, tolerance)
     reach = (2 * scaling["radius"] * scaling["rho"]) ** 0.5
-    local = local_exponents(
-        edges["edge"], edges["side"].copy(data=last), formula, scaling["contact_area"]
-    )
     return xr.merge(
         [
             edges.assign(formula_edge=formula.assign_attrs(NM), reach=reach.assign_attrs(NM)),
             _exponents(scaling, edges["edge"], tolerance, sampling),
-            local,
             among_regimes(spectra, contact),
             scaling[["label", "basis"]],
         ]
@@ -174,40 +167,6 @@ def _formula_edges(
     coordinates = {"surface": list(spectra), **{axis.name: axis for axis in axes}}
     formula = xr.DataArray(values, coordinates | {"side": list(SIDES)}, [*coordinates, "side"])
     return formula.transpose("side", ...)
-
-
-def local_exponents(
-    edge: xr.DataArray, last: xr.DataArray, formula: xr.DataArray, contact_area: xr.DataArray
-) -> xr.Dataset:
-    """Return exponents from the next lower value of a length to that of each combination.
-
-    Computed edges and those of the formula (side, surface, radius, area, rho) are in nm, ``last``
-    (side) is the last cutoff, which stands for open edges; the contact area (side, area) is that of
-    touching pixels. ``local_exponent`` (origin, length, side, ...); ``local_bound`` (length, side,
-    ...) is 1 where the computed one is at least that, -1 where at most.
-    """
-    opened = edge.isnull()
-    edges = xr.concat([edge.fillna(last), formula], "origin")
-    logarithms: xr.DataArray = xr.apply_ufunc(np.log, edges)
-    # An open short edge lies above the last cutoff, an open long one below it.
-    beyond = opened * edge["side"].copy(data=np.where(edge["side"] == "small", 1, -1))
-    exponents, bounds = [], []
-    for axis in LENGTHS.values():
-        length = contact_area if axis == "area" else edge[axis]
-        logarithm: xr.DataArray = xr.apply_ufunc(np.log, length)
-        computed, by_formula = 2 * logarithms.diff(axis) / logarithm.diff(axis)
-        both_open = opened & opened.shift({axis: 1}, fill_value=False)
-        exponents.append(xr.concat([computed.where(~both_open), by_formula], "origin"))
-        bounds.append(beyond.diff(axis))
-    names = pd.Index(list(LENGTHS), name="length")
-    exponent = xr.concat(exponents, names, join="outer").reindex_like(formula)
-    bound = xr.concat(bounds, names, join="outer", fill_value=0)
-    return xr.Dataset(
-        {
-            "local_exponent": exponent.assign_coords(origin=[COMPUTED, FORMULA]).assign_attrs(ONE),
-            "local_bound": bound.reindex_like(formula, fill_value=0).astype("int8"),
-        }
-    )
 
 
 def among_regimes(spectra: Mapping[str, Spectrum], contact: Contact) -> xr.Dataset:
