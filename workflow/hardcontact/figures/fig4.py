@@ -15,10 +15,10 @@ from hardcontact.numbers.printing import print_formatted, print_share
 TITLE = "Fig. 4: range and work of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Adhesive pressure of one contact, and its force against separation. (b) Mean force relative
-to that on the reference substrate, and (c) mean force at the published work of adhesion W,
-against the range ρ. (d) Mean relative error of the forces at the best W for each ρ. (e) The
-same error over ρ and W.
+(a) Adhesive pressure of one contact, the largest in each pixel, and its force against
+separation. (b) Mean force relative to that on the reference substrate, and (c) mean force at
+the published work of adhesion W, against the range ρ. (d) Mean relative error of the forces at
+the best W for each ρ. (e) The same error over ρ and W.
 
 Contact is plastic, in (d) also rigid. (a) is at the published ρ and W. In (b) and (c) symbols
 are computed, bars their {{ inference.confidence | percent }} interval over scans, and bands
@@ -42,6 +42,7 @@ MODELS: dict[str, style.Look] = {
     "rigid": {"color": "0.45", "ls": "--"},
 }
 MEGAPASCAL = 1e6
+MAP_PIXELS = 640  # along an edge of the map of the pressure
 PRESSURE_DECADES = 3  # below, the pressure adds nothing visible to the force
 FAIR = 0.7  # the map shows the works of adhesion whose error gets below this somewhere
 FITTED_UNITS = {"range_of_adhesion": "nm", "work_of_adhesion": "J/m2"}
@@ -105,11 +106,17 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
 
 
 def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
-    """Map the adhesive pressure (MPa) around the apex, over its largest PRESSURE_DECADES."""
+    """Map the adhesive pressure (MPa) around the apex, over its largest PRESSURE_DECADES.
+
+    The map has at most MAP_PIXELS along an edge, each the largest pressure of those that it covers:
+    a finer map looks the same and takes gigabytes to draw.
+    """
     pressure = abs(contact["adhesive_pressure"]) / MEGAPASCAL
+    covered = -(-pressure.sizes["x"] // MAP_PIXELS)
+    pressure = pressure.coarsen(x=covered, y=covered, boundary="trim").max()
     top = pressure.max().item()
     bottom = top / 10**PRESSURE_DECADES
-    x, y = contact["x"].values / 1000, contact["y"].values / 1000
+    x, y = pressure["x"].values / 1000, pressure["y"].values / 1000
     shown, norm = pressure.clip(min=bottom).values, LogNorm(bottom, top)
     image = axes.pcolormesh(x, y, shown, norm=norm, cmap="magma", **style.PIXELS)
     reach = 1.05 * style.half_width(pressure > bottom) / 1000
