@@ -22,7 +22,7 @@ rule solve_elastic_contact:
                 "surface": w.surface,
                 "scan": int(w.scan),
                 "contact": STUDY["contact"],
-                "elastic": STUDY["elastic"],
+                "contacts": STUDY["elastic"]["contacts"],
                 "radius": STUDY["sphere"]["radius"],
                 "seed": STUDY["seed"],
             }

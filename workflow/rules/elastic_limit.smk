@@ -17,7 +17,6 @@ rule find_elastic_limit:
             {
                 "surfaces": SELECTION.substrates,
                 **NAMED_SURFACES,
-                "elastic": {key: STUDY["elastic"][key] for key in ("sphere", "substrate")},
                 "hardness": STUDY["contact"]["hardness"],
             }
         ),

@@ -28,7 +28,7 @@ rule calibrate_spectrum:
         canonical=lambda w: canonical(
             {
                 "surface": w.surface,
-                "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
+                "table1": FILES.surface_variants[w.variant].table1,
             }
         ),
     script:
@@ -97,7 +97,7 @@ rule condition_scans:
                 "scans": SELECTION.scans_of_group(w.surface, int(w.group)),
                 "scan": SCAN_GRID,
                 "seed": STUDY["seed"],
-                "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
+                "table1": FILES.surface_variants[w.variant].table1,
             }
         ),
     script:

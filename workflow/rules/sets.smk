@@ -26,7 +26,7 @@ rule compute_pool:
                 "last": int(w.last),
                 "scans": len(SELECTION.scans(w.surface)),
                 "scan": SCAN_GRID,
-                "table1": FILES.surface_variants[w.variant].table1(STUDY["topography"]),
+                "table1": FILES.surface_variants[w.variant].table1,
                 "amplitudes": STUDY["sets"]["amplitudes"],
                 "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
                 "ranges": RANGES,

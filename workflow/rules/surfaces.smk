@@ -3,6 +3,7 @@
 from hardcontact.config.files import Files
 from hardcontact.config.patterns import any_of
 from hardcontact.config.patterns import wildcard_constraints as constraints
+from hardcontact.config.variants import TABLE1_DEFINITIONS
 
 SELECTION = start.checked_selection(workflow, STUDY)
 SPHERE = SELECTION.sphere

@@ -22,7 +22,7 @@ rule aggregate_topography:
                 "labels": SELECTION.labels,
                 "basis": SELECTION.basis,
                 "sphere_surface": SPHERE,
-                "table1": STUDY["topography"],
+                "table1": TABLE1_DEFINITIONS,
                 "reference_surface": STUDY["reference_surface"],
                 "confidence": STUDY["inference"]["confidence"],
             }

@@ -2,17 +2,16 @@
 
 from hardcontact.adhesion.all_surfaces import with_names
 from hardcontact.contact.elastic_limit import slope_index
-from hardcontact.contact.smooth_sphere import effective_modulus
+from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 from hardcontact.records.job import job
 from hardcontact.surfaces.spectrum import read_spectrum
 
 with job(snakemake) as this:
     params, hardness = this.parameters, this.parameters["hardness"]
-    modulus = effective_modulus(params["elastic"]["sphere"], params["elastic"]["substrate"])
     paths = zip(params["surfaces"], this.input.spectra, strict=True)
     spectra = {surface: read_spectrum(path) for surface, path in paths}
-    index = slope_index(spectra, modulus, hardness).to_dataset(name="slope_index")
+    index = slope_index(spectra, PAPER_MODULUS, hardness).to_dataset(name="slope_index")
     this.write(
-        with_names(index, params).assign_attrs(effective_modulus=modulus, hardness=hardness),
+        with_names(index, params).assign_attrs(effective_modulus=PAPER_MODULUS, hardness=hardness),
         title="mean pressure of elastic contact over the hardness, by shortest wavelength",
     )

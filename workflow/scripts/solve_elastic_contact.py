@@ -3,13 +3,13 @@
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import PULL_OFF_WINDOW, elastic_contacts_of_pair
 from hardcontact.contact.geometry import read_bodies, sampled_contacts
-from hardcontact.contact.smooth_sphere import effective_modulus
+from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 from hardcontact.numbers.random import generator
 from hardcontact.records import published
 from hardcontact.records.job import job
 
 with job(snakemake) as this:
-    given, elastic = this.parameters, this.parameters["elastic"]
+    given = this.parameters
     surface, scan = given["surface"], given["scan"]
     constants = published.constants(this.input.published_constants).value
     contact = Contact(
@@ -23,8 +23,8 @@ with job(snakemake) as this:
         elastic_contacts_of_pair(
             read_bodies(this.input.substrate, this.input.sphere, contact),
             contact,
-            sampled_contacts(rng, contact.count, elastic["contacts"]),
-            effective_modulus(elastic["sphere"], elastic["substrate"]),
+            sampled_contacts(rng, contact.count, given["contacts"]),
+            PAPER_MODULUS,
             PULL_OFF_WINDOW,
         ),
         title=f"elastic contacts of scan {scan} of {surface}",

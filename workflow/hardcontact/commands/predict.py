@@ -14,7 +14,7 @@ from hardcontact.config.faults import refuse_all, refuse_lines
 from hardcontact.config.model import Study
 from hardcontact.config.own_spectrum import own_spectrum
 from hardcontact.contact.contact import Contact
-from hardcontact.contact.smooth_sphere import Material, effective_modulus
+from hardcontact.contact.smooth_sphere import PAPER_MODULUS
 from hardcontact.insight.prediction import CHANGE, prediction, tabor, too_wide
 from hardcontact.numbers.number import Number, plain
 from hardcontact.numbers.printing import print_length, print_quantity
@@ -88,7 +88,7 @@ def predict(arguments: Namespace) -> str:
         if name in QUANTITIES
     }
     numbers |= prediction(spectrum, contact, Study().scales.tolerance, arguments.file, joined)
-    modulus = quantities["modulus"].number if "modulus" in quantities else _modulus()
+    modulus = quantities["modulus"].number if "modulus" in quantities else PAPER_MODULUS
     status = "given" if "modulus" in quantities else "paper"
     numbers["modulus"] = Number("modulus", modulus, "Pa", status=status)
     numbers["tabor_parameter"] = tabor(contact, modulus)
@@ -129,16 +129,6 @@ def _csv(numbers: Mapping[str, Number]) -> str:
 
 #: Writers of files of numbers, by the option that names the file.
 WRITERS: dict[str, Callable[[Mapping[str, Number]], str]] = {"json": _json, "csv": _csv}
-
-
-def _modulus() -> float:
-    """Return the effective modulus (Pa) of the paper's bodies."""
-    elastic = Study().elastic
-    bodies: list[Material] = [
-        {"modulus": body.modulus, "poisson_ratio": body.poisson_ratio}
-        for body in (elastic.sphere, elastic.substrate)
-    ]
-    return effective_modulus(*bodies)
 
 
 def _report(numbers: Mapping[str, Number], texts: Mapping[str, str]) -> str:

@@ -106,7 +106,6 @@ Range = Annotated[float, Quantity("nm", 0.01, 1000)]
 Radius = Annotated[float, Quantity("nm", 10, 1e9)]
 Force = Annotated[float, Quantity("N", 1e-12, 1)]
 Pressure = Annotated[float, Quantity("Pa", 1e3, 1e13)]
-Modulus = Annotated[float, Quantity("Pa", 5e10, 1e13)]
 Work = Annotated[float, Quantity("J/m2", 1e-6, 100)]
 
 Lengths = Annotated[list[Length], Field(min_length=1, max_length=100), ASCENDING]
@@ -127,7 +126,6 @@ Pixels = Annotated[int, Field(ge=32, le=16384, multiple_of=2)]
 #: A smooth sphere on them, where the memory of the machine holds it (grids.py).
 MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
 Tiles = Annotated[int, Field(ge=1, le=256)]
-PoissonRatio = Annotated[float, Field(ge=0, le=0.5, allow_inf_nan=False)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
 Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False), AfterValidator(_of_six_digits)]

@@ -29,9 +29,7 @@ from hardcontact.config.key_types import (
     Length,
     Lengths,
     MasterPixels,
-    Modulus,
     Pixels,
-    PoissonRatio,
     Pressure,
     Pressures,
     Quantity,
@@ -104,20 +102,6 @@ class ScanKeys(Keys):
     """Unit of length of all measured scans whose files state none; `none`: these are refused."""
     levelling: Literal["plane", "lines"] = "plane"
     """Of measured scans: subtract the mean `plane`, or align the `lines` of the scan first."""
-
-
-class TopographyKeys(Keys):
-    """Topography.
-
-    Substitutes are calibrated to Table 1, and claims compared with it, under these definitions.
-    """
-
-    slope: Literal["gradient", "profile"] = key("gradient", "Table 1, not defined")
-    """What Table 1 calls rms slope: of the `gradient` (2D), or of the `profile` along x."""
-    curvature: Literal["half_laplacian", "laplacian"] = key(
-        "half_laplacian", "Table 1, not defined"
-    )
-    """What Table 1 calls rms curvature."""
 
 
 class ContactKeys(Keys):
@@ -210,24 +194,6 @@ class ScalesKeys(Keys):
     large: LargeScaleKeys = LargeScaleKeys()
 
 
-class SphereMaterialKeys(Keys):
-    """The material of the sphere."""
-
-    modulus: Modulus = key("365 GPa", "Effective Work of Adhesion")
-    """Young's modulus of the sphere."""
-    poisson_ratio: PoissonRatio = key(0.29, "Effective Work of Adhesion")
-    """Poisson's ratio of the sphere."""
-
-
-class SubstrateMaterialKeys(Keys):
-    """The material of the substrates."""
-
-    modulus: Modulus = key("1010 GPa", "Effective Work of Adhesion")
-    """Young's modulus of the substrates."""
-    poisson_ratio: PoissonRatio = key(0.22, "Effective Work of Adhesion")
-    """Poisson's ratio of the substrates."""
-
-
 class ElasticKeys(Keys):
     """Elastic contact.
 
@@ -236,8 +202,6 @@ class ElasticKeys(Keys):
     medians over contacts, the claims take means.
     """
 
-    sphere: SphereMaterialKeys = SphereMaterialKeys()
-    substrate: SubstrateMaterialKeys = SubstrateMaterialKeys()
     contacts: Contacts = 2
     """Contacts solved on each scan, drawn at random; at most `contact.count` squared, which solves
     all."""
@@ -316,7 +280,7 @@ class RobustnessKeys(Keys):
 
     The headline numbers under one other choice at a time, with the contacts, pixels and cutoffs of
     `sets` and one scan of the sphere, the first; the row "as the study" makes the study's own
-    choices at this size. The other reading of `topography.curvature` and the other value of
+    choices at this size. The other reading of curvature in Table 1 and the other value of
     `scales.sphere_roughness` have a row without a key. Measured surfaces keep their scans in every
     row.
     """
@@ -439,7 +403,6 @@ class Study(Keys):
     """Keys as at the top, which count with `effort: quick`."""
     sphere: SphereKeys = SphereKeys()
     scan: ScanKeys = ScanKeys()
-    topography: TopographyKeys = TopographyKeys()
     contact: ContactKeys = ContactKeys()
     adhesion: AdhesionKeys = AdhesionKeys()
     inference: InferenceKeys = InferenceKeys()

@@ -9,35 +9,34 @@ from hardcontact.config.selection import Selection
 from hardcontact.contact.contact import Contact
 from hardcontact.numbers.units import printed, token
 
-OTHER_CURVATURE = {"half_laplacian": "laplacian", "laplacian": "half_laplacian"}
+#: What rms slope and curvature of Table 1 are read as; the paper defines neither.
+TABLE1_DEFINITIONS = {"slope": "gradient", "curvature": "half_laplacian"}
+#: The other reading of the curvature.
+OTHER_CURVATURE = "laplacian"
+#: The sphere of the critical band in place of that of the study.
 OTHER_PROBE = {"rough": "smooth", "smooth": "rough"}
 
 
 @dataclass(frozen=True)
 class SurfaceVariant:
-    """One way to make substitutes; None stands for what the study itself takes.
+    """One way to make substitutes; None stands for what the study itself takes."""
 
-    The name stands in paths, the label in print, and the group says which choice it is of. One
-    surface alone may be made so; the curvature of Table 1 may be read as another, or heights have
-    another skewness.
-    """
-
-    name: str
-    label: str
-    group: str
-    surface: str | None = None
-    curvature: str | None = None
-    skewness: float | None = None
+    name: str  #: As it stands in paths.
+    label: str  #: As it is printed.
+    group: str  #: The choice that it is of.
+    surface: str | None = None  #: The one surface that is made so.
+    curvature: str | None = None  #: Reading of the curvature of Table 1.
+    skewness: float | None = None  #: Skewness of the heights.
 
     @property
     def spectrum(self) -> str:
         """Name of the way to make substitutes whose spectrum and conditioning this one has."""
         return STUDY_VARIANT if self.curvature is None else self.name
 
-    def table1(self, definitions: Mapping[str, str]) -> dict[str, str]:
-        """Return what slope and curvature of Table 1 are read as, given the study's reading."""
-        other = {} if self.curvature is None else {"curvature": self.curvature}
-        return dict(definitions) | other
+    @property
+    def table1(self) -> dict[str, str]:
+        """What slope and curvature of Table 1 are read as."""
+        return TABLE1_DEFINITIONS | ({"curvature": self.curvature} if self.curvature else {})
 
     def heights(self, skewness: float) -> float:
         """Return the skewness of heights made so, given that of the surface in the study."""
@@ -54,18 +53,14 @@ class SurfaceVariant:
 
 @dataclass(frozen=True)
 class Variant:
-    """The study with one other choice, in files and in print; variants of one choice are a group.
-
-    `variant` names that of each substrate; the contact has another load, and the probe, rough or
-    smooth, is the sphere of the critical band.
-    """
+    """The study with one other choice; variants of one choice are a group."""
 
     name: str
     label: str
     group: str
-    variant: Mapping[str, str]
+    variant: Mapping[str, str]  #: Name of the `SurfaceVariant` of each substrate.
     contact: Contact
-    probe: str
+    probe: str  #: The sphere of the critical band, rough or smooth.
 
     def parameters(self) -> dict[str, Any]:
         """Return it as parameters of a rule, with the name of the load of its contact."""
@@ -84,13 +79,11 @@ def study_contact(configuration: Mapping[str, Any]) -> Contact:
 
 def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVariant]:
     """Return the ways to make substitutes by their names, that of the study first."""
-    curvature = OTHER_CURVATURE[configuration["topography"]["curvature"]]
-    heights = configuration["robustness"]["heights"]
-    label = f"curvature of Table 1: {curvature.replace('_', ' ')}"
-    made = [
-        SurfaceVariant(STUDY_VARIANT, "as the study", "baseline"),
-        SurfaceVariant(curvature, label, "curvature", curvature=curvature),
-    ]
+    other, heights = OTHER_CURVATURE, configuration["robustness"]["heights"]
+    made = [SurfaceVariant(STUDY_VARIANT, "as the study", "baseline")]
+    made.append(
+        SurfaceVariant(other, f"curvature of Table 1: {other}", "curvature", curvature=other)
+    )
     for value in heights["skewness"]:
         name, label = f"skewness{value:+g}", f"skewness {value:+g}"
         made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
@@ -99,34 +92,33 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
 
 def variants(configuration: Mapping[str, Any], selection: Selection) -> list[Variant]:
     """Return the variants of robustness, the study itself first."""
-    baseline = Variant(
-        "baseline",
-        "as the study",
-        "baseline",
-        dict.fromkeys(selection.substrates, STUDY_VARIANT),
-        study_contact(configuration),
-        "rough" if configuration["scales"]["sphere_roughness"] else "smooth",
-    )
+    contact, substrates = study_contact(configuration), selection.substrates
+    probe = "rough" if configuration["scales"]["sphere_roughness"] else "smooth"
+    study, group = dict.fromkeys(substrates, STUDY_VARIANT), "baseline"
+    baseline = Variant(group, "as the study", group, study, contact, probe)
     made = [baseline]
     _, *others = surface_variants(configuration).values()
-    for one in others:
-        label = f"{selection.labels[one.surface]}: {one.label}" if one.surface else one.label
-        of_surface = {
-            surface: one.name if one.changes(selection, surface) else STUDY_VARIANT
-            for surface in selection.substrates
-        }
+    for other in others:
+        surface = f"{selection.labels[other.surface]}: " if other.surface else ""
+        changed = {name: other.name for name in substrates if other.changes(selection, name)}
         made.append(
-            replace(baseline, name=one.name, label=label, group=one.group, variant=of_surface)
+            Variant(other.name, surface + other.label, other.group, study | changed, contact, probe)
         )
-    probe = OTHER_PROBE[baseline.probe]
-    name, label = f"{probe}_sphere", f"{probe} sphere in Fig. 6"
-    made.append(replace(baseline, name=name, label=label, group="sphere", probe=probe))
-    for preload in configuration["robustness"]["preloads"]:
-        name, label = f"preload-{token(preload, 'uN')}", f"preload {printed(preload, 'N')}"
-        contact = replace(baseline.contact, preload=preload)
-        made.append(replace(baseline, name=name, label=label, group="preload", contact=contact))
-    for hardness in configuration["robustness"]["hardnesses"]:
-        name, label = f"hardness-{token(hardness, 'GPa')}", f"hardness {printed(hardness, 'Pa')}"
-        contact = replace(baseline.contact, hardness=hardness)
-        made.append(replace(baseline, name=name, label=label, group="hardness", contact=contact))
+    probe = OTHER_PROBE[probe]
+    label = f"{probe} sphere in Fig. 6"
+    made.append(Variant(f"{probe}_sphere", label, "sphere", study, contact, probe))
+    for quantity, values, unit, shown in (
+        ("preload", configuration["robustness"]["preloads"], "uN", "N"),
+        ("hardness", configuration["robustness"]["hardnesses"], "GPa", "Pa"),
+    ):
+        made += [
+            replace(
+                baseline,
+                name=f"{quantity}-{token(value, unit)}",
+                label=f"{quantity} {printed(value, shown)}",
+                group=quantity,
+                contact=replace(contact, **{quantity: value}),
+            )
+            for value in values
+        ]
     return made

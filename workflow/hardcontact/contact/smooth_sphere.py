@@ -36,6 +36,13 @@ def effective_modulus(*bodies: Material) -> float:
     return 1 / sum((1 - body["poisson_ratio"] ** 2) / body["modulus"] for body in bodies)
 
 
+#: Effective modulus in Pa of the paper's ruby on diamond. Source: the paper, Effective Work of
+#: Adhesion.
+PAPER_MODULUS = effective_modulus(
+    {"modulus": 365e9, "poisson_ratio": 0.29}, {"modulus": 1010e9, "poisson_ratio": 0.22}
+)
+
+
 def hertz_contact(load: float, radius: float, modulus: float) -> HertzContact:
     """Return the contact of a sphere under a load: a³ = 3FR/4E*, p0 = 3F/2πa², approach a²/R.
 
