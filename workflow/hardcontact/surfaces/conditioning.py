@@ -160,34 +160,33 @@ def _fitted(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
 
     means = np.array(list(targets.means.values()))
 
-    def height_factors(logs: Floats) -> tuple[Floats, Floats]:
-        """Return the metrics (scan, 3), and the factors with which heights are met."""
+    def misses(logs: Floats) -> tuple[Floats, Floats]:
+        """Return the misses (3,), and the factors (scan,) with which rms heights are met."""
         amplitudes = np.exp(np.append(0.0, logs))
         values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
         heights = values[:, 0]
-        return values, group_heights(heights, means[0], targets.deviation) / heights
+        factors = group_heights(heights, means[0], targets.deviation) / heights
+        return (factors[:, None] * values).mean(axis=0) / means - 1, factors
 
-    def misses(logs: Floats) -> Floats:
-        values, factors = height_factors(logs)
-        return np.asarray((factors[:, None] * values).mean(axis=0) / means - 1)
+    def slope_and_curvature_misses(logs: Floats) -> Floats:
+        return misses(logs)[0][1:]
 
-    # The rms heights are met always, mean slope and curvature as nearly as LARGEST_CHANGE allows.
     fit = least_squares(
-        lambda logs: misses(logs)[1:],
+        slope_and_curvature_misses,
         np.zeros(BANDS - 1),
         bounds=(-np.log(LARGEST_CHANGE), np.log(LARGEST_CHANGE)),
         xtol=1e-15,
         ftol=1e-15,
         gtol=1e-15,
     )
-    _, factors = height_factors(fit.x)
+    missed, factors = misses(fit.x)
     if factors.min() <= 0:
         raise ValueError(
             f"expected rms heights above zero of {len(moments)} scans that are {means[0]:.3g} +- "
             f"{targets.deviation:.3g} nm, found one below: fewer scans deviate less"
         )
     mean = factors.mean()
-    return mean * np.exp(np.append(0.0, fit.x)), factors / mean, misses(fit.x)
+    return mean * np.exp(np.append(0.0, fit.x)), factors / mean, missed
 
 
 def conditioned_group(
