@@ -43,22 +43,3 @@ def test_pull_off_forces_of_pairs():
     assert forces.label.values.tolist() == ["A", "B"]
     assert forces.basis.values.tolist() == ["measured", "substitute"]
     assert forces.attrs["work_of_adhesion"] == 1.0
-
-
-def test_elastic_contacts_keep_the_pressure_of_the_first_scan_of_each_surface():
-    scans = {
-        key: xr.Dataset(
-            {
-                "peak_pressure": ("contact", [value]),
-                "pressure": (("y", "x"), np.full((2, 2), value)),
-            },
-            {"contact_y": ("contact", [3]), "y": [0.0, 1.0], "x": [0.0, 1.0]},
-        )
-        for key, value in ((("a", 1), 1.0), (("a", 2), 2.0), (("b", 2), 3.0))
-    }
-    contacts = all_surfaces.stacked_elastic_contacts(scans, DESCRIBED)
-    np.testing.assert_array_equal(
-        contacts.peak_pressure.isel(contact=0), [[1.0, 2.0], [np.nan, 3.0]]
-    )
-    np.testing.assert_array_equal(contacts.pressure.isel(y=0, x=0), [1.0, 3.0])
-    assert "contact_y" in contacts.coords

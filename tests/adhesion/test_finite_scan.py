@@ -10,7 +10,7 @@ from hardcontact.adhesion.finite_scan import (
     LARGE_ENOUGH,
     RATIOS,
     finite_scan_ratio,
-    with_window_share,
+    with_sizes,
 )
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.contact.contact import Contact
@@ -63,7 +63,15 @@ def test_a_large_scan_is_large_enough():
 def test_a_window_holds_what_a_sum_over_its_pixels_finds():
     rhos, window = np.array([2.0, 20.0, 200.0]), 5e3
     contact = Contact(radius=RADIUS, preload=10e-6, hardness=25e9, window=window)
-    found = with_window_share(xr.Dataset(coords={"rho": rhos}), contact)
+    sizes = {"scan_size": ("surface", [1000.0]), "pixel_size": ("surface", [10.0])}
+    found = with_sizes(
+        xr.Dataset(coords={"rho": rhos, "surface": ["a"]}),
+        xr.Dataset(sizes, {"surface": ["a"]}),
+        contact,
+        {"a": 3000.0},
+    )
+    np.testing.assert_array_equal(found.finite_scan_ratio, [RATIOS[0.5]])
+    assert (found.pixel_area.item(), found.attrs["contact_area"]) == (100.0, contact.area)
     place = (np.arange(-40e3, 40e3, 20) + 10) ** 2
     inside = np.abs(place) < (window / 2) ** 2
     for rho, share in zip(rhos, found.window_share.values, strict=True):

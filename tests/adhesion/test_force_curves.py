@@ -75,18 +75,3 @@ def test_the_study_s_ranges_are_close_enough_to_interpolate_between():
     for rho in (0.05, 0.07, 5.6, 13.3, 39.0, 40.0):
         expected = sphere_on_steps(np.array([rho]))[0]
         assert float(force_curves.at_range(forces, rho)) == pytest.approx(expected, rel=0.02)
-
-
-def test_curves_and_their_ratios():
-    forces = power_forces(spread=0.3)
-    sampling = Sampling(0, 50, 0.9)
-    means, sampled = force_curves.mean_forces(forces, sampling)
-    curves = force_curves.force_curves(forces, means, sampled, 1, sampling)
-    np.testing.assert_allclose(curves["ratio"][1], means / means[1])
-    np.testing.assert_array_equal(curves["ratio_interval"].isel(surface=1), 1.0)
-    scans = forces.mean(["sphere_scan", "contact_y", "contact_x"])
-    np.testing.assert_allclose(
-        curves["mean_force_interval"], student_log_interval(scans, 0.9, "scan")
-    )
-    contacts = forces.isel(surface=2, rho=3).values
-    assert curves["contact_spread"][1][2, 3] == pytest.approx(contacts.std())

@@ -7,7 +7,6 @@ import pytest
 from periodic_maps import RADIUS, height_map, over, periodic_noise
 from published_contact import MODULUS
 
-from hardcontact.contact.asperities import asperities_of_pair
 from hardcontact.contact.bearing_area import all_lowest_gaps
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.elastic import UNITS, elastic_contacts_of_pair
@@ -36,19 +35,6 @@ def test_indents_of_scans_are_those_of_each_pair():
     assert drawn.max() == np.sort(indents.depth.sel(preload=40e-6), axis=None)[18]
     assert drawn[REACH, REACH] == drawn.max()
     assert indents.sphere_height.shape == (2 * REACH + 1,) * 2
-
-
-def test_a_smooth_pair_carries_its_force_in_one_asperity():
-    # exp(-r²/2R rho) holds a share 1 - exp(-r²/2R rho) of the force within r.
-    pair = over(np.zeros((128, 128)), np.zeros((128, 128)), 50.0, 256, 3)
-    places = sampled_contacts(np.random.default_rng(1), 3, 4)
-    carriers = asperities_of_pair(pair, CONTACT, places, 0.9, [1.0, 5.6])
-    assert carriers.sizes == {"contact": 4, "rho": 2}
-    np.testing.assert_array_equal(carriers.patches, 1)
-    expected = 2 * np.sqrt(-2 * RADIUS * carriers.rho * np.log(0.1))
-    np.testing.assert_allclose(carriers.extent[0], expected, atol=100.0)
-    places = set(zip(carriers.contact_y.values, carriers.contact_x.values, strict=True))
-    assert len(places) == 4
 
 
 def test_elastic_contacts_carry_the_preload():

@@ -131,14 +131,6 @@ def test_on_coarser_pixels_the_rms_height_stays(spectrum):
     assert group.attrs["calibrated_to_table1"] == "afm_rms_height,all_rms_slope"
 
 
-def test_on_another_size_nothing_of_table_1_is_met(spectrum):
-    grid = ScanGrid(128, 2 * GRID.size, 256)
-    targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
-    expected = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
-    np.testing.assert_allclose(list(targets.means.values()), expected)
-    assert targets.rows == ()
-
-
 def test_a_surface_that_nothing_is_published_of_is_left_as_it_is(spectrum):
     assert (
         conditioning.scan_targets(spectrum, TABLE1.iloc[:0], CONSTANTS, DEFINITIONS, GRID) is None

@@ -195,24 +195,6 @@ def test_a_band_that_cannot_be_made_is_named(described, band, part):
         substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
 
 
-@pytest.mark.parametrize("coating", ["crn_smoother", "crn_rougher"])
-def test_description_of_chromium_nitride_makes_power_laws_without_a_jump(coating):
-    path = ROOT / f"resources/spectra/{coating}.csv"
-    density, bands, calibrated = substitute_spectra.from_description(path, NO_TABLE1, None)
-    *measured, last = bands.basis
-    assert (set(measured), last, calibrated) == ({"measured"}, "assumed", [])
-    # Constant above the first edge; the last band continues beyond the source.
-    fitted = bands.iloc[:-1]
-    starts = np.append(fitted.rolloff_nm[0], fitted.longest_nm[1:])
-    expected = np.full(len(WAVEVECTORS), fitted.plateau_nm4[0])
-    for hurst, start, stop in zip(fitted.hurst, starts, [*starts[1:], 0.0], strict=True):
-        within = np.clip(2 * np.pi / WAVEVECTORS, stop, start)
-        expected *= (start / within) ** (-2 - 2 * hurst)
-    inside = WAVEVECTORS < 2 * np.pi / 0.11
-    # Edges lie between points of the table of spectra: each band begins up to half a cell off.
-    np.testing.assert_allclose(density[inside], expected[inside], rtol=0.15)
-
-
 @pytest.mark.parametrize("content", [b"", b"a,b\n1,2\n", b"\xff\xfe", None])
 def test_what_is_no_description_is_named(tmp_path, content):
     path = tmp_path / "a.csv"

@@ -29,41 +29,40 @@ def finite_scan_ratio(size: float, draw_size: float) -> tuple[float, float]:
     return next(near, (1.0, 1.0))
 
 
-def with_finite_scans(
-    force: xr.Dataset, topography: xr.Dataset, draw_sizes: Mapping[str, float]
+def with_sizes(
+    force: xr.Dataset, topography: xr.Dataset, contact: Contact, draw_sizes: Mapping[str, float]
 ) -> xr.Dataset:
-    """Return predicted forces (surface) with how the scans of each surface compare with contacts.
-
-    The topography has ``scan_size`` (surface) in nm; draw sizes (nm) are given by surface. The
-    forces gain ``draw_size`` (surface) in nm and ``finite_scan_ratio`` (surface, bound).
-    """
-    sizes = topography["scan_size"].sel(surface=force["surface"]).values.tolist()
-    drawn = [draw_sizes[name] for name in force["surface"].values.tolist()]
-    return force.assign(
-        draw_size=("surface", drawn, {"units": "nm"}),
-        finite_scan_ratio=(
-            ("surface", "bound"),
-            list(map(finite_scan_ratio, sizes, drawn)),
-            {"units": "1"},
-        ),
-    )
-
-
-def with_window_share(force: xr.Dataset, contact: Contact) -> xr.Dataset:
-    """Return predicted forces with the share of the force that the window holds: over rho in nm.
+    """Return predicted forces (surface) with how scans, window and pixels compare with contacts.
 
     A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of the
     paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))².
+
+    Parameters
+    ----------
+    force : xarray.Dataset
+        Over surface and rho in nm.
+    topography : xarray.Dataset
+        ``scan_size`` and ``pixel_size`` (surface) in nm.
+    contact : Contact
+        The contact that the forces are predicted for.
+    draw_sizes : mapping of str to float
+        In nm, by surface.
+
+    Returns
+    -------
+    xarray.Dataset
+        The forces with ``draw_size``, ``finite_scan_ratio`` (bound) and ``pixel_area`` by surface,
+        ``window_share`` (rho), and the attributes ``window`` in nm and ``contact_area`` in nm².
     """
+    scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
+    drawn = [draw_sizes[name] for name in force["surface"].values.tolist()]
+    sizes = zip(scans["scan_size"].values.tolist(), drawn, strict=True)
+    ratios = [finite_scan_ratio(size, draw_size) for size, draw_size in sizes]
     share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
-    long_name = "share of the force on a smooth sphere that the window holds"
-    attributes = {"units": "1", "long_name": long_name}
-    return force.assign(window_share=("rho", share, attributes)).assign_attrs(window=contact.window)
-
-
-def with_contact_area(force: xr.Dataset, topography: xr.Dataset, area: float) -> xr.Dataset:
-    """Return predicted forces with the area (nm²) that carries the preload, and that of a pixel."""
-    pixel_area = topography["pixel_size"].sel(surface=force["surface"]) ** 2
-    return force.assign(pixel_area=pixel_area.assign_attrs(units="nm2")).assign_attrs(
-        contact_area=area
-    )
+    within = {"units": "1", "long_name": "share of the force in the window"}
+    return force.assign(
+        draw_size=("surface", drawn, {"units": "nm"}),
+        finite_scan_ratio=(("surface", "bound"), ratios, {"units": "1"}),
+        pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
+        window_share=("rho", share, within),
+    ).assign_attrs(window=contact.window, contact_area=contact.area)

@@ -9,11 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from hardcontact.adhesion.finite_scan import (
-    with_contact_area,
-    with_finite_scans,
-    with_window_share,
-)
+from hardcontact.adhesion.finite_scan import with_sizes
 from hardcontact.contact.contact import Contact
 from hardcontact.insight.edge_scaling import among_regimes
 from hardcontact.insight.pull_off_statistics import force_scatter
@@ -83,8 +79,7 @@ def own_force(
     draw_sizes = {
         name: draw_size(spectrum, contact.radius, contact.area) for name, spectrum in joined.items()
     }
-    force = with_finite_scans(force, topography, draw_sizes)
-    force = with_window_share(force, contact)
+    force = with_sizes(force, topography, contact, draw_sizes)
     scatter = force_scatter(
         joined,
         contact,
@@ -94,8 +89,7 @@ def own_force(
         confidence=confidence,
     ).squeeze("rho", drop=True)
     force = force.merge(scatter[["modulus", "spread", "contacts_needed"]])
-    force = force.merge(among_regimes(joined, contact))
-    return with_contact_area(force, topography, contact.area)
+    return force.merge(among_regimes(joined, contact))
 
 
 class ScanForces(NamedTuple):

@@ -160,13 +160,11 @@ def _entry(scan: dict[str, Any]) -> dict[str, Any]:
 def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     """Return what is said of the one scan of this name or data file."""
     chosen = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
-    if not chosen:
-        known = ", ".join(sorted({entry["name"] for entry in entries}))
-        raise RefusedFile(f"expected the column dataset to name one of {known}; found {dataset!r}")
-    if len(chosen) > 1:
-        files = ", ".join(entry["file"] for entry in chosen)
+    if len(chosen) != 1:
+        scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
         raise RefusedFile(
-            f"expected one scan {dataset!r}, found {files}; name one of these instead"
+            "expected the column dataset to name one scan, "
+            f"found {len(chosen)} of {dataset!r} among {scans}"
         )
     return chosen[0]
 

@@ -162,11 +162,9 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
     """Return positions on the median spacing of these (nm), and a note if they are not uniform."""
     spacings = np.diff(positions)
     if not (spacings > 0).all():
-        point = int(np.argmin(spacings > 0)) + 1
         raise RefusedFile(
-            "expected positions that increase along a line scan, found a reentrant one: "
-            f"point {point + 1} is at {positions[point]:.6g} nm, "
-            f"that before it at {positions[point - 1]:.6g} nm"
+            "expected positions that increase along a line scan, "
+            f"found a reentrant one at point {int(np.argmin(spacings > 0)) + 2}"
         )
     uniform = np.linspace(positions[0], positions[-1], len(positions))
     if np.abs(positions - uniform).max() < ROUNDING * spacings.mean():
