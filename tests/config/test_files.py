@@ -46,19 +46,18 @@ def test_a_rough_sphere_is_measured_less_its_shape(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("surface", "purpose", "scans"),
+    ("surface", "own", "scans"),
     [
-        ("uncd", "realization", [2, 5, 2]),  # in turn
-        ("uncd", "set_realization", [2, 5, 6, 7, 8]),  # a substitute has a scan for each
-        ("mcd", "set_realization", [2, 5, 2]),
+        ("uncd", False, [2, 5, 2]),  # in turn
+        ("uncd", True, [2, 5, 6, 7, 8]),  # a substitute has a scan for each
+        ("mcd", True, [2, 5, 2]),
     ],
 )
-def test_the_scan_that_a_realization_builds_on(surface, purpose, scans):
+def test_the_scan_that_a_realization_builds_on(surface, own, scans):
     study = files(scans=[2, 5], measured=["mcd"])
-    stitched = getattr(study, f"stitched_of_{purpose}")
-    assert [stitched(surface, k + 1, "study") for k in range(len(scans))] == [
-        study.stitched(surface, scan) for scan in scans
-    ]
+    for realization, scan in enumerate(scans, start=1):
+        stitched = study.stitched_of_realization(surface, realization, "study", own)
+        assert stitched == study.stitched(surface, scan)
 
 
 def test_scans_are_made_in_the_groups_that_are_conditioned_together():
@@ -92,13 +91,15 @@ def test_every_realization_of_the_study_is_filtered_from_its_own_masters():
 
 def test_masters_of_the_study_are_shared_by_sets_and_robustness():
     study = files(robustness__realizations=3, sets__realizations=12)
-    chunks = [(row.first, row.last) for row in study.set_masters]
+    chunks = [(row.first, row.last) for row in study.varied_masters("sets")]
     assert chunks == [(1, 5), (6, 10), (11, 12)] * len(SUBSTRATES)
     shared = {
-        row for row in study.robustness_masters if (row.variant, row.probe) == ("study", "smooth")
+        row
+        for row in study.varied_masters("robustness")
+        if (row.variant, row.probe) == ("study", "smooth")
     }
-    assert shared == {row for row in study.set_masters if row.first == 1}
-    sources = study.master_sources(study.set_masters[0])
+    assert shared == {row for row in study.varied_masters("sets") if row.first == 1}
+    sources = study.master_sources(study.varied_masters("sets")[0])
     assert len(sources["scans"]) == len(sources["spectra"]) == 5
 
 
@@ -110,7 +111,7 @@ def test_robustness_asks_for_each_variant_of_a_surface_once():
     made = [*product(SUBSTRATES, ["study"]), *product(SUBSTRATES, ["laplacian"])]
     made += [("mcd", "skewness-0.5")]
     assert study.varied_surfaces == made
-    rows = study.robustness_masters
+    rows = study.varied_masters("robustness")
     assert {(row.surface, row.variant, row.probe) for row in rows} == {
         *((*variant, "smooth") for variant in made),
         *((surface, "study", "rough") for surface in SUBSTRATES),
@@ -151,8 +152,11 @@ SWEPT = {
 def lists_of_files(study):
     """Return the radii, loads and ranges that each file is computed at, by its path."""
     filtered = [
-        *study.masters(), *study.masters("scaling"), *study.set_masters, *study.robustness_masters,
-    ]  # fmt: skip
+        *study.masters(),
+        *study.masters("scaling"),
+        *study.varied_masters("sets"),
+        *study.varied_masters("robustness"),
+    ]
     at_study = (study.contact.radius, study.contact.load, study.contact.range)
     computed_at = {
         path: study.contact_grid(row.purpose, row.probe)

@@ -43,7 +43,7 @@ rule aggregate_robustness:
     """Infer adhesion and the critical band again under every variant: robustness.nc."""
     input:
         adhesion=FILES.paths(PATTERNS.mean_forces, FILES.varied_forces),
-        scales=FILES.paths(PATTERNS.filtered, FILES.robustness_masters),
+        scales=FILES.paths(PATTERNS.filtered, FILES.varied_masters("robustness")),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("aggregate_robustness.py"),
@@ -62,7 +62,8 @@ rule aggregate_robustness:
                 "variants": [variant.parameters() for variant in FILES.variants],
                 "surfaces": FILES.varied_surfaces,
                 "masters": [
-                    [row.surface, row.variant, row.probe] for row in FILES.robustness_masters
+                    [row.surface, row.variant, row.probe]
+                    for row in FILES.varied_masters("robustness")
                 ],
                 "realizations": STUDY["robustness"]["realizations"],
                 "substrates": SELECTION.substrates,

@@ -45,7 +45,7 @@ rule judge_sets:
         adhesion=rules.aggregate_adhesion.output[0],
         pools=FILES.paths(PATTERNS.pool, FILES.chunks),
         smooth_spheres=FILES.paths(PATTERNS.mean_forces, FILES.smooth_forces),
-        masters=FILES.paths(PATTERNS.filtered, FILES.set_masters),
+        masters=FILES.paths(PATTERNS.filtered, FILES.varied_masters("sets")),
         published_pull_off=PUBLISHED["published_pull_off"],
         published_constants=PUBLISHED["published_constants"],
         code=code_inputs("judge_sets.py"),
@@ -62,7 +62,7 @@ rule judge_sets:
             {
                 "chunks": FILES.chunks,
                 "pooled": SELECTION.pooled,
-                "masters": [row.surface for row in FILES.set_masters],
+                "masters": [row.surface for row in FILES.varied_masters("sets")],
                 "realizations": STUDY["sets"]["realizations"],
                 "load": FILES.contact.load,
                 "statements": replicated_statements("resources/paper/claims.csv"),

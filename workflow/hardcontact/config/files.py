@@ -1,11 +1,11 @@
 """Every file of one study: those of each surface, pair of scans, realization and variant."""
 
-from collections import namedtuple
+from collections import defaultdict, namedtuple
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from functools import cached_property
 from itertools import cycle, product
-from typing import Any, TypeVar
+from typing import Any
 
 from hardcontact.config.configuration import at, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
@@ -14,10 +14,11 @@ from hardcontact.config.variants import Variant, study_contact, surface_variants
 from hardcontact.numbers.units import token
 from hardcontact.surfaces.synthesis import SIDES
 
-Key = TypeVar("Key")
 #: Scans of a pool, and realizations of masters of the sets and the chapter, in one job: more of
 #: them leave the jobs there are as they are.
 CHUNK, MASTERS_CHUNK = 15, 5
+#: Sections with realizations of their own of the masters of variants.
+VARIED = ("sets", "robustness")
 
 
 # Rows of lists: their fields are wildcards of patterns.
@@ -30,12 +31,9 @@ FilteredMasters = namedtuple(
 )
 
 
-def _grouped(pairs: Iterable[tuple[Key, str]]) -> dict[Key, list[str]]:
-    """Return the second of pairs that have the same first, by the first."""
-    groups: dict[Key, list[str]] = {}
-    for key, name in pairs:
-        groups.setdefault(key, []).append(name)
-    return groups
+def _chunks(count: int, step: int) -> list[tuple[int, int]]:
+    """Return the first and the last of each chunk of the numbers from 1 to a count."""
+    return [(first, min(first + step - 1, count)) for first in range(1, count + 1, step)]
 
 
 class Files:
@@ -123,32 +121,30 @@ class Files:
     @property
     def scan_groups(self) -> dict[tuple[int, ...], list[str]]:
         """The numbers of scans that are made together, and the substitutes that have such scans."""
-        most = max(self._configuration[key]["realizations"] for key in ("sets", "robustness"))
-        selection = self._selection
-        return _grouped(
-            (tuple(selection.scans_of_group(surface, group)), surface)
-            for surface in self.conditionings
-            for group in range(selection.group(surface, selection.own_scan(surface, most)) + 1)
-        )
+        realizations = max(self._configuration[key]["realizations"] for key in VARIED)
+        selection, groups = self._selection, defaultdict[tuple[int, ...], list[str]](list)
+        for surface in self.conditionings:
+            last = selection.group(surface, selection.own_scan(surface, realizations))
+            for group in range(last + 1):
+                groups[tuple(selection.scans_of_group(surface, group))].append(surface)
+        return groups
 
     def stitched(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return a levelled scan with its mirror images."""
         return self.path(self._patterns.stitched, surface, variant=variant, scan=scan)
 
-    def stitched_of_realization(self, surface: str, realization: int, variant: str) -> str:
-        """Return the scan that a realization builds on, in turn where there are fewer scans."""
-        scans = self._selection.scans(surface)
-        return self.stitched(surface, scans[(realization - 1) % len(scans)], variant)
+    def stitched_of_realization(
+        self, surface: str, realization: int, variant: str, own: bool = False
+    ) -> str:
+        """Return the scan that a realization builds on, in turn where there are fewer scans.
 
-    def stitched_of_set_realization(self, surface: str, realization: int, variant: str) -> str:
-        """Return the scan that a realization of the sets builds on.
-
-        Of a substitute it is a scan of its own, beyond the study's where these are used up; of a
-        measured surface it is that of `stitched_of_realization`.
+        Realizations of the sets have scans of their own if the surface is a substitute.
         """
-        if self._selection.basis[surface] == "measured":
-            return self.stitched_of_realization(surface, realization, variant)
-        return self.stitched(surface, self._selection.own_scan(surface, realization), variant)
+        scans = self._selection.scans(surface)
+        scan = scans[(realization - 1) % len(scans)]
+        if own and self._selection.basis[surface] == "substitute":
+            scan = self._selection.own_scan(surface, realization)
+        return self.stitched(surface, scan, variant)
 
     @property
     def first_sphere(self) -> str:
@@ -202,20 +198,17 @@ class Files:
     @property
     def repeated_pairs(self) -> list[tuple[int, int]]:
         """Scan of the indented surface and of the sphere in repeated contact, the first pairs."""
-        surface = self._configuration["indent"]["surface"]
-        count = self._configuration["insight"]["realizations"]
-        pairs = [pair for pair in self.pairs_in_turn if pair.surface == surface]
-        return [(pair.scan, pair.sphere_scan) for pair in pairs[:count]]
+        indented = self._configuration["indent"]["surface"]
+        pairs = [
+            (scan, other) for surface, scan, other in self.pairs_in_turn if surface == indented
+        ]
+        return pairs[: self._configuration["insight"]["realizations"]]
 
     @property
     def chunks(self) -> list[Chunk]:
         """The scans of all pools, from the first to the last of those computed together."""
-        pool = self._configuration["sets"]["pool"]
-        return [
-            Chunk(surface, first, min(first + CHUNK - 1, pool))
-            for surface in self._selection.pooled
-            for first in range(1, pool + 1, CHUNK)
-        ]
+        chunks = _chunks(self._configuration["sets"]["pool"], CHUNK)
+        return [Chunk(surface, *chunk) for surface in self._selection.pooled for chunk in chunks]
 
     # Masters
 
@@ -263,13 +256,9 @@ class Files:
         """Return the files of the first realizations of the masters of a surface."""
         step = 1 if purpose in ("scales", "drawn") else MASTERS_CHUNK
         names = self._grid_names(purpose, probe)
-        chunks = [
-            (first, min(first + step - 1, realizations))
-            for first in range(1, realizations + 1, step)
-        ]
         return [
-            FilteredMasters(purpose, surface, variant, probe, first, last, **names)
-            for first, last in chunks
+            FilteredMasters(purpose, surface, variant, probe, *chunk, **names)
+            for chunk in _chunks(realizations, step)
         ]
 
     def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
@@ -286,37 +275,20 @@ class Files:
             for row in self._masters_of(purpose, surface, count, STUDY_VARIANT, probe)
         ]
 
-    @property
-    def set_masters(self) -> list[FilteredMasters]:
-        """Every master that the bands of sets are drawn from."""
-        return self._varied_masters(self.variants[:1], "sets")
+    def varied_masters(self, section: str) -> list[FilteredMasters]:
+        """Return the masters of the sets, which are the study's own, or those of robustness.
 
-    @property
-    def robustness_masters(self) -> list[FilteredMasters]:
-        """Every master that some variant asks for."""
-        return self._varied_masters(self.variants, "robustness")
-
-    def _varied_masters(self, variants: Iterable[Variant], section: str) -> list[FilteredMasters]:
-        """Return the masters of variants in as many realizations as sets or robustness have.
-
-        Those of the study itself are shared by both.
+        Both share those of the study itself.
         """
-        counts = {key: self._configuration[key]["realizations"] for key in ("sets", "robustness")}
-        baseline = (STUDY_VARIANT, self.probe)
-        masters = (
-            row
-            for variant in variants
-            for surface, name in variant.variant.items()
-            for row in self._masters_of(
-                "sets",
-                surface,
-                max(counts.values()) if (name, variant.probe) == baseline else counts["robustness"],
-                name,
-                variant.probe,
-            )
-            if row.first <= counts[section]
-        )
-        return list(dict.fromkeys(masters))
+        counts = {key: self._configuration[key]["realizations"] for key in VARIED}
+        masters = dict[FilteredMasters, None]()  # in order, each once
+        for variant in self.variants[:1] if section == "sets" else self.variants:
+            for surface, name in variant.variant.items():
+                of_study = (name, variant.probe) == (STUDY_VARIANT, self.probe)
+                count = max(counts.values()) if of_study else counts["robustness"]
+                rows = self._masters_of("sets", surface, count, name, variant.probe)
+                masters |= dict.fromkeys(row for row in rows if row.first <= counts[section])
+        return list(masters)
 
     def master_sources(self, row: Any) -> dict[str, list[str]]:
         """Return the master files of a row of the study; of others scans and spectra."""
@@ -330,15 +302,15 @@ class Files:
                 ]
                 for side in SIDES
             }
-        scan_of = self.stitched_of_realization
-        if row.purpose == "sets":
-            scan_of = self.stitched_of_set_realization
         spectra = [self.spectrum(surface, variant) for _ in realizations]
         if row.purpose == "drawn":
             pattern = self._patterns.drawn_spectrum
             spectra = [self.path(pattern, surface, realization=number) for number in realizations]
         return {
-            "scans": [scan_of(surface, number, variant) for number in realizations],
+            "scans": [
+                self.stitched_of_realization(surface, number, variant, row.purpose == "sets")
+                for number in realizations
+            ],
             "spectra": spectra,
         }
 
@@ -350,11 +322,8 @@ class Files:
 
     def mean_loads(self, probe: str) -> list[dict[str, float]]:
         """Return the loads of mean forces: of the study, and of its variants on a rough sphere."""
-        loads: list[dict[str, float]]
-        if probe == "rough":
-            loads = self.contact_grid("sets", self.probe)["loads"]
-        else:
-            loads = self.contact_grid("scales", probe)["loads"]
+        purpose, on = ("sets", self.probe) if probe == "rough" else ("scales", probe)
+        loads: list[dict[str, float]] = self.contact_grid(purpose, on)["loads"]
         return loads
 
     @property
