@@ -21,17 +21,11 @@ def test_a_file_appears_when_the_block_has_ended(tmp_path):
 
 def test_a_failing_write_leaves_what_was_there(tmp_path):
     (tmp_path / "old.nc").write_text("whole")
+    (tmp_path / f"{PART}old.nc").write_text("half of an earlier file, of a killed process")
     for target in (tmp_path / "new.nc", tmp_path / "old.nc"):
         with pytest.raises(RuntimeError), whole_file(target) as temporary:
             Path(temporary).write_text("half")
             raise RuntimeError
-    assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
-
-
-def test_what_a_killed_process_left_is_written_over(tmp_path):
-    (tmp_path / f"{PART}a.nc").write_text("half of an earlier file")
-    with whole_file(tmp_path / "a.nc") as temporary:
-        Path(temporary).write_text("whole")
     assert [path.read_text() for path in tmp_path.iterdir()] == ["whole"]
 
 

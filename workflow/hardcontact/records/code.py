@@ -41,9 +41,9 @@ def write_pins() -> None:
 def code_inputs(script: str, *modules: str) -> Sequence[str]:
     """Return the files that determine what a script does, relative to the working directory.
 
-    They are the script itself and the modules and packages of the library that it imports, sorted;
-    `modules` are those that it imports by a name it is given, the lists of pinned packages come
-    last. Imports count wherever they stand in a file, but for those that only a type checker sees.
+    They are the script itself and the modules and packages of the library that it imports, by full
+    names, sorted; `modules` are those that it imports by a name it is given, the lists of pinned
+    packages come last. Imports that only a type checker sees do not count.
     """
     paths = {SCRIPTS / script, *(path for name in modules for path in _files(name))}
     pending = [*paths]
@@ -57,33 +57,22 @@ def code_inputs(script: str, *modules: str) -> Sequence[str]:
 @cache
 def _imports(path: Path) -> frozenset[Path]:
     """Return the files of the library that are run when a file is imported."""
-    names = _imported(ast.parse(path.read_text("utf-8")), path)
+    names = _imported(ast.parse(path.read_text("utf-8")))
     return frozenset(file for name in names for file in _files(name))
 
 
-def _imported(tree: ast.AST, path: Path) -> Iterator[str]:
+def _imported(tree: ast.AST) -> Iterator[str]:
     """Yield the full names that a file imports, modules or what is in them."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.If) and ast.unparse(node.test).endswith("TYPE_CHECKING"):
-            for other in node.orelse:
-                yield from _imported(ast.Module([other], []), path)
-        elif isinstance(node, ast.Import):
+            continue
+        if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom):
-            module = _absolute(node, path)
-            yield module
-            yield from (f"{module}.{alias.name}" for alias in node.names)
+            yield str(node.module)
+            yield from (f"{node.module}.{alias.name}" for alias in node.names)
         elif not isinstance(node, ast.expr):  # which holds no import
-            yield from _imported(node, path)
-
-
-def _absolute(node: ast.ImportFrom, path: Path) -> str:
-    """Return the full name of the module that ``from ... import`` names."""
-    if not node.level:
-        return str(node.module)
-    folder = path.parents[node.level - 1]
-    parts = [LIBRARY.name, *folder.relative_to(LIBRARY).parts, *(node.module or "").split(".")]
-    return ".".join(filter(None, parts))
+            yield from _imported(node)
 
 
 def _files(name: str) -> Iterator[Path]:

@@ -27,7 +27,7 @@ def describe(
 
     Every file below the folder, but for logs and benchmarks, is an output with its SHA-256; what
     the study was made from is named by its path in the repository. The text is the same for the
-    same files, with versions by package; a ValueError of one line names a damaged record.
+    same files, with versions by package. Raises ValueError with one line if a record is damaged.
     """
     cited = yaml.safe_load(Path(citation).read_text("utf-8"))
     crate = ROCrate(version="1.1")
@@ -58,7 +58,7 @@ def describe(
 def described_files(folder: str | Path) -> dict[str, str]:
     """Return path and SHA-256 of the files that the RO-Crate of ``results/<study>`` describes.
 
-    Empty if there is no crate; a damaged one is a ValueError.
+    Empty if there is no crate; raises ValueError if it is damaged.
     """
     path = Path(folder, NAME)
     try:

@@ -9,18 +9,13 @@ import traceback
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import xarray as xr
 
 from hardcontact.records import dataset as labelled
 from hardcontact.records.dataset import FileFormat
-from hardcontact.records.origin import (
-    Origin,
-    digests,
-    keep_records,
-    refuse_changed,
-)
+from hardcontact.records.origin import Origin, digests, keep_records, refuse_changed
 from hardcontact.records.whole_file import whole_file
 
 _logger = logging.getLogger("hardcontact")
@@ -37,7 +32,6 @@ class Job(NamedTuple):
     input: Any  #: Paths by the names that the rule gives them, as those of the outputs.
     output: Any
     parameters: dict[str, Any]  #: The rule's `params.canonical`, decoded.
-    threads: int  #: How many the job may use.
     origin: Origin  #: What determines the files of the job.
 
     def write(
@@ -83,21 +77,14 @@ def job(snakemake: Any) -> Iterator[Job]:
         code = getattr(inputs, "code", [])  # a rule that writes nothing names no code
         origin = Origin(canonical_parameters, found, list(code))
         parameters = json.loads(canonical_parameters)
-        yield Job(inputs, snakemake.output, parameters, snakemake.threads, origin)
+        yield Job(inputs, snakemake.output, parameters, origin)
         keep_records((path for path in snakemake.output if Path(path).is_file()), origin)
-    # Only in the process of a script that Snakemake started, which ends with its job.
+    # Only in the process of a script that Snakemake started, which ends with its job: taking the
+    # interpreter down would cost a third of a second and do nothing.
     if getattr(sys.modules["__main__"], "snakemake", None) is snakemake:
-        _leave_at_once()
-
-
-def _leave_at_once() -> NoReturn:
-    """End the process: taking the interpreter down would cost a third of a second and do nothing.
-
-    All outputs and the log are written; what the script printed is passed on.
-    """
-    sys.stdout.flush()
-    sys.stderr.flush()
-    os._exit(0)
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(0)
 
 
 @contextmanager
