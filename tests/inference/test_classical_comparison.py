@@ -5,14 +5,9 @@ import pytest
 import xarray as xr
 from paper_claims import TABLES
 from paper_numbers import MEAN_FORCE, SUBSTRATES
-from published_contact import CONTACT, RADIUS, WORK
+from published_contact import RADIUS
 
-from hardcontact.contact import smooth_sphere
-from hardcontact.inference.classical_comparison import (
-    PerSurface,
-    apply_classical_models,
-    effective_works,
-)
+from hardcontact.inference.classical_comparison import apply_classical_models
 from hardcontact.numbers.statistics import Sampling, bounds
 from hardcontact.records import published
 
@@ -48,13 +43,17 @@ def classical():
     return classical_of(make_inference())
 
 
-def test_printed_tabor_parameter_is_not_what_printed_works_imply(classical):
-    """8.8 µN and 7.15 mJ/m² imply 1.557 to 1.577; a Tabor parameter of 0.81 gives 1.61."""
-    low, high = bounds(classical.sel(surface="polished_uncd"), "implied_pull_off_coefficient")
-    assert (float(low), float(high)) == pytest.approx((1.557, 1.577), abs=5e-4)
-    maugis = smooth_sphere.maugis_parameter(0.81)
-    assert smooth_sphere.maugis_dugdale_coefficient(maugis) == pytest.approx(1.610, abs=1e-3)
-    assert smooth_sphere.transition_coefficient(maugis) == pytest.approx(1.607, abs=1e-3)
+def test_forces_and_works_of_polished_uncd(classical):
+    """Printed are 8.8 µN and, with the printed Tabor parameter, 7.15 mJ/m²."""
+    uncd = classical.sel(surface="polished_uncd")
+    low, high = bounds(uncd, "published_mean_force")
+    assert (float(low), float(high)) == pytest.approx((8.75e-6, 8.85e-6))
+    work = uncd["effective_work_of_adhesion"].sel(against="published")
+    assert work.item() == pytest.approx(6.97e-3, rel=1e-3)
+    low, high = bounds(uncd, "effective_work_of_adhesion")
+    work = uncd["effective_work_of_adhesion"].sel(against="computed").item()
+    ends = [end.sel(against="computed").item() / work for end in (low, high)]
+    assert ends == pytest.approx([0.99, 1.01])
 
 
 def test_surfaces_that_the_paper_does_not_know_have_no_numbers(classical):
@@ -66,19 +65,3 @@ def test_surfaces_that_the_paper_does_not_know_have_no_numbers(classical):
         np.isnan(forces.sel(surface="glass")) and not forces.sel(surface=SUBSTRATES).isnull().any()
     )
     assert with_glass["mean_relative_error"].equals(classical["mean_relative_error"])
-
-
-def test_effective_works_of_the_published_forces():
-    force = PerSurface(MEAN_FORCE, np.stack([0.9 * MEAN_FORCE, 1.1 * MEAN_FORCE], axis=-1))
-    published = {"tabor_parameter": 0.81, "work_of_adhesion": WORK}
-    works = effective_works(force, CONTACT, published, 0.95).isel(surface=0)
-    work = works.effective_work_of_adhesion
-    assert work.sel(tabor="printed") == pytest.approx(6.97e-3, rel=1e-3)  # 7.15 is printed
-    assert work.sel(tabor="self_consistent") == pytest.approx(6.01e-3, rel=1e-3)
-    own = work.sel(tabor="self_consistent").item()
-    tabor = smooth_sphere.maugis_parameter(smooth_sphere.tabor_parameter(own, *CONTACT))
-    coefficient = smooth_sphere.transition_coefficient(tabor)
-    assert own * coefficient * np.pi * CONTACT.radius * 1e-9 == pytest.approx(MEAN_FORCE[0])
-    low, high = bounds(works, "effective_work_of_adhesion")
-    assert (low < work).all() and (work < high).all()
-    np.testing.assert_allclose(low.sel(tabor="printed"), 0.9 * work.sel(tabor="printed"))

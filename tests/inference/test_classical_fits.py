@@ -3,10 +3,9 @@
 import numpy as np
 import pytest
 from paper_numbers import MEAN_FORCE
-from published_contact import AFM, CONTACT, UNCERTAINTY
+from published_contact import AFM, SPHERE, UNCERTAINTY
 
 from hardcontact.inference.classical_fits import (
-    RoughnessSamples,
     fit_work,
     power_law_error,
     power_laws,
@@ -19,22 +18,22 @@ from hardcontact.numbers.statistics import Sampling, bounds
 @pytest.mark.parametrize("name", MODELS)
 def test_fit_finds_the_work_that_made_the_forces(name):
     gentle = Roughness(np.array([0.05, 0.1]), np.array([0.1, 0.2]), np.array([0.01, 0.02]))
-    target = MODELS[name].force(0.08, gentle, CONTACT)
+    target = MODELS[name].force(0.08, gentle, SPHERE)
     both = Roughness(*(np.stack([values, 1.5 * values]) for values in gentle))
-    work, error = fit_work(MODELS[name], both, CONTACT, target)
+    work, error = fit_work(MODELS[name], both, SPHERE, target)
     assert work[0] == pytest.approx(0.08, rel=1e-4) and error[0] < 1e-3
     assert error[1] > error[0]
 
 
 def test_fit_of_forces_that_vanish_has_no_work():
     rough = Roughness(AFM.height, AFM.slope, 1e3 * AFM.curvature)
-    work, error = fit_work(MODELS["maugis"], rough, CONTACT, MEAN_FORCE)
+    work, error = fit_work(MODELS["maugis"], rough, SPHERE, MEAN_FORCE)
     assert np.isnan(work) and error == pytest.approx(1)
 
 
 def test_no_model_fits_the_published_forces():
     for model in MODELS.values():
-        assert fit_work(model, AFM, CONTACT, MEAN_FORCE)[1] > 0.4
+        assert fit_work(model, AFM, SPHERE, MEAN_FORCE)[1] > 0.4
 
 
 def test_drawn_roughness_is_positive_and_spreads_as_printed():
@@ -55,7 +54,7 @@ def test_a_power_law_is_the_least_squares_line_of_logarithms():
 def test_power_laws_of_all_parameters_have_intervals_over_the_draws():
     drawn = Roughness(*(np.stack([0.9 * values, 1.1 * values]) for values in AFM))
     works = {"published": MEAN_FORCE, "computed": 0.5 * MEAN_FORCE}
-    laws = power_laws(RoughnessSamples(AFM, drawn, Sampling(0, 2, 0.95)), works)
+    laws = power_laws(AFM, drawn, works, Sampling(0, 2, 0.95))
     assert list(laws.rms_parameter.values) == list(Roughness._fields)
     assert list(laws.against.values) == list(works)
     low, high = bounds(laws, "power_law_error")  # a factor common to all changes no error

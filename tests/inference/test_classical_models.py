@@ -4,7 +4,7 @@ from math import exp, pi, sqrt
 
 import numpy as np
 import pytest
-from published_contact import AFM, CONTACT, MODULUS, RADIUS, SPACING, WORK
+from published_contact import AFM, MODULUS, RADIUS, SPACING, SPHERE, WORK
 from scipy.integrate import quad
 from scipy.stats import norm
 
@@ -17,33 +17,31 @@ def test_rumpf_limits():
     smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
     force = classical_models.rumpf(WORK, RADIUS, np.array([1e-9, 1e-3, 1e15]), SPACING)
     assert force[0] == pytest.approx(smooth) == pytest.approx(force[2])
-    asperity = classical_models.rumpf(
-        WORK, RADIUS, 1e3, SPACING
-    )  # large: the plane is out of reach
-    assert asperity == pytest.approx(
-        smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3), rel=1e-3
-    )
+    large = classical_models.rumpf(WORK, RADIUS, 1e3, SPACING)  # the plane is out of reach
+    expected = smooth_sphere.dmt_pull_off(WORK, 1e3 * RADIUS / 251e3)
+    assert large == pytest.approx(expected, rel=1e-3)
 
 
 def test_rabinovich_limits():
+    def force(height, distance):
+        roughness = Roughness(height, 2 * np.pi * height / distance, np.nan)
+        return classical_models.rabinovich(WORK, roughness, SPHERE)
+
     smooth = smooth_sphere.dmt_pull_off(WORK, RADIUS)
-    assert classical_models.rabinovich(WORK, RADIUS, 0.0, 500.0, SPACING) == pytest.approx(
-        2 * smooth
-    )
+    assert force(1e-12, 500.0) == pytest.approx(2 * smooth)
     caps = 500.0**2 / (32 * classical_models.PEAK_OVER_RMS * 50.0)  # their radius
-    force = classical_models.rabinovich(WORK, RADIUS, 50.0, 500.0, SPACING)
-    assert force == pytest.approx(classical_models.rumpf(WORK, RADIUS, caps, 1e-6), rel=0.15)
-    far = classical_models.rabinovich(WORK, RADIUS, 50.0, 1e12, SPACING)
-    assert far == pytest.approx(smooth, rel=1e-4)
+    single = classical_models.rumpf(WORK, RADIUS, caps, 1e-6)
+    assert force(50.0, 500.0) == pytest.approx(single, rel=0.15)
+    assert force(50.0, 1e12) == pytest.approx(smooth, rel=1e-4)
 
 
 def relative(model, index):
     """Relative pull-off force of Gaussian asperities with a given elastic adhesion index."""
     height = index ** (2 / 3) * (WORK * np.sqrt(1e-9) / MODULUS) ** (2 / 3) / 1e-9
-    assert classical_models.adhesion_index(WORK, height, 1.0, MODULUS) == pytest.approx(index)
-    smooth = {"fuller_tabor": smooth_sphere.jkr_pull_off, "maugis": smooth_sphere.dmt_pull_off}
     roughness = Roughness(height, np.nan, 1.0)
-    return MODELS[model].force(WORK, roughness, CONTACT) / smooth[model](WORK, RADIUS)
+    assert classical_models.adhesion_index(WORK, roughness, MODULUS) == pytest.approx(index)
+    smooth = {"fuller_tabor": smooth_sphere.jkr_pull_off, "maugis": smooth_sphere.dmt_pull_off}
+    return MODELS[model].force(WORK, roughness, SPHERE) / smooth[model](WORK, RADIUS)
 
 
 @pytest.mark.parametrize("model", ["fuller_tabor", "maugis"])
@@ -94,7 +92,7 @@ def test_without_roughness_every_model_has_the_force_of_its_smooth_sphere():
             smooth_sphere.jkr_pull_off if name == "fuller_tabor" else smooth_sphere.dmt_pull_off
         )
         expected = smooth(WORK, RADIUS)
-        assert model.force(WORK, flat, CONTACT) == pytest.approx(expected, rel=2e-3), name
+        assert model.force(WORK, flat, SPHERE) == pytest.approx(expected, rel=2e-3), name
 
 
 def test_geometry_of_close_packed_asperities():
@@ -108,7 +106,7 @@ def test_geometry_of_close_packed_asperities():
 
 
 def test_published_roughness_leaves_no_elastic_adhesion():
-    index = classical_models.adhesion_index(WORK, AFM.height, 1 / AFM.curvature, MODULUS)
+    index = classical_models.adhesion_index(WORK, AFM, MODULUS)
     assert index[0] == pytest.approx(1602, rel=1e-3) and (index > 1000).all()
     for name in ("fuller_tabor", "maugis"):
-        assert (MODELS[name].force(WORK, AFM, CONTACT) < 1e-15).all()
+        assert (MODELS[name].force(WORK, AFM, SPHERE) < 1e-15).all()

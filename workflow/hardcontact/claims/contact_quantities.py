@@ -22,7 +22,7 @@ NM2 = 1e-18  # in m²
 
 
 def effective_work_decades(classical: xr.Dataset) -> xr.Dataset:
-    """Return the decades between effective works of adhesion of the surfaces (against, tabor)."""
+    """Return the decades between effective works of adhesion of the surfaces (against)."""
     return decades(variable_as_number(classical, "effective_work_of_adhesion"), "surface")
 
 

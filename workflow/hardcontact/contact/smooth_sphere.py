@@ -4,11 +4,9 @@ Lengths in nm, forces in N, works of adhesion in J/m², pressures and moduli in 
 are positive. Arguments may be arrays; they broadcast.
 """
 
-from collections.abc import Callable
 from typing import Any, NamedTuple, TypedDict
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
 
 NANOMETRE = 1e-9  # m
 
@@ -95,79 +93,12 @@ def transition_coefficient(maugis: Values) -> Values:
     7/4 - ¼ (4.04 λ^1.4 - 1)/(4.04 λ^1.4 + 1): 2 (DMT) to 3/2 (JKR). Carpick, Ogletree and Salmeron,
     J. Colloid Interface Sci. 211 (1999) 395, as used by Grierson, Flater and Carpick, J. Adhes.
     Sci. Technol. 19 (2005) 291. Unverified against the primary source; it keeps within 1.7 % of the
-    exact pair it was fitted to (`maugis_dugdale_coefficient`).
+    exact pair it was fitted to (Maugis, J. Colloid Interface Sci. 150 (1992) 243, section 6).
     """
     stiffness = 4.04 * np.asarray(maugis) ** 1.4
     return 7 / 4 - (stiffness - 1) / (stiffness + 1) / 4
 
 
-def maugis_dugdale_coefficient(maugis: Values) -> Values:
-    """Return the pull-off force over πWR for Maugis parameters, exact for a Dugdale law.
-
-    The pair of equations of Maugis, J. Colloid Interface Sci. 150 (1992) 243, section 6, checked
-    against the package Adhesion 0.93. Raises ValueError for a parameter that is not positive.
-    """
-    _require_positive("Maugis parameter", maugis)
-    return np.vectorize(_maugis_dugdale, otypes=[float])(maugis)
-
-
-def _maugis_dugdale(maugis: float) -> float:
-    """Return the greatest tension over πWR for one λ."""
-    # Near a sum of the limits: 3/(πλ)^1.5 (DMT) and 1.145/λ (JKR).
-    guess = np.log(3 / (np.pi * maugis) ** 1.5 + 1.145 / maugis)
-    lowest = minimize_scalar(
-        lambda logarithm: _maugis_dugdale_force(np.exp(logarithm), maugis),
-        bounds=(guess - 2, guess + 2),
-        method="bounded",
-        options={"xatol": 1e-7},
-    )
-    return float(-lowest.fun)
-
-
-def _maugis_dugdale_force(s: float, maugis: float) -> Values:
-    """Return the force over πWR, compression positive, if the cohesive zone has m² = 1 + s²."""
-    # The first equation of the pair is quadratic in the contact radius once m is given.
-    angle = np.arctan(s)
-    excess = s**2 / (np.sqrt(1 + s**2) + 1)  # m - 1
-    quadratic = maugis / 2 * (s + (s**2 - 1) * angle)
-    linear = 4 / 3 * maugis**2 * (angle * s - excess)
-    contact = 2 / (linear + np.sqrt(linear**2 + 4 * quadratic))
-    return contact**3 - maugis * contact**2 * (s + (1 + s**2) * angle)
-
-
 def effective_work_of_adhesion(force: Values, radius: Values, coefficient: Values) -> Values:
     """Return the work F/(coefficient πR) of a smooth sphere; the coefficient is F/πRW, 3/2 to 2."""
     return force / (coefficient * np.pi * radius * NANOMETRE)
-
-
-def self_consistent_work_of_adhesion(
-    force: Values,
-    radius: float,
-    modulus: float,
-    spacing: float,
-    coefficient: Callable[[Values], Values] = transition_coefficient,
-) -> Values:
-    """Return the effective work of adhesion whose own Tabor parameter gives its coefficient.
-
-    `coefficient` is F/πRW as a function of the Maugis parameter. NaN where the force is NaN; raises
-    ValueError for a force that is not positive.
-    """
-    _require_positive("pull-off force", force)
-
-    def solve(one: float) -> Values:
-        if np.isnan(one):
-            return np.nan
-
-        def excess(work: float) -> Values:
-            maugis = maugis_parameter(tabor_parameter(work, radius, modulus, spacing))
-            return effective_work_of_adhesion(one, radius, coefficient(maugis)) / work - 1
-
-        least, greatest = (effective_work_of_adhesion(one, radius, end) for end in (2.02, 1.48))
-        return brentq(excess, least, greatest, xtol=1e-12 * least)
-
-    return np.vectorize(solve, otypes=[float])(force)
-
-
-def _require_positive(name: str, values: Values) -> None:
-    if np.any(np.asarray(values) <= 0):
-        raise ValueError(f"{name}: expected positive numbers, found {np.min(values):g}")

@@ -26,8 +26,8 @@ bars too long for a panel end at its frame. Horizontal lines repeat the publishe
 symbols in the grey strip of (a): the model has no force, or less than 1 pN. (b) Fitted to the
 published forces of all surfaces (black) or to the computed ones (grey); grey strip: below the
 paper's threshold. What each model calls roughness and what its formula was checked against
-stand in the table beside the figure. classical.nc has the effective works of adhesion, their
-Tabor parameters and tests of power laws, too. Drawn from classical.nc and
+stand in the table beside the figure. classical.nc has effective works of adhesion and tests of
+power laws, too. Drawn from classical.nc and
 resources/paper/parameters.csv.
 """
 

@@ -37,8 +37,8 @@ ASPERITIES = (
 UNVERIFIED = "unverified against the primary source"
 
 
-class Contact(NamedTuple):
-    """Sphere and materials, the same for all models."""
+class ElasticSphere(NamedTuple):
+    """A smooth sphere and its materials, the same for all models."""
 
     radius: float  #: Of the sphere, in nm.
     modulus: float  #: Effective modulus E* in Pa.
@@ -58,7 +58,7 @@ class Model(NamedTuple):
 
     label: str  #: Its name in figures.
     #: The pull-off force in N for a work of adhesion.
-    force: Callable[[Values, Roughness, Contact], Values]
+    force: Callable[[Values, Roughness, ElasticSphere], Values]
     proportional: bool  #: Whether the force is proportional to the work of adhesion.
     roughness: str  #: How its asperities follow from rms values.
     verified: str  #: Against which source its equations were checked.
@@ -68,45 +68,40 @@ def rumpf(work: Values, radius: Values, asperity_radius: Values, spacing: float)
     """Return the van der Waals pull-off force of a sphere on one hemispherical asperity.
 
     A/6z0² [rR/(r+R) + R/(1+r/z0)²] with A = 12πz0²W, the Hamaker constant that gives the smooth
-    sphere 2πWR; z0 is the equilibrium spacing. The asperity of the radius r stands on a plane and
-    is as high as its radius. Rumpf, Particle Technology (1990). Unverified against the primary
-    source.
+    sphere 2πWR; z0 is the spacing. The asperity of the radius r stands on a plane. Rumpf, Particle
+    Technology (1990). Unverified against the primary source.
     """
     contact = asperity_radius * radius / (asperity_radius + radius)
     return dmt_pull_off(work, contact + radius / (1 + asperity_radius / spacing) ** 2)
 
 
-def rabinovich(
-    work: Values, radius: Values, rms_height: Values, peak_distance: Values, spacing: Values
-) -> Values:
+def rabinovich(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the van der Waals pull-off force of a sphere on flat spherical caps.
 
-    AR/6z0² [1/(1 + 32 k Rσ/λ²) + 1/(1 + kσ/z0)²] with k = 1.817, A = 12πz0²W, for the rms height σ,
-    the distance λ between peaks and the equilibrium spacing z0. The caps are kσ high and λ/2 wide.
+    AR/6z0² [1/(1 + 32 k Rσ/λ²) + 1/(1 + kσ/z0)²] with k = 1.817, A = 12πz0²W, for the rms height σ
+    and the distance λ between peaks, 2π σ over the rms slope. The caps are kσ high and λ/2 wide.
     Rabinovich et al., J. Colloid Interface Sci. 232 (2000) 10 and 17: what defines an asperity is
-    that of the abstract, the coefficients are unverified against the primary source (32 follows
-    from the caps' shape; close-packed paraboloids give k = 1.819). For σ = 0 at a given λ contact
-    and plane both count in full, and the force is twice that of the smooth sphere.
+    that of the abstract, the coefficients are unverified against the primary source. For σ = 0 at a
+    given λ the force is twice that of the smooth sphere.
     """
-    peak = PEAK_OVER_RMS * rms_height
-    contact = 1 / (1 + 32 * peak * radius / peak_distance**2)
-    return dmt_pull_off(work, radius) * (contact + 1 / (1 + peak / spacing) ** 2)
+    distance = 2 * np.pi * roughness.height / roughness.slope
+    peak = PEAK_OVER_RMS * roughness.height
+    contact = 1 / (1 + 32 * peak * sphere.radius / distance**2)
+    return dmt_pull_off(work, sphere.radius) * (contact + 1 / (1 + peak / sphere.spacing) ** 2)
 
 
-def adhesion_index(
-    work: Values, rms_height: Values, asperity_radius: Values, modulus: float
-) -> Values:
+def adhesion_index(work: Values, roughness: Roughness, modulus: float) -> Values:
     """Return the elastic adhesion index E* σ^1.5/(β^½ W) of asperities of the radius β.
 
     It is the force to flatten asperities, whose heights have the standard deviation σ, over that of
     adhesion, which vanishes beyond about 10. Fuller and Tabor, Proc. R. Soc. A 345 (1975) 327.
     Unverified against the primary source.
     """
-    height, asperity = rms_height * NANOMETRE, asperity_radius * NANOMETRE
+    height, asperity = roughness.height * NANOMETRE, 1 / roughness.curvature * NANOMETRE
     return modulus * height**1.5 / (np.sqrt(asperity) * work)
 
 
-def fuller_tabor(work: Values, roughness: Roughness, contact: Contact) -> Values:
+def fuller_tabor(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with JKR asperities of Gaussian heights.
 
     1.5πWR, that of the smooth sphere, times the pull-off force of the asperities over that of as
@@ -114,43 +109,26 @@ def fuller_tabor(work: Values, roughness: Roughness, contact: Contact) -> Values
     Tabor, Proc. R. Soc. A 345 (1975) 327, restated by Greenwood, Tribol. Lett. 65 (2017) 159, whose
     assumptions and JKR equations these are; unverified against the primary source.
     """
-    index = adhesion_index(work, roughness.height, 1 / roughness.curvature, contact.modulus)
-    return jkr_pull_off(work, contact.radius) * _relative_pull_off(_logarithm_jkr, index)
+    index = adhesion_index(work, roughness, sphere.modulus)
+    return jkr_pull_off(work, sphere.radius) * _relative_pull_off(_jkr_tension, 16, index)
 
 
-def maugis_rough_dmt(work: Values, roughness: Roughness, contact: Contact) -> Values:
+def maugis_rough_dmt(work: Values, roughness: Roughness, sphere: ElasticSphere) -> Values:
     """Return the pull-off force of a sphere with DMT asperities of Gaussian heights.
 
     2πWR, that of the smooth sphere, times the greatest tension over separations d of ∫ [K β^½
     (z-d)^1.5 - 2πβW] φ(z) dz, z > d, over 2πβW; assumed for a sphere as in `fuller_tabor`. Maugis,
     J. Adhes. Sci. Technol. 10 (1996) 161. Unverified against the primary source.
     """
-    index = adhesion_index(work, roughness.height, 1 / roughness.curvature, contact.modulus)
-    return dmt_pull_off(work, contact.radius) * _relative_pull_off(_logarithm_dmt, index)
-
-
-def _logarithm_jkr(index: float) -> float:
-    """Return ln of the pull-off force of JKR asperities over that of as many of equal height.
-
-    The elastic adhesion index is positive. Heights are measured in (π²W²β/K²)^⅓.
-    """
-    return _greatest_tension(_jkr_tension, np.cbrt(16 * index**2 / (9 * np.pi**2)))
-
-
-def _logarithm_dmt(index: float) -> float:
-    """Return ln of the relative pull-off force of DMT asperities, as `_logarithm_jkr` for JKR ones.
-
-    Heights are measured in (2πβW/Kβ^½)^⅔.
-    """
-    return _greatest_tension(_dmt_tension, np.cbrt((2 * index / (3 * np.pi)) ** 2))
+    index = adhesion_index(work, roughness, sphere.modulus)
+    return dmt_pull_off(work, sphere.radius) * _relative_pull_off(_dmt_tension, 4, index)
 
 
 def _jkr_tension(compression: np.ndarray) -> Values:
     """Return the tension of an asperity over its pull-off force 1.5πβW.
 
     The compression counts from where the asperity comes off at fixed grips, in (π²W²β/K²)^⅓. It is
-    quartic in the root of the contact radius; from above, Newton's iteration goes down to the only
-    root.
+    quartic in the root of the contact radius; Newton's iteration finds the only root from above.
     """
     least = 6 ** (-1 / 6)
     above = np.minimum(np.sqrt(compression / 6) / least, compression**0.25)
@@ -163,7 +141,7 @@ def _jkr_tension(compression: np.ndarray) -> Values:
 
 
 def _dmt_tension(compression: np.ndarray) -> Values:
-    """Return the tension of an asperity over 2πβW; compression 1 balances adhesion."""
+    """Return the tension over 2πβW; the compression in (2πβW/Kβ^½)^⅔ balances adhesion at 1."""
     return 1 - compression**1.5
 
 
@@ -202,31 +180,30 @@ def _mean_tension(tension: Tension, spread: float, place: float) -> tuple[float,
 
 
 @lru_cache
-def _spline(logarithm: Callable[[float], float]) -> CubicSpline:
-    """Return a spline of ln(-ln r) over ln θ: nearly straight if the relative force r is not 0."""
-    index = np.geomspace(*INDICES, 221)
-    return CubicSpline(np.log(index), np.log([-logarithm(one) for one in index]))
+def _spline(tension: Tension, factor: float) -> CubicSpline:
+    """Return a spline of ln(-ln r) over ln θ: nearly straight if the relative force r is not 0.
 
-
-def _relative_pull_off(logarithm: Callable[[float], float], index: Values) -> Values:
-    """Return exp(logarithm(index)) for indices of any shape, by a spline.
-
-    At its lower end the force is that of the smooth sphere, at its upper end zero; indices outside
-    are replaced by the nearest end.
+    The spread of heights in the unit of the compression is (factor θ²/9π²)^⅓.
     """
-    return np.exp(-np.exp(_spline(logarithm)(np.log(np.clip(index, *INDICES)))))
+    indices = np.geomspace(*INDICES, 221)
+    spreads = np.cbrt(factor * indices**2 / (9 * np.pi**2))
+    logarithms = np.array([_greatest_tension(tension, spread) for spread in spreads])
+    return CubicSpline(np.log(indices), np.log(-logarithms))
 
 
-def _rabinovich(work: Values, roughness: Roughness, contact: Contact) -> Values:
-    distance = 2 * np.pi * roughness.height / roughness.slope
-    return rabinovich(work, contact.radius, roughness.height, distance, contact.spacing)
+def _relative_pull_off(tension: Tension, factor: float, index: Values) -> Values:
+    """Return the pull-off force of asperities over that of as many of equal height.
+
+    At the lower end of INDICES it is that of the smooth sphere, at the upper end zero.
+    """
+    return np.exp(-np.exp(_spline(tension, factor)(np.log(np.clip(index, *INDICES)))))
 
 
 MODELS = {
     "rumpf_height": Model(
         "Rumpf (height)",
-        lambda work, roughness, contact: rumpf(
-            work, contact.radius, HEMISPHERE_OVER_RMS * roughness.height, contact.spacing
+        lambda work, roughness, sphere: rumpf(
+            work, sphere.radius, HEMISPHERE_OVER_RMS * roughness.height, sphere.spacing
         ),
         True,
         "hemispheres of radius 1.485 rms height (close-packed; assumed)",
@@ -234,8 +211,8 @@ MODELS = {
     ),
     "rumpf_curvature": Model(
         "Rumpf (curvature)",
-        lambda work, roughness, contact: rumpf(
-            work, contact.radius, 1 / roughness.curvature, contact.spacing
+        lambda work, roughness, sphere: rumpf(
+            work, sphere.radius, 1 / roughness.curvature, sphere.spacing
         ),
         True,
         "hemispheres of radius 1/rms curvature (assumed)",
@@ -243,7 +220,7 @@ MODELS = {
     ),
     "rabinovich": Model(
         "Rabinovich",
-        _rabinovich,
+        rabinovich,
         True,
         "rms height; distance of peaks 2 pi rms height / rms slope, that of one wavelength "
         "(assumed)",
