@@ -63,15 +63,6 @@ def test_force_at_a_range_does_not_depend_on_the_other_ranges(rough):
         np.testing.assert_allclose(sums, outside_sums(bodies, contacts, [rho])[0], rtol=1e-12)
 
 
-@pytest.mark.parametrize("rough", [False, True])
-def test_force_of_a_contact_does_not_depend_on_what_touches_elsewhere(rough):
-    bodies = bodies_of(CASES[0], 3, rough)
-    contacts = all_lowest_gaps(bodies, 17)
-    fewer = contacts | {(0, 0): all_lowest_gaps(bodies, 1)[0, 0]}
-    all_of_them, other = (outside_sums(bodies, one, [5.6])[0] for one in (contacts, fewer))
-    np.testing.assert_allclose(other.ravel()[1:], all_of_them.ravel()[1:], rtol=1e-13)
-
-
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.parametrize("rough", [False, True])
 def test_several_loads_at_once_are_each_load_alone(case, rough):
@@ -116,19 +107,6 @@ def test_force_over_a_sinusoid_is_a_bessel_function(amplitude, rho, rough):
     heights = amplitude * np.cos(phase) + np.zeros((256, 1))
     mean = mean_attraction(heights, rho, rough)
     assert mean == pytest.approx(ive(0, amplitude / rho), rel=1e-9)
-
-
-def test_force_of_a_sphere_over_a_sinusoid_is_that_over_a_flat_times_its_factor():
-    # Waves much shorter than the interaction radius: the factor of the plane holds for the sphere.
-    amplitude, rho, pixel_size = 3.0, 5.6, 20.0
-    wave = amplitude * np.cos(2 * np.pi * np.arange(256) / 8) + np.zeros((256, 1))
-    wavy, flat = (
-        plastic_totals(over(heights, None, pixel_size, 640, 1), [1], rho)[0].item()
-        for heights in (wave, np.zeros((256, 256)))
-    )
-    position = int(over(wave, None, pixel_size, 640, 1).geometry.positions[0])
-    assert wave[0, position] == amplitude  # the apex stands on a crest
-    assert wavy / flat == pytest.approx(ive(0, amplitude / rho), rel=1e-9)
 
 
 @pytest.mark.parametrize("rough", [False, True])

@@ -10,10 +10,8 @@ from hardcontact.contact.bearing_area import (
 )
 from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import (
-    flattened_gaps,
     gap_map,
     part_around_lowest,
-    plastic_approach,
 )
 
 CASES = [
@@ -58,17 +56,6 @@ def test_contact_pixels_are_the_load_over_hardness_and_pixel_area():
     assert contact.pixels(5000 / 8192) == 1074  # 1073.7
     assert contact.pixels(20.0) == 1  # exactly one pixel
     assert contact.area == pytest.approx(400.0)
-
-
-def test_plastic_contact_has_exactly_the_pixels_that_carry_the_load():
-    bodies = over(periodic_noise(128, 20.0, 6), periodic_noise(128, 0.5, 7), 40.0, 320, 2)
-    gap = gap_map(bodies, (1, 0))
-    approach = plastic_approach(gap, 33)
-    assert np.count_nonzero(gap <= approach) == 33
-    assert approach == pytest.approx(all_lowest_gaps(bodies, 33)[1, 0].gaps[-1], abs=1e-12)
-    flattened = flattened_gaps(gap, 33)
-    assert np.count_nonzero(flattened == 0) == 33
-    np.testing.assert_allclose(flattened[gap > approach], gap[gap > approach] - approach)
 
 
 @pytest.mark.parametrize("pixels", [3, 4, 9])

@@ -18,14 +18,6 @@ def places(bodies):
     return np.stack(np.meshgrid(*[bodies.geometry.positions] * 2, indexing="ij"), -1).reshape(-1, 2)
 
 
-def test_the_first_contact_is_the_single_contact():
-    bodies = rough_pair()
-    for position, single in zip(places(bodies), all_lowest_gaps(bodies, 40).values(), strict=True):
-        ((contact, _),) = repeated_contacts(bodies, [position], 40)
-        np.testing.assert_array_equal(contact.gaps, single.gaps)
-        np.testing.assert_array_equal(contact.offsets, single.offsets)
-
-
 def test_contact_at_the_same_place_leaves_the_indent_as_it_is():
     heights = np.zeros((128, 128))
     heights[60:68, 61:66] = 10.0 + np.random.default_rng(3).random((8, 5))

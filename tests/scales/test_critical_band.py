@@ -81,13 +81,6 @@ def test_curves_that_never_leave_bound_the_interval_by_the_last_cutoff_of_their_
     np.testing.assert_allclose(computed.critical_wavelength_interval.sel(side="large"), 1000.0)
 
 
-def test_one_realization_has_no_interval():
-    computed = band.critical_band(scales([[[SMALL, LARGE]]]), 0.1, Sampling(0, 5, 0.95))
-    assert computed.critical_wavelength.notnull().all()
-    for name in ("scale_ratio", "scale_change", "critical_wavelength"):
-        assert computed[f"{name}_interval"].isnull().all(), name
-
-
 def test_intervals_are_over_realizations():
     rows = [[[1.0, ratio, np.nan, np.nan], LARGE] for ratio in (1.2, 1.3, 1.45)]
     computed = band.critical_band(scales([rows]), 0.1, Sampling(0, 4000, 0.9))

@@ -24,7 +24,6 @@ from hardcontact.surfaces.measured_spectrum import (
     measured_psd,
     variance_of_log,
 )
-from hardcontact.surfaces.reliable_band import reliable_band
 from hardcontact.surfaces.spectrum import (
     BIN_CENTRES,
     WAVEVECTORS,
@@ -65,19 +64,6 @@ def test_two_sizes_and_a_line_give_the_spectrum_of_the_surface_within_their_scat
     assert np.sqrt(np.nanmean(errors[:, many] ** 2)) < 0.15
     assert np.abs(np.nanmean(errors[:, many], axis=0)).max() < 0.15
     assert not np.isfinite(errors[:, (wavelength < 15) | (wavelength > 14_000)]).any()
-
-
-def test_only_what_is_reliable_is_joined():
-    scans = two_sizes_and_a_line(10)
-    noise = generator(11).normal(0, 10.0, scans[0].heights.shape)
-    scans[0] = measurement(scans[0].heights + noise, scans[0].pixel_size)
-    joined = joined_spectrum(scans, [None] * 3)
-    wavelength = 2 * np.pi / joined["bin_wavevector"].values
-    for place, scan in enumerate(scans):
-        band, stored = reliable_band(scan, None), joined.isel(measurement=place)
-        within = (wavelength >= band.shortest) & (wavelength <= band.longest)
-        np.testing.assert_array_equal(stored["reliable"] == 1, within & np.isfinite(stored["psd"]))
-    assert joined["limited_by"].values[0] == "noise"
 
 
 def test_bins_of_few_waves_are_smoothed_and_a_gap_is_bridged_between_them():
