@@ -48,15 +48,15 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """
     dimensions = ["surface", "scan"]
     forces = stack(scans, dimensions)
-    most = forces["contact_pixels"].max([*dimensions, "sphere_scan"], keep_attrs=True)
-    return with_names(forces.assign(contact_pixels=most), described)
+    largest = forces["contact_pixels"].max([*dimensions, "sphere_scan"], keep_attrs=True)
+    return with_names(forces.assign(contact_pixels=largest), described)
 
 
 def at_load(forces: Forces, load: str) -> Forces:
     """Return the forces at one load, by its name; raises ValueError if it is not there."""
-    known = forces["load"].values.tolist()
-    if load not in known:
-        raise ValueError(f"expected forces at the load {load}, found those at {', '.join(known)}")
+    loads = forces["load"].values.tolist()
+    if load not in loads:
+        raise ValueError(f"expected forces at the load {load}, found those at {', '.join(loads)}")
     return forces.sel(load=load, drop=True)
 
 
@@ -92,10 +92,10 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
         ["surface", "scan"],
     ).drop_encoding()  # whole numbers are missing where a scan is
-    first: dict[tuple[Any, ...], xr.Dataset] = {}
+    pressures: dict[tuple[Any, ...], xr.Dataset] = {}
     for (surface, _), scan in scans.items():
-        first.setdefault((surface,), scan[["pressure"]])
-    pressure = stack(first, ["surface"]).pressure
+        pressures.setdefault((surface,), scan[["pressure"]])
+    pressure = stack(pressures, ["surface"]).pressure
     return with_names(contacts.assign(pressure=pressure), described)
 
 
@@ -106,16 +106,16 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
     cutoffs of the other side. ``unfiltered_wavelength`` is over (surface, side), ``ratio``
     (surface, realization, side, cutoff_wavelength, ...) is that of the means over contacts.
     """
-    stacked = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
-    contacts = [axis for axis in CONTACT_AXES if axis in stacked.dims]
-    filtered, whole = (
-        stacked[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
+    forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
+    contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
+    filtered, unfiltered = (
+        forces[name].mean(contacts) for name in ("pull_off_force", "unfiltered_pull_off_force")
     )
-    ratio = (filtered / whole).assign_attrs(
+    ratio = (filtered / unfiltered).assign_attrs(
         units="1", long_name="mean pull-off force over that unfiltered"
     )
-    ends = stacked["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
-    scales = stacked.assign(ratio=ratio, unfiltered_wavelength=ends)
+    ends = forces["unfiltered_wavelength"].max("realization", keep_attrs=True)  # all are the same
+    scales = forces.assign(ratio=ratio, unfiltered_wavelength=ends)
     scales["cutoff_wavelength"].attrs = {"units": "nm", "long_name": "cutoff wavelength"}
     return scales
 

@@ -25,8 +25,8 @@ LARGE_ENOUGH, LEAST_TRIED = max(RATIOS), 0.12
 
 def finite_scan_ratio(size: float, draw_size: float) -> tuple[float, float]:
     """Return the least and greatest of the force on a scan over that on a large one, of RATIOS."""
-    near = (found for limit, found in RATIOS.items() if size < limit * draw_size)
-    return next(near, (1.0, 1.0))
+    ratios = (ratio for limit, ratio in RATIOS.items() if size < limit * draw_size)
+    return next(ratios, (1.0, 1.0))
 
 
 def with_sizes(
@@ -55,14 +55,14 @@ def with_sizes(
         ``window_share`` (rho), and the attributes ``window`` in nm and ``contact_area`` in nm².
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
-    drawn = [draw_sizes[name] for name in force["surface"].values.tolist()]
-    sizes = zip(scans["scan_size"].values.tolist(), drawn, strict=True)
+    lengths = [draw_sizes[name] for name in force["surface"].values.tolist()]
+    sizes = zip(scans["scan_size"].values.tolist(), lengths, strict=True)
     ratios = [finite_scan_ratio(size, draw_size) for size, draw_size in sizes]
     share = erf(contact.window / np.sqrt(8 * contact.radius * force["rho"].values)) ** 2
-    within = {"units": "1", "long_name": "share of the force in the window"}
+    in_window = {"units": "1", "long_name": "share of the force in the window"}
     return force.assign(
-        draw_size=("surface", drawn, {"units": "nm"}),
+        draw_size=("surface", lengths, {"units": "nm"}),
         finite_scan_ratio=(("surface", "bound"), ratios, {"units": "1"}),
         pixel_area=("surface", scans["pixel_size"].values ** 2, {"units": "nm2"}),
-        window_share=("rho", share, within),
+        window_share=("rho", share, in_window),
     ).assign_attrs(window=contact.window, contact_area=contact.area)

@@ -37,7 +37,7 @@ def mean_forces(
     them.
     """
     scans = mean_of_each_scan(forces)
-    drawn = [
+    samples = [
         student_log_samples(
             sampling.generator(purpose, str(surface)),
             scans.sel(surface=surface).dropna("scan").values,
@@ -45,7 +45,7 @@ def mean_forces(
         )
         for surface in scans.surface.values
     ]
-    return scans.mean("scan").values, np.stack(drawn, axis=1)
+    return scans.mean("scan").values, np.stack(samples, axis=1)
 
 
 def force_curves(
@@ -56,17 +56,17 @@ def force_curves(
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) have the means and samples of
     `mean_forces`; the reference is the index of a surface. Variables are over surface and rho.
     """
-    dimensions, newton, one = ("surface", "rho"), {"units": "N"}, {"units": "1"}
+    dimensions, newton, no_unit = ("surface", "rho"), {"units": "N"}, {"units": "1"}
     ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
     spread = forces.std(["scan", *CONTACTS]).values
     interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
     return {
         "contact_spread": (dimensions, spread, newton),
-        "ratio_contact_spread": (dimensions, spread / means[reference], one),
+        "ratio_contact_spread": (dimensions, spread / means[reference], no_unit),
         **with_interval(
             "mean_force", dimensions, means, interval.values, newton, sampling.confidence
         ),
-        **sampling.with_interval("ratio", dimensions, ratio, ratios, one),
+        **sampling.with_interval("ratio", dimensions, ratio, ratios, no_unit),
     }
 
 
@@ -89,11 +89,11 @@ def at_range(forces: xr.DataArray, rho: float) -> xr.DataArray:
     return interpolated
 
 
-def _weights(rhos: np.ndarray, at: np.ndarray) -> np.ndarray:
-    """Return the weights (rho, at) of logarithms at `rhos` in their spline; NaN beyond the ends."""
+def _weights(rhos: np.ndarray, ranges: np.ndarray) -> np.ndarray:
+    """Return weights (rho, range) of logarithms at `rhos` in their spline; NaN beyond the ends."""
     degree = min(3, len(rhos) - 1)
     spline = make_interp_spline(np.log(rhos), np.eye(len(rhos)), k=degree)
-    weights: np.ndarray = spline(np.log(at), extrapolate=False).T
+    weights: np.ndarray = spline(np.log(ranges), extrapolate=False).T
     return weights
 
 
@@ -118,23 +118,26 @@ def force_statistics(forces: np.ndarray, floor: float, sampling: Sampling) -> xr
     mean and the censored fraction by Student's t, those of POOLED by the jackknife. All are NaN
     where all forces are.
     """
-    scans, spheres, contacts = (
+    has_scan, has_sphere, has_contact = (
         np.isfinite(forces).any(axis=axes) for axes in ((1, 2), (0, 2), (0, 1))
     )
-    known = forces[np.ix_(scans, spheres, contacts)]
-    known = known.reshape(scans.sum(), spheres.sum() * contacts.sum())
-    by_scan = xr.DataArray(known, dims=("scan", "contact"))
-    mean = by_scan.mean("contact")
-    below = (by_scan < floor).mean("contact")
-    pooled, confidence = _pooled(known, floor), sampling.confidence
+    finite_forces = forces[np.ix_(has_scan, has_sphere, has_contact)]
+    finite_forces = finite_forces.reshape(has_scan.sum(), has_sphere.sum() * has_contact.sum())
+    scan_forces = xr.DataArray(finite_forces, dims=("scan", "contact"))
+    mean = scan_forces.mean("contact")
+    censored = (scan_forces < floor).mean("contact")
+    pooled, confidence = _pooled(finite_forces, floor), sampling.confidence
     values = dict(zip(POOLED, pooled, strict=True))
-    values |= {"force_mean": float(mean.mean()), "censored_fraction": float(below.mean())}
+    values |= {"force_mean": float(mean.mean()), "censored_fraction": float(censored.mean())}
     ends = dict.fromkeys(STATISTICS, np.full(2, np.nan))
     if sampling.samples:
-        left_out = [_pooled(np.delete(known, scan, axis=0), floor) for scan in range(len(known))]
+        left_out = [
+            _pooled(np.delete(finite_forces, scan, axis=0), floor)
+            for scan in range(len(finite_forces))
+        ]
         ends = dict(zip(POOLED, jackknife_interval(pooled, left_out, confidence), strict=True))
         ends["force_mean"] = student_log_interval(mean, confidence, "scan").values
-        ends["censored_fraction"] = student_interval(below, confidence, "scan").clip(0, 1).values
+        ends["censored_fraction"] = student_interval(censored, confidence, "scan").clip(0, 1).values
     variables: dict[str, Any] = {}
     for name, unit in STATISTICS.items():
         variables |= with_interval(name, (), values[name], ends[name], {"units": unit}, confidence)

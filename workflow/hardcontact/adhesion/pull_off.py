@@ -58,19 +58,21 @@ def pull_off_force(
             "expected a range of adhesion that resolves the relief of the surface, "
             f"found rho = {np.min(rho):g} nm, too small for it"
         )
-    of_a_pixel = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
-    return np.asarray(of_a_pixel * np.asarray(total))
+    pixel_force = work_of_adhesion / np.asarray(rho) * pixel_size**2 * NEWTON_PER_JOULE_M2_NM
+    return np.asarray(pixel_force * np.asarray(total))
 
 
-def opened_total(outside: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
+def opened_total(outside_sum: ArrayLike, gaps: Floats, contact_pixels: int, rho: float) -> Floats:
     """Return the sum (...) of exp(-gap/rho) where 1 (rigid contact) to k pixels touch.
 
-    At this approach every gap is larger by the same length than at that of `outside` (...), of
+    At this approach every gap is larger by the same length than at that of `outside_sum` (...), of
     `outside_sums`, where the pixels of all gaps (..., k), in nm and ascending, touch.
     """
     approach = gaps[..., contact_pixels - 1]
     opened = np.exp((approach[..., None] - gaps[..., contact_pixels:]) / rho).sum(axis=-1)
-    return np.asarray(contact_pixels + opened + outside * np.exp((approach - gaps[..., -1]) / rho))
+    return np.asarray(
+        contact_pixels + opened + outside_sum * np.exp((approach - gaps[..., -1]) / rho)
+    )
 
 
 def gaps_and_totals(
@@ -81,8 +83,10 @@ def gaps_and_totals(
     along_edge = len(bodies.geometry.positions)
     gaps = np.array([contact.gaps for contact in contacts.values()])
     gaps = gaps.reshape(along_edge, along_edge, -1)
-    outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
-    totals = [[opened_total(sums, gaps, count, rho) for sums, rho in outside] for count in counts]
+    sums_outside = list(zip(outside_sums(bodies, contacts, rhos), rhos, strict=True))
+    totals = [
+        [opened_total(sums, gaps, count, rho) for sums, rho in sums_outside] for count in counts
+    ]
     return gaps, np.array(totals)
 
 
@@ -100,11 +104,11 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     positions = bodies.geometry.positions * pixel_size
     beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
     beyond_rigid = {"units": "nm", "long_name": "approach of plastic beyond rigid contact"}
-    by_model = ("contact_model", *CONTACT_AXES)
+    model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
-            "closest_approach": (by_model, approaches, beyond_planes),
+            "closest_approach": (model_axes, approaches, beyond_planes),
             "penetration": (CONTACT_AXES, approaches[1] - approaches[0], beyond_rigid),
             "contact_pixels": ("contact_model", counts, {"units": "1"}),
         },
@@ -171,11 +175,11 @@ def finer_pixel_change(bodies: Bodies, contact: Contact) -> xr.Dataset:
             positions=2 * geometry.positions,
         ),
     )
-    own, halved = (
+    coarse, fine = (
         plastic_forces(pair, [contact], [contact.range]).mean() for pair in (bodies, finer)
     )
     attributes = {"units": "1", "long_name": "force on half as large pixels over that on the own"}
-    change = ((), halved / own, attributes | {"rho": contact.range})
+    change = ((), fine / coarse, attributes | {"rho": contact.range})
     return xr.Dataset({"finer_pixel_change": change})
 
 

@@ -17,7 +17,7 @@ from hardcontact.contact.geometry import Bodies, ContactGeometry, gaps_at
 
 Floats = NDArray[np.float64]
 
-#: Contact pixels of each contact, by its place (i, j) in the array.
+#: Contact pixels of each contact, by its indices (i, j) in the array.
 Contacts = dict[tuple[int, int], LowestGaps]
 
 
@@ -30,57 +30,58 @@ class ContactPixels:
 
     def __init__(self, bodies: Bodies, contacts: Contacts) -> None:
         pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
-        own = {
-            place: np.ravel_multi_index(
-                tuple(((positions[list(place)] + offsets) % pixels).T), (pixels, pixels)
+        touching = {
+            contact: np.ravel_multi_index(
+                tuple(((positions[list(contact)] + offsets) % pixels).T), (pixels, pixels)
             )
-            for place, (_, offsets) in contacts.items()
+            for contact, (_, offsets) in contacts.items()
         }
-        flat = np.unique(np.concatenate(list(own.values())))
+        flat = np.unique(np.concatenate(list(touching.values())))
         self.row, self.column = np.divmod(flat, pixels)
-        self._own = {place: np.searchsorted(flat, pixel) for place, pixel in own.items()}
-        self._gaps = {place: gaps for place, (gaps, _) in contacts.items()}
+        self._own = {contact: np.searchsorted(flat, pixel) for contact, pixel in touching.items()}
+        self._gaps = {contact: gaps for contact, (gaps, _) in contacts.items()}
         self._image_gaps = {
-            place: _image_gaps(bodies, place, offsets) for place, (_, offsets) in contacts.items()
+            contact: _image_gaps(bodies, contact, offsets)
+            for contact, (_, offsets) in contacts.items()
         }
 
     def leave_out(self, terms: Floats, first_row: int = 0) -> None:
         """Set these pixels to zero in the rows of the substrate (k, n) from the first one on."""
-        part = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
-        terms[self.row[part] - first_row, self.column[part]] = 0.0
+        block = slice(*np.searchsorted(self.row, [first_row, first_row + len(terms)]))
+        terms[self.row[block] - first_row, self.column[block]] = 0.0
 
-    def outside(
-        self, place: tuple[int, int], total: float, others: Floats, highest: float, rho: float
+    def outside_sum(
+        self, contact: tuple[int, int], total: float, terms: Floats, highest: float, rho: float
     ) -> float:
-        """Return the sum of exp(-(g + d)/rho) over pixels outside the contact at a place (i, j).
+        """Return the sum of exp(-(g + d)/rho) over pixels outside a contact (i, j).
 
         d is the separation of closest approach. `total` is the sum over all pixels but these, and
-        `others` (pixels,) are the terms of these, overwritten, both at the approach where the
+        `terms` (pixels,) are those of these, overwritten, both at the approach where the
         highest points would meet, whose sum is `highest`.
         """
-        others[self._own[place]] = 0.0
-        approach = self._gaps[place][-1]
-        of_images = np.exp((approach - self._image_gaps[place]) / rho).sum()
-        return float(np.exp((approach + highest) / rho) * (total + others.sum()) + of_images)
+        terms[self._own[contact]] = 0.0
+        approach = self._gaps[contact][-1]
+        image_sum = np.exp((approach - self._image_gaps[contact]) / rho).sum()
+        return float(np.exp((approach + highest) / rho) * (total + terms.sum()) + image_sum)
 
 
-def _image_gaps(bodies: Bodies, place: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
+def _image_gaps(bodies: Bodies, contact: tuple[int, int], offsets: NDArray[np.int_]) -> Floats:
     """Return the gaps (k,) in nm of images, in the window, of contact pixels at offsets."""
     pixels, geometry = bodies.substrate.pixels, bodies.geometry
     reach = -(-geometry.window // (2 * pixels))
-    within, which = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
+    flat, inverse = np.unique(offsets % pixels @ (pixels, 1), return_inverse=True)
     periods = pixels * np.arange(-reach, reach)
-    y, x = (one[:, None] + periods for one in np.divmod(within, pixels))
-    wanted = geometry.inside(y)[:, :, None] & geometry.inside(x)[:, None, :]
+    y, x = (index[:, None] + periods for index in np.divmod(flat, pixels))
+    in_window = geometry.inside(y)[:, :, None] & geometry.inside(x)[:, None, :]
     own_y, own_x = (offsets // pixels + reach).T
-    wanted[which, own_y, own_x] = False
+    in_window[inverse, own_y, own_x] = False
     images = np.stack(np.broadcast_arrays(y[:, :, None], x[:, None, :]), axis=-1)
-    return gaps_at(bodies, geometry.positions[list(place)], images[wanted])
+    return gaps_at(bodies, geometry.positions[list(contact)], images[in_window])
 
 
 #: Sums (contact, contact) over all pixels but those of contacts, and the factor of the sphere at
 #: some pixels (their rows, their columns) of the substrate, seen from a contact (i, j).
-OfSphere = tuple[Floats, Callable[[tuple[int, int]], Floats]]
+SphereTerms = tuple[Floats, Callable[[tuple[int, int]], Floats]]
 
 ROWS = 64  # in a block: small enough for the cache
 
@@ -98,11 +99,11 @@ def _products(
     def block(start: int) -> Floats:
         rows = slice(start, start + ROWS)
         attractions = _attractions(heights[rows], highest, rhos)
-        parts = []
-        for rho, fold, of_columns in zip(rhos, folds, columns, strict=True):
+        products = []
+        for rho, fold, column in zip(rhos, folds, columns, strict=True):
             contact_pixels.leave_out(attractions[rho], start)
-            parts.append(fold[:, rows] @ (attractions[rho] @ of_columns))
-        return np.array(parts)
+            products.append(fold[:, rows] @ (attractions[rho] @ column))
+        return np.array(products)
 
     return np.asarray(sum(block(start) for start in range(0, len(heights), ROWS)))
 
@@ -111,11 +112,11 @@ def _attractions(
     heights: NDArray[np.floating], highest: float, rhos: Sequence[float]
 ) -> dict[float, Floats]:
     """Return `exponential` at every range: at half of another one it is the square of that."""
-    found: dict[float, Floats] = {}
+    attractions: dict[float, Floats] = {}
     for rho in sorted(rhos, reverse=True):
-        longer = found.get(2 * rho)
-        found[rho] = exponential(heights, highest, rho) if longer is None else longer**2
-    return found
+        longer = attractions.get(2 * rho)
+        attractions[rho] = exponential(heights, highest, rho) if longer is None else longer**2
+    return attractions
 
 
 def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
@@ -123,7 +124,9 @@ def folded(pixels: int, geometry: ContactGeometry, rho: float) -> Floats:
     offset = geometry.offsets()
     weight = np.exp(-geometry.paraboloid(offset) / rho)
     positions = geometry.positions
-    return np.array([np.bincount((at + offset) % pixels, weight, pixels) for at in positions])
+    return np.array(
+        [np.bincount((position + offset) % pixels, weight, pixels) for position in positions]
+    )
 
 
 def exponential(heights: NDArray[np.floating], highest: float, rho: float) -> Floats:
@@ -146,22 +149,22 @@ def outside_sums(bodies: Bodies, contacts: Contacts, rhos: Sequence[float] | Flo
     h_max = float(substrate.heights.max())
     t_max = 0.0 if roughness is None else float(roughness.heights.max())
     ranges = [float(rho) for rho in rhos]
-    outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
+    sums_outside = np.empty((len(ranges), *[len(bodies.geometry.positions)] * 2))
     with threadpool_limits(1, "blas"):
-        sphere_terms = _of_smooth_sphere if roughness is None else _of_rough_sphere
+        sphere_terms = _smooth_sphere_terms if roughness is None else _rough_sphere_terms
         sums = sphere_terms(bodies, contact_pixels, h_max, ranges)
         for k, (rho, (total, factor)) in enumerate(zip(ranges, sums, strict=True)):
             attraction = exponential(touching, h_max, rho)
-            for place in contacts:
-                outside[k][place] = contact_pixels.outside(
-                    place, total[place], attraction * factor(place), h_max + t_max, rho
+            for contact in contacts:
+                sums_outside[k][contact] = contact_pixels.outside_sum(
+                    contact, total[contact], attraction * factor(contact), h_max + t_max, rho
                 )
-    return outside
+    return sums_outside
 
 
-def _of_smooth_sphere(
+def _smooth_sphere_terms(
     bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
-) -> Iterator[OfSphere]:
+) -> Iterator[SphereTerms]:
     """Yield, for each range, the sums over all but contact pixels and the factor at these."""
     pixels, row, column = bodies.substrate.pixels, contact_pixels.row, contact_pixels.column
     # G exp((h - h_max)/rho) G^T is a product over both axes, because exp(-s/rho) is one.
@@ -169,15 +172,15 @@ def _of_smooth_sphere(
     totals = _products(bodies.substrate.heights, contact_pixels, h_max, folds, rhos)
     for total, fold in zip(totals, folds, strict=True):
 
-        def factor(place: tuple[int, int], fold: Floats = fold) -> Floats:
-            return np.asarray(fold[place[0], row] * fold[place[1], column])
+        def factor(contact: tuple[int, int], fold: Floats = fold) -> Floats:
+            return np.asarray(fold[contact[0], row] * fold[contact[1], column])
 
         yield total, factor
 
 
-def _of_rough_sphere(
+def _rough_sphere_terms(
     bodies: Bodies, contact_pixels: ContactPixels, h_max: float, rhos: Sequence[float]
-) -> Iterator[OfSphere]:
+) -> Iterator[SphereTerms]:
     """Yield the same of a rough sphere, relative to the highest point t_max of its roughness."""
     assert bodies.roughness is not None
     pixels, positions = bodies.substrate.pixels, bodies.geometry.positions
@@ -188,25 +191,25 @@ def _of_rough_sphere(
     for rho in rhos:
         attraction = exponential(roughness, float(roughness.max()), rho)
         kernel = _kernel(pixels, attraction, bodies.geometry, rho)
-        outside = exponential(bodies.substrate.heights, h_max, rho)
-        contact_pixels.leave_out(outside)
+        terms = exponential(bodies.substrate.heights, h_max, rho)
+        contact_pixels.leave_out(terms)
 
-        def factor(place: tuple[int, int], kernel: Floats = kernel) -> Floats:
-            return np.asarray(kernel.take(rows[place[0]] + columns[place[1]]))
+        def factor(contact: tuple[int, int], kernel: Floats = kernel) -> Floats:
+            return np.asarray(kernel.take(rows[contact[0]] + columns[contact[1]]))
 
-        yield _correlation(outside, kernel, positions), factor
+        yield _correlation(terms, kernel, positions), factor
 
 
 def _kernel(pixels: int, attraction: Floats, geometry: ContactGeometry, rho: float) -> Floats:
     """Return exp((t - t_max - s)/rho) on (n, n) offsets from the apex, summed over its images."""
     period = len(attraction)
     weights = _folded_by_shift(pixels, period, geometry, rho)
-    kernel, place = np.zeros((pixels, pixels)), np.arange(pixels)
+    kernel, columns = np.zeros((pixels, pixels)), np.arange(pixels)
     for start in range(0, pixels, ROWS):
-        rows = place[start : start + ROWS]
+        rows = columns[start : start + ROWS]
         for (shift_y, weight_y), (shift_x, weight_x) in product(weights.items(), repeat=2):
-            seen = attraction[np.ix_((rows + shift_y) % period, (place + shift_x) % period)]
-            kernel[rows] += weight_y[rows, None] * weight_x * seen
+            shifted = attraction[np.ix_((rows + shift_y) % period, (columns + shift_x) % period)]
+            kernel[rows] += weight_y[rows, None] * weight_x * shifted
     return kernel
 
 
@@ -234,7 +237,7 @@ def _correlation(attraction: Floats, kernel: Floats, positions: NDArray[np.int_]
         rows = kernel[start : start + step]
         twice = np.concatenate([rows, rows], axis=1)
         shifted = np.lib.stride_tricks.sliding_window_view(twice, pixels, axis=1)
-        place = np.arange(start, start + len(rows))[:, None] + positions
-        seen = shifted[:, pixels - positions]
-        total += (attraction[place % pixels] @ seen.transpose(0, 2, 1)).sum(axis=0)
+        shifted_rows = np.arange(start, start + len(rows))[:, None] + positions
+        columns = shifted[:, pixels - positions]
+        total += (attraction[shifted_rows % pixels] @ columns.transpose(0, 2, 1)).sum(axis=0)
     return total

@@ -33,13 +33,13 @@ def asperities(
     total = attraction.sum()
     # Pixels of less attraction than the mean of the rest of the force together carry at most the
     # rest: they are not among the fewest pixels that carry the share.
-    rest = (1 - share) * total / attraction.size
-    values = np.sort(attraction[attraction > rest])[::-1]
+    least_attraction = (1 - share) * total / attraction.size
+    values = np.sort(attraction[attraction > least_attraction])[::-1]
     weakest = values[np.searchsorted(np.cumsum(values), share * total)]
     (box,) = ndimage.find_objects((attraction >= weakest).astype(np.int8))
-    part = attraction[box]
-    label, count = ndimage.label(part >= weakest, structure=np.ones((3, 3)))
-    forces = np.sort(np.bincount(label.ravel(), part.ravel())[1:])[::-1] / total
+    box_attraction = attraction[box]
+    label, count = ndimage.label(box_attraction >= weakest, structure=np.ones((3, 3)))
+    forces = np.sort(np.bincount(label.ravel(), box_attraction.ravel())[1:])[::-1] / total
     extent = _diameter(attraction, share, total) * pixel_size
     return forces[0], forces[:2].sum(), count, extent
 
@@ -74,8 +74,8 @@ def asperities_of_pair(
     pixel_size = bodies.geometry.pixel_size
     contact_pixels = contact.pixels(pixel_size)
     carriers = []
-    for place in progress(places, len(places), "contacts"):
-        gap = flattened_gaps(gap_map(bodies, place), contact_pixels)
+    for index in progress(places, len(places), "contacts"):
+        gap = flattened_gaps(gap_map(bodies, index), contact_pixels)
         carriers.append([asperities(np.exp(-gap / rho), share, pixel_size) for rho in ranges])
     values = np.array(carriers)
     return xr.Dataset(

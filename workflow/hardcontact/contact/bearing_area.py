@@ -103,8 +103,8 @@ class _Window:
     def offsets(self, tiles: NDArray[np.int_]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
         """Return the offsets from the apex of the rows and columns of tiles: two (tiles, TILE)."""
         row, column = np.unravel_index(tiles, self.shape)
-        place = np.arange(TILE)
-        return self.offset_y[row][:, None] + place, self.offset_x[column][:, None] + place
+        pixels = np.arange(TILE)
+        return self.offset_y[row][:, None] + pixels, self.offset_x[column][:, None] + pixels
 
     def gaps(self, tiles: NDArray[np.int_]) -> Floats:
         """Return the gaps (tiles, TILE, TILE) in nm, infinite outside the window."""
@@ -140,8 +140,8 @@ def lowest_gaps(
     tiles = tiles[np.argsort(window.bound[tiles])]
     lowest, batch = LowestGaps(np.empty(0), np.empty((0, 2), int)), 8
     while len(tiles) and (len(lowest.gaps) < contact_pixels or window.bound[tiles[0]] <= limit):
-        more = _gaps_up_to(window, tiles[:batch], limit)
-        lowest = _lowest(lowest, more, contact_pixels)
+        candidates = _gaps_up_to(window, tiles[:batch], limit)
+        lowest = _lowest(lowest, candidates, contact_pixels)
         limit = lowest.gaps[-1] if len(lowest.gaps) == contact_pixels else limit
         tiles, batch = tiles[batch:], 2 * batch
     return lowest
@@ -150,8 +150,8 @@ def lowest_gaps(
 def _limit_of_gaps(window: _Window, contact_pixels: int) -> float:
     """Return an upper bound on the N-th smallest gap (nm), N the contact pixels."""
     # The N-th smallest gap of the tiles with the lowest bounds, as many as have N pixels.
-    most = min(-(-contact_pixels // TILE**2), window.bound.size)
-    gaps = window.gaps(np.argpartition(window.bound, most - 1)[:most])
+    tiles = min(-(-contact_pixels // TILE**2), window.bound.size)
+    gaps = window.gaps(np.argpartition(window.bound, tiles - 1)[:tiles])
     return plastic_approach(gaps, contact_pixels) if gaps.size >= contact_pixels else np.inf
 
 

@@ -138,10 +138,10 @@ def _check_equilibrium(solution: Any, system: Any, largest: float) -> None:
     )
 
 
-def _refuse(wrong: bool, what: str) -> None:
+def _refuse(failed: bool, reason: str) -> None:
     """Raise ValueError if something is wrong."""
-    if wrong:
-        raise ValueError(f"expected an elastic contact in equilibrium, found {what}")
+    if failed:
+        raise ValueError(f"expected an elastic contact in equilibrium, found {reason}")
 
 
 UNITS = {
@@ -175,12 +175,13 @@ def elastic_contacts_of_pair(
     peaks = []
     # More threads wait for each other: twice the processor time for the same numbers.
     with threadpool_limits(1, "blas"):
-        for place in progress(places, len(places), "elastic contacts"):
-            gap = gap_map(bodies, place)
-            whole, near = part_around_lowest(gap, period), part_around_lowest(gap, window)
-            pressure, steps = contact_at_load(whole, pixel_size, modulus, contact.preload)
+        for index in progress(places, len(places), "elastic contacts"):
+            gap = gap_map(bodies, index)
+            period_gap = part_around_lowest(gap, period)
+            window_gap = part_around_lowest(gap, window)
+            pressure, steps = contact_at_load(period_gap, pixel_size, modulus, contact.preload)
             rigid, elastic, pull_off_steps = adhesive_pull_off(
-                near, pixel_size, modulus, contact.work, contact.range
+                window_gap, pixel_size, modulus, contact.work, contact.range
             )
             carried = pressure[pressure > 0]
             numbers.append(

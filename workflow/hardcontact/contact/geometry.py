@@ -87,8 +87,8 @@ def sampled_contacts(
     available = contacts_along_edge**2
     if contacts > available:
         raise ValueError(f"expected at most {available} contacts, found {contacts}")
-    drawn = rng.permutation(available)[:contacts]
-    return np.stack(np.divmod(drawn, contacts_along_edge), axis=1)
+    numbers = rng.permutation(available)[:contacts]
+    return np.stack(np.divmod(numbers, contacts_along_edge), axis=1)
 
 
 def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> Bodies:
@@ -141,15 +141,13 @@ def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_
     return np.asarray(gaps)
 
 
-def gap_map(bodies: Bodies, place: tuple[int, int] | NDArray[np.int_]) -> Floats:
+def gap_map(bodies: Bodies, contact: tuple[int, int] | NDArray[np.int_]) -> Floats:
     """Return the gap (window, window) in nm of one contact of the array, at zero approach.
 
     The apex stands at the pixel (window/2, window/2).
     """
     geometry, offset = bodies.geometry, bodies.geometry.offsets()
-    rows, columns = (
-        (geometry.positions[index] + offset) % bodies.substrate.pixels for index in place
-    )
+    rows, columns = ((geometry.positions[i] + offset) % bodies.substrate.pixels for i in contact)
     gap = bodies.sphere(offset, offset)
     gap -= bodies.substrate.heights[np.ix_(rows, columns)]
     return gap

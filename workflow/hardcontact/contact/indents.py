@@ -68,14 +68,14 @@ def indents_of_scans(
 
     loads = [replace(contact, preload=preload) for preload in preloads]
     keys = [(scan, sphere_scan) for scan in substrates for sphere_scan in spheres]
-    parts = {
+    pairs = {
         key: _sizes(brought_together(*key), loads)
         for key in progress(keys, len(keys), "pairs of scans")
     }
-    sizes = stack(parts, ["scan", "sphere_scan"])
+    sizes = stack(pairs, ["scan", "sphere_scan"])
     sizes = sizes.assign_coords(preload=("preload", list(preloads), {"units": "N"}))
-    key, place = _median_contact(sizes)
-    return _with_contact(sizes, brought_together(*key), loads, place).assign_attrs(
+    key, index = _median_contact(sizes)
+    return _with_contact(sizes, brought_together(*key), loads, index).assign_attrs(
         hardness=contact.hardness, sphere_radius=contact.radius
     )
 
@@ -85,7 +85,7 @@ def _contacts(pair: Bodies, loads: Sequence[Contact]) -> list[dict[tuple[int, in
     counts = [load.pixels(pair.geometry.pixel_size) for load in loads]
     largest = all_lowest_gaps(pair, max(counts))
     return [
-        {place: LowestGaps(gaps[:n], offsets[:n]) for place, (gaps, offsets) in largest.items()}
+        {index: LowestGaps(gaps[:n], offsets[:n]) for index, (gaps, offsets) in largest.items()}
         for n in counts
     ]
 
@@ -94,7 +94,10 @@ def _sizes(pair: Bodies, loads: Sequence[Contact]) -> xr.Dataset:
     """Return the indents (preload, contact_y, contact_x) of one pair of scans."""
     sizes = np.array(
         [
-            [indents(one, pair.geometry.pixel_size) for one in contacts.values()]
+            [
+                indents(contact_pixels, pair.geometry.pixel_size)
+                for contact_pixels in contacts.values()
+            ]
             for contacts in _contacts(pair, loads)
         ]
     ).reshape(len(loads), *[len(pair.geometry.positions)] * 2, -1)
@@ -117,10 +120,10 @@ def _median_contact(sizes: xr.Dataset) -> tuple[tuple[int, int], tuple[int, int]
 
 
 def _with_contact(
-    sizes: xr.Dataset, pair: Bodies, loads: Sequence[Contact], place: tuple[int, int]
+    sizes: xr.Dataset, pair: Bodies, loads: Sequence[Contact], index: tuple[int, int]
 ) -> xr.Dataset:
     """Add the indents of one contact at every preload, and the sphere there."""
-    contacts = [of_all[place] for of_all in _contacts(pair, loads)]
+    contacts = [contacts_at_load[index] for contacts_at_load in _contacts(pair, loads)]
     reach = np.arange(-REACH, REACH + 1)
     row, column = contacts[0].offsets[0]
     position = reach * pair.geometry.pixel_size

@@ -55,9 +55,9 @@ def repeated_contacts(
     has the gaps before they were flattened. The depth (window, window) in nm is what the sphere is
     flattened by after it, about the apex; the next contact changes the same array.
     """
-    substrate, whole = as_tiles(bodies.substrate), over_window(bodies)
-    assert whole.roughness is not None
-    roughness = as_tiles(whole.roughness)
+    substrate, wide = as_tiles(bodies.substrate), over_window(bodies)
+    assert wide.roughness is not None
+    roughness = as_tiles(wide.roughness)
     depth = np.zeros((bodies.geometry.window,) * 2)
     for position in np.asarray(positions):
         contact = lowest_gaps(substrate, roughness, bodies.geometry, position, contact_pixels)

@@ -14,9 +14,9 @@ AXES = ("side", "surface", "cutoff_wavelength")
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
     """Return the cutoffs (nm), growing, at which any value (..., cutoff_wavelength) is known."""
-    others = [dim for dim in values.dims if dim != "cutoff_wavelength"]
-    known = values["cutoff_wavelength"].values[values.notnull().any(others).values]
-    return np.sort(known)
+    dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
+    cutoffs = values["cutoff_wavelength"].values[values.notnull().any(dimensions).values]
+    return np.sort(cutoffs)
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
@@ -39,7 +39,7 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
-    sampled = np.stack(
+    samples_of_ratio = np.stack(
         [
             student_log_samples(
                 sampling.generator("scales", str(surface)),
@@ -50,22 +50,22 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
         ],
         axis=2,
     )
-    change, changes = _changes(ratio), _changes(sampled)
+    change, changes = _changes(ratio), _changes(samples_of_ratio)
     cutoffs = scales.cutoff_wavelength.values
     ends = scales.unfiltered_wavelength.transpose("side", "surface").values
     ends = np.concatenate([ends, ends.mean(axis=1, keepdims=True)], axis=1)
     critical = _critical_wavelengths(ends, cutoffs, ratio[None], tolerance)[0]
-    known = np.isfinite(change)
+    finite = np.isfinite(change)
     last = np.where(
         ends < cutoffs[0],
-        np.where(known, cutoffs, -np.inf).max(axis=-1),
-        np.where(known, cutoffs, np.inf).min(axis=-1),
+        np.where(finite, cutoffs, -np.inf).max(axis=-1),
+        np.where(finite, cutoffs, np.inf).min(axis=-1),
     )
-    critical_samples = _critical_wavelengths(ends, cutoffs, sampled, tolerance)
+    critical_samples = _critical_wavelengths(ends, cutoffs, samples_of_ratio, tolerance)
     stays = np.isnan(critical_samples) & np.isfinite(changes).any(axis=-1)
     critical_samples = np.where(stays, last, critical_samples)
     variables = [
-        ("scale_ratio", AXES, ratio, sampled, "1", "pull-off force over that unfiltered"),
+        ("scale_ratio", AXES, ratio, samples_of_ratio, "1", "pull-off force over that unfiltered"),
         (
             "scale_change", ("side", "group", "cutoff_wavelength"), change, changes,
             "1", "relative change of the pull-off force, up or down",
@@ -75,17 +75,17 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
             "nm", "cutoff where the force leaves its tolerance",
         ),
     ]  # fmt: skip
-    found: dict[str, Any] = {}
+    bands: dict[str, Any] = {}
     for name, dimensions, value, samples, units, long_name in variables:
         attributes = {"units": units, "long_name": long_name}
-        found |= sampling.with_interval(name, dimensions, value, samples, attributes)
+        bands |= sampling.with_interval(name, dimensions, value, samples, attributes)
     coordinates = {
         "side": scales.side.values,
         "surface": scales.surface.values,
         "group": [*scales.surface.values.tolist(), POOLED],
         "cutoff_wavelength": scales.cutoff_wavelength,
     }
-    return xr.Dataset(found, coordinates)
+    return xr.Dataset(bands, coordinates)
 
 
 def _changes(ratios: np.ndarray) -> np.ndarray:
@@ -112,10 +112,10 @@ def critical_wavelength(
     outside = np.flatnonzero((curve < lower) | (curve > upper))
     if not len(outside):
         return np.nan
-    last, first = outside[0] - 1, outside[0]
-    limit = upper if curve[first] > upper else lower
-    share = (limit - curve[last]) / (curve[first] - curve[last])
-    return float(np.exp(np.log(cutoffs[last]) + share * np.log(cutoffs[first] / cutoffs[last])))
+    before, after = outside[0] - 1, outside[0]
+    limit = upper if curve[after] > upper else lower
+    share = (limit - curve[before]) / (curve[after] - curve[before])
+    return float(np.exp(np.log(cutoffs[before]) + share * np.log(cutoffs[after] / cutoffs[before])))
 
 
 def _critical_wavelengths(
@@ -126,12 +126,12 @@ def _critical_wavelengths(
     limits = [logarithmic_limits(tolerance)] * ratios.shape[2] + [(-np.inf, tolerance)]
     wavelengths = np.full(curves.shape[:3], np.nan)
     for n, s, g in np.ndindex(wavelengths.shape):
-        known = np.flatnonzero(np.isfinite(curves[n, s, g]))
-        order = known if ends[s, g] < cutoffs[0] else known[::-1]
+        finite = np.flatnonzero(np.isfinite(curves[n, s, g]))
+        order = finite if ends[s, g] < cutoffs[0] else finite[::-1]
         # Without a filter the curve is zero.
         curve = np.append(0.0, curves[n, s, g, order])
-        from_end = np.append(ends[s, g], cutoffs[order])
-        wavelengths[n, s, g] = critical_wavelength(from_end, curve, limits[g])
+        wavelengths_from_end = np.append(ends[s, g], cutoffs[order])
+        wavelengths[n, s, g] = critical_wavelength(wavelengths_from_end, curve, limits[g])
     return wavelengths
 
 
@@ -163,22 +163,22 @@ def described_edge(curve: Curve) -> dict[str, Any]:
     ``interval_status`` (2,) say whether an edge was found, or what it lies beyond.
     """
     cutoffs, small = curve.cutoffs, curve.side == "small"
-    value, least, greatest = curve.values
+    value, low, high = curve.values
     edge, bound, at_least, status = np.nan, np.nan, False, "found"
-    first = _first_outside(curve, value, value)
-    if 0 < first < len(cutoffs):
+    crossing = _first_outside(curve, value, value)
+    if 0 < crossing < len(cutoffs):
         edge = critical_wavelength(cutoffs, value, curve.limits)
     else:
-        bound = float(cutoffs[0] if first == 0 else cutoffs[-1])
-        at_least = small == (first > 0)
+        bound = float(cutoffs[0] if crossing == 0 else cutoffs[-1])
+        at_least = small == (crossing > 0)
         # Cutoffs between cell/sqrt(2) and the cell all act on its longest waves alone: beyond a
         # bound there, no other cutoff could tell more.
         at_end = at_least and bound > curve.cell / np.sqrt(2)
         status = "beyond the cell" if at_end else "beyond the cutoffs"
     # Before the first cutoff and after the last one an end is open.
-    known = np.concatenate([[np.nan], cutoffs, [np.nan]])
-    begins, ends = _first_outside(curve, greatest, least), _first_outside(curve, least, greatest)
-    interval = np.array([known[begins], known[ends + 1] if ends else np.nan])
+    bounds = np.concatenate([[np.nan], cutoffs, [np.nan]])
+    begins, ends = _first_outside(curve, high, low), _first_outside(curve, low, high)
+    interval = np.array([bounds[begins], bounds[ends + 1] if ends else np.nan])
     if np.isnan(curve.values).any():
         interval = np.full(2, np.nan)
     interval = interval if small else interval[::-1]

@@ -54,8 +54,8 @@ def forces_at_cutoffs(
     """
     side, pixels, cutoffs = filters
     surfaces = filtered_series(master, side, [None, *cutoffs], pixels)
-    each = (forces(surface) for surface in surfaces)
-    unfiltered, *filtered = progress(each, 1 + len(cutoffs), "cutoffs")
+    results = (forces(surface) for surface in surfaces)
+    unfiltered, *filtered = progress(results, 1 + len(cutoffs), "cutoffs")
     end = 2 * master.size / pixels if side == "small" else master.size
     nanometres = {"units": "nm", "long_name": "end of the unfiltered spectrum"}
     cutoff_axis = (("cutoff_wavelength",), np.asarray(cutoffs, float), {"units": "nm"})
@@ -105,11 +105,11 @@ def filtered_pull_off(
     rhos = list(ranges or [contact.range])
 
     def forces(surface: HeightMap) -> np.ndarray:
-        pairs = [bodies(surface, sphere, under_sphere) for under_sphere in spheres]
+        pairs = [bodies(surface, sphere, sphere_contact) for sphere_contact in spheres]
         return np.array([plastic_forces(pair, contacts, rhos) for pair in pairs])
 
     nm, places = {"units": "nm"}, np.arange(contact.count)
-    axes: dict[str, Axis] = {"radius": (("radius",), [one.radius for one in spheres], nm)}
+    axes: dict[str, Axis] = {"radius": (("radius",), [probe.radius for probe in spheres], nm)}
     axes |= load_axis(contacts) | range_axis(rhos)
     axes |= {axis: ((axis,), places, {}) for axis in CONTACT_AXES}
     areas = ("load", [load.area for load in contacts], {"units": "nm2"})

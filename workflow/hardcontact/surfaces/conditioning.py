@@ -79,11 +79,11 @@ def scan_targets(
     moments = np.array(spectrum.attrs["expected_scan_moments"])
     same_size = math.isclose(grid.size, size)
     same_pixels = same_size and grid.pixels == pixels
-    same = np.array([same_size, same_pixels, same_pixels])
-    if not same.all():
+    is_same = np.array([same_size, same_pixels, same_pixels])
+    if not is_same.all():
         density = spectrum_from(spectrum)
         weights = transfer_weights(4 * grid.pixels, grid.pixel_size, grid.pixels)
-        moments = np.where(same, moments, expected_moments(density, weights))
+        moments = np.where(is_same, moments, expected_moments(density, weights))
     height = table1.loc["afm_rms_height"]
     calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])
     names = "rms_height", *(DEFINITIONS[definitions[key]] for key in ("slope", "curvature"))
@@ -93,17 +93,17 @@ def scan_targets(
             for name, moment in zip(names, moments, strict=True)
         },
         float(moments[0] * height["uncertainty"] / height["value"]),
-        tuple(row for row, met in zip(AFM_ROWS, same, strict=True) if met and row in calibrated),
+        tuple(row for row, met in zip(AFM_ROWS, is_same, strict=True) if met and row in calibrated),
     )
 
 
-def group_heights(drawn: Floats, mean: float, deviation: float) -> Floats:
+def group_heights(heights: Floats, mean: float, deviation: float) -> Floats:
     """Return rms heights (scan,) with a mean and a standard deviation (ddof 1), from drawn ones.
 
     They keep their order and their relative distances; a single scan gets the mean.
     """
-    deviations = drawn - drawn.mean()
-    if len(drawn) > 1:
+    deviations = heights - heights.mean()
+    if len(heights) > 1:
         deviations *= deviation / deviations.std(ddof=1)
     return np.asarray(mean + deviations)
 
@@ -115,11 +115,11 @@ def band_shares(grid: ScanGrid) -> Floats:
     with two pixels, and two pixels, as sin² in the logarithm of the wavelength.
     """
     longest, shortest = grid.size, 2 * grid.pixel_size
-    place = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
-    first, second = (
-        np.sin(np.pi / 2 * np.clip(2 * place - step, 0, 1)) ** 2 for step in range(BANDS - 1)
+    position = np.log(longest * WAVEVECTORS / (2 * np.pi)) / np.log(longest / shortest)
+    long_step, short_step = (
+        np.sin(np.pi / 2 * np.clip(2 * position - step, 0, 1)) ** 2 for step in range(BANDS - 1)
     )
-    return np.array([1 - first, first - second, second])
+    return np.array([1 - long_step, long_step - short_step, short_step])
 
 
 def amplified(density: Density, gain: Floats) -> Density:
@@ -144,13 +144,13 @@ def second_moments(bands: Sequence[HeightMap], names: Sequence[str]) -> Floats:
         values = metrics(replace(bands[0], heights=heights))
         return np.array([values[name] ** 2 for name in names])
 
-    own = [squares(band.heights) for band in bands]
+    powers = [squares(band.heights) for band in bands]
     matrices = np.zeros((len(names), len(bands), len(bands)))
     for i in range(len(bands)):
-        matrices[:, i, i] = own[i]
+        matrices[:, i, i] = powers[i]
         for j in range(i):
-            both = squares(bands[i].heights + bands[j].heights)
-            matrices[:, i, j] = matrices[:, j, i] = (both - own[i] - own[j]) / 2
+            power_of_sum = squares(bands[i].heights + bands[j].heights)
+            matrices[:, i, j] = matrices[:, j, i] = (power_of_sum - powers[i] - powers[j]) / 2
     return matrices
 
 

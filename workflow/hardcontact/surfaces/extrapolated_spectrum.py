@@ -106,15 +106,17 @@ def _bounded(density: Floats) -> tuple[int, str]:
         square = density * WAVEVECTORS**power / divisor / (2 * np.pi)
         return np.sqrt(cumulative_trapezoid(square, LOG_WAVEVECTORS, initial=0))
 
-    beyond = {
+    exceeded = {
         "gradient": rms(4, 1) > GRADIENT,
         "half_laplacian": rms(6, 4) > HALF_LAPLACIAN,
         "atoms": density == 0,
     }
     # An appended True stands after the last wave, where no wave is beyond a bound.
-    first = {bound: int(np.argmax(np.append(waves, True))) for bound, waves in beyond.items()}
-    ended_by = min(first, key=first.__getitem__)
-    return first[ended_by] - 1, ended_by
+    first_exceeded = {
+        bound: int(np.argmax(np.append(waves, True))) for bound, waves in exceeded.items()
+    }
+    ended_by = min(first_exceeded, key=first_exceeded.__getitem__)
+    return first_exceeded[ended_by] - 1, ended_by
 
 
 def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) -> Floats:
@@ -122,8 +124,8 @@ def with_rolloff(density: Floats, longest: float, slope: float, rolloff: float) 
 
     It rises with d ln C/d ln q = `slope`, held within STEEPEST and 0, up to the roll-off (nm).
     """
-    beyond = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
-    rise = np.minimum(beyond, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST, 0.0)
+    relative = np.maximum(2 * np.pi / WAVEVECTORS / longest, 1.0)
+    rise = np.minimum(relative, max(rolloff / longest, 1.0)) ** -np.clip(slope, STEEPEST, 0.0)
     return np.asarray(density * rise)
 
 
@@ -157,15 +159,15 @@ class LongWaves:
     ) -> None:
         """Take all scans of a surface, their `measured_psd` (scan, bins) in nm⁴ and their bands."""
         longest = max(band.longest for band in bands)
-        widest = [place for place, band in enumerate(bands) if band.longest == longest]
+        widest = [number for number, band in enumerate(bands) if band.longest == longest]
         self.kind = scans[widest[0]].kind
         self.size = size_of(scans[widest[0]])
         self.count = len(widest)
-        heights = [np.asarray(levelled_topography(scans[place]).heights()) for place in widest]
+        heights = [np.asarray(levelled_topography(scans[number]).heights()) for number in widest]
         #: The mean variance of the levelled heights in nm².
         self.variance = float(np.mean([float(values.var()) for values in heights]))
         self._density = np.nan_to_num(densities[widest]).mean(axis=0)
-        shortest = min(bands[place].shortest for place in widest)
+        shortest = min(bands[number].shortest for number in widest)
         self._unreliable = 2 * np.pi / BIN_CENTRES < shortest
         self._share = levelled_share(WAVEVECTORS, self.size, self.kind)
 
@@ -186,8 +188,8 @@ class LongWaves:
             ]
         )
         posterior = np.exp(likelihood - likelihood.max())
-        below = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
-        return float(np.exp(np.interp(probability, below, np.log(rolloffs))))
+        cumulative = (np.cumsum(posterior) - posterior / 2) / posterior.sum()
+        return float(np.exp(np.interp(probability, cumulative, np.log(rolloffs))))
 
     def _log_likelihood(self, density: Floats) -> float:
         """Return the logarithm of the likelihood of the variance, less a constant."""
@@ -202,6 +204,6 @@ class LongWaves:
         # Heights that are not of the surface, at wavelengths too short to be reliable, are added.
         excess = self._density - np.interp(BIN_CENTRES, WAVEVECTORS, density)
         noise = (np.maximum(excess, 0) * BIN_CENTRES**2)[self._unreliable].sum() * BIN / (2 * np.pi)
-        expected = np.trapezoid(power, LOG_WAVEVECTORS) + noise
-        shape = expected**2 / np.trapezoid(power**2 / number, LOG_WAVEVECTORS) * self.count
-        return float(stats.gamma.logpdf(self.variance, shape, scale=expected / shape))
+        expected_variance = np.trapezoid(power, LOG_WAVEVECTORS) + noise
+        shape = expected_variance**2 / np.trapezoid(power**2 / number, LOG_WAVEVECTORS) * self.count
+        return float(stats.gamma.logpdf(self.variance, shape, scale=expected_variance / shape))

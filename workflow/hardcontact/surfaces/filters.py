@@ -153,24 +153,24 @@ def filtered_series(
     size = master.size
     limits = [None if cutoff is None else _limit(master, cutoff) for cutoff in cutoffs]
     highest = max((int(limit) for limit in limits if limit is not None), default=None)
-    whole = master
+    unfiltered = master
     if side == "large" or None in cutoffs:
         _check_finer(master.pixels, pixels)
         if master.pixels != pixels:
-            whole = interpolate(master, pixels)
+            unfiltered = interpolate(master, pixels)
     elif highest is not None:
         _check_finer(2 * highest + 2, pixels)
-    whole = replace(whole, pixel_size=size / pixels)
+    unfiltered = replace(unfiltered, pixel_size=size / pixels)
     if highest is not None:
         transform = _lowest_orders(master, highest)
         transform *= (pixels / master.pixels) ** 2
         heights = np.empty((pixels, pixels), np.float32)
     for limit in limits:
         if limit is None:
-            yield whole
+            yield unfiltered
             continue
         for rows, band in _inverse(_with_orders(_longer_waves(transform, limit), pixels)):
             heights[rows] = band
             if side == "large":
-                np.subtract(whole.heights[rows], heights[rows], out=heights[rows])
-        yield replace(whole, heights=heights)
+                np.subtract(unfiltered.heights[rows], heights[rows], out=heights[rows])
+        yield replace(unfiltered, heights=heights)

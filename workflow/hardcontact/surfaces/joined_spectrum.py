@@ -78,13 +78,13 @@ def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]
     data = _Data(radii, densities, waves, bands, LongWaves(measurements, densities, bands))
     count = int(data.reliable(bands).any(axis=0).sum())
     if count < FEWEST:
-        found = "; ".join(
+        listing = "; ".join(
             f"{measurement.path} {measurement.dataset}".strip() + f" {band}"
             for measurement, band in zip(measurements, bands, strict=True)
         )
         raise ValueError(
             f"expected measurements that are reliable in at least {FEWEST} bins of wavelengths "
-            f"(ten a decade), found {count}: {found}"
+            f"(ten a decade), found {count}: {listing}"
         )
     return data
 
@@ -119,8 +119,8 @@ def joined_spectrum(
     points = smoothed(*_log_mean(reliable, data.densities, data.waves))
     joined = np.where(reliable.any(axis=0), Spectrum(*points[:2])(BIN_CENTRES), np.nan)
     spectrum, tail, rolloff = _continued(points, data.long_waves, probability=0.5)
-    used = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
-    described = [
+    used_bands = [band for band, bins in zip(data.bands, reliable, strict=True) if bins.any()]
+    descriptions = [
         {
             "kind": measurement.kind,
             "size": size_of(measurement),
@@ -136,12 +136,12 @@ def joined_spectrum(
         for measurement, radius, band in zip(measurements, data.radii, data.bands, strict=True)
     ]
     return _with_measurements(
-        spectrum_dataset(spectrum), joined, data.densities, reliable, described
+        spectrum_dataset(spectrum), joined, data.densities, reliable, descriptions
     ).assign_attrs(
         basis="measured",
         calibrated_to_table1="",
-        shortest_measured=min(band.shortest for band in used),
-        longest_measured=max(band.longest for band in used),
+        shortest_measured=min(band.shortest for band in used_bands),
+        longest_measured=max(band.longest for band in used_bands),
         rolloff=rolloff,
         **tail._asdict(),
     )
@@ -200,8 +200,8 @@ def smoothed(
     B 40 (1978) 364). With random numbers one of the curves is drawn. The variance returned is that
     of these curves and of the calibration.
     """
-    known = np.flatnonzero(np.isfinite(joined))
-    bins = slice(known[0], known[-1] + 1)
+    finite = np.flatnonzero(np.isfinite(joined))
+    bins = slice(finite[0], finite[-1] + 1)
     weight = np.where(np.isfinite(joined), 1 / variance, 0.0)[bins]
     count, change = len(weight), KINK * np.sqrt(BIN / np.log(10))
     bends = np.diff(np.eye(count), n=2, axis=0) / (BIN * change)
@@ -237,7 +237,7 @@ def _with_measurements(
     measurements: Sequence[Mapping[Any, Any]],
 ) -> xr.Dataset:
     """Return a spectrum with its measurements, as lists of their words and lengths in nm."""
-    both, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
+    axes, axis = ("measurement", "bin_wavevector"), "bin_wavevector"
     columns = {
         name: (
             "measurement",
@@ -248,8 +248,8 @@ def _with_measurements(
     }
     return spectrum.assign(
         {
-            "psd": (both, psds, {"units": "nm4", "long_name": "isotropic PSD"}),
-            "reliable": (both, reliable.astype("int8"), {"long_name": "1 where it is reliable"}),
+            "psd": (axes, psds, {"units": "nm4", "long_name": "isotropic PSD"}),
+            "reliable": (axes, reliable.astype("int8"), {"long_name": "1 where it is reliable"}),
             **columns,
             "joined": (axis, joined, {"units": "nm4", "long_name": "joined PSD"}),
         }
@@ -264,32 +264,34 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     band is known.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
-    known = bands[bands.basis.isin(KNOWN)]
-    if known.empty:
+    known_bands = bands[bands.basis.isin(KNOWN)]
+    if known_bands.empty:
         raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
-    before = known.shift()
-    begins = (known.longest_nm != before.shortest_nm) | (known.source != before.source)
-    runs = known.groupby(begins.cumsum()).agg(
+    previous = known_bands.shift()
+    has_gap = known_bands.longest_nm != previous.shortest_nm
+    begins = has_gap | (known_bands.source != previous.source)
+    runs = known_bands.groupby(begins.cumsum()).agg(
         shortest_reliable=("shortest_nm", "last"),
         longest_reliable=("longest_nm", "first"),
         notes=("source", "first"),
     )
     longest = runs.longest_reliable.clip(upper=2 * np.pi / WAVEVECTORS[0])  # as in the table
-    described = runs.assign(
+    descriptions = runs.assign(
         longest_reliable=longest, kind="description", path=path, dataset="", limited_by="source"
     ).assign(**dict.fromkeys(("size", "pixel_size", "tip_radius"), np.nan))
     wavelength, density = 2 * np.pi / BIN_CENTRES, spectrum_from(stored)(BIN_CENTRES)
-    shortest, longest = described[["shortest_reliable", "longest_reliable"]].to_numpy().T[..., None]
+    ends = descriptions[["shortest_reliable", "longest_reliable"]].to_numpy()
+    shortest, longest = ends.T[..., None]
     reliable = (shortest < wavelength) & (wavelength <= longest)
     joined = np.where(reliable.any(axis=0), density, np.nan)
     psds = np.where(reliable, density, np.nan)
     return _with_measurements(
-        stored[["spectrum"]], joined, psds, reliable, described.to_dict("records")
+        stored[["spectrum"]], joined, psds, reliable, descriptions.to_dict("records")
     ).assign_attrs(
         basis="substitute",
         calibrated_to_table1=stored.attrs["calibrated_to_table1"],
-        shortest_measured=described.shortest_reliable.min(),
-        longest_measured=described.longest_reliable.max(),
+        shortest_measured=descriptions.shortest_reliable.min(),
+        longest_measured=descriptions.longest_reliable.max(),
         **Tail()._asdict(),
         rolloff=np.nan,
     )

@@ -47,8 +47,8 @@ def read_in_child(
     if path.is_dir():
         raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
     if not path.is_file():
-        found = "no regular file" if path.exists() else "no such file"
-        raise ValueError(f"{path}: expected a scan, found {found}")
+        reason = "no regular file" if path.exists() else "no such file"
+        raise ValueError(f"{path}: expected a scan, found {reason}")
     size = path.stat().st_size
     if not 0 < size <= MAX_FILE:
         raise ValueError(f"{path}: expected a scan of 1 to {MAX_FILE} bytes, found {size}")

@@ -71,9 +71,9 @@ def axis_ratio(measurement: Measurement) -> Floats:
     if measurement.kind != "map":
         return np.ones(len(BIN_CENTRES))
     levelled = _levelled_map(measurement)
-    along = profile_psd(library_map(levelled))
-    across = profile_psd(library_map(replace(levelled, heights=levelled.heights.T)))
-    ratio = np.maximum(along / across, across / along)
+    profile_x = profile_psd(library_map(levelled))
+    profile_y = profile_psd(library_map(replace(levelled, heights=levelled.heights.T)))
+    ratio = np.maximum(profile_x / profile_y, profile_y / profile_x)
     return np.asarray(np.where(np.isfinite(ratio), ratio, 1.0), float)
 
 
@@ -140,12 +140,12 @@ def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -
     neither amplified nor made negative. `waves` (bins,) are numbers of independent ones. Both
     densities are NaN in empty bins.
     """
-    known = np.isfinite(profile)
-    log_q = np.log(wavevector[known])
-    smooth, last_slope = _falling(log_q, np.log(profile[known]), waves[known])
+    finite = np.isfinite(profile)
+    log_q = np.log(wavevector[finite])
+    smooth, last_slope = _falling(log_q, np.log(profile[finite]), waves[finite])
     density = np.full(profile.shape, np.nan)
     ratio = _inverse_abel(log_q, smooth, min(last_slope, FLATTEST)) / np.exp(smooth)
-    density[known] = profile[known] * ratio
+    density[finite] = profile[finite] * ratio
     return density
 
 

@@ -98,21 +98,21 @@ def with_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) ->
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
     """Return wavelengths (nm) at which the shape of the spectrum ends the band, with LIMITS."""
-    seen = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
-    q, variance = BIN_CENTRES[seen], variance_of_log(independent_waves(measurement)[seen])
-    slope, error = local_slopes(q, density[seen], variance)
-    differs = axis_ratio(measurement)[seen] > ALIKE
+    mask = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
+    q, variance = BIN_CENTRES[mask], variance_of_log(independent_waves(measurement)[mask])
+    slope, error = local_slopes(q, density[mask], variance)
+    differs = axis_ratio(measurement)[mask] > ALIKE
     smoothed = slope + ERRORS * error < np.where(differs, SELF_AFFINE, FACETS)
     flat = slope - ERRORS * error > FLATTEST
 
     unsmoothed = _without_smoothed(smoothed, len(q))
     risen = _without_floor(flat, unsmoothed)
-    last = _without_smoothed(smoothed, risen)
+    end = _without_smoothed(smoothed, risen)
     ends = []
     if risen < unsmoothed:
         ends.append((_end(q, risen), "noise"))
-    if last < risen or unsmoothed < len(q) and risen == unsmoothed:
-        ends.append((_end(q, last), "smoothing"))
+    if end < risen or unsmoothed < len(q) and risen == unsmoothed:
+        ends.append((_end(q, end), "smoothing"))
     return ends
 
 
@@ -127,10 +127,10 @@ def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:
 
 def _without_floor(flat: NDArray[np.bool_], count: int) -> int:
     """Return how many of the first `count` bins are left without a floor at their end."""
-    left = count
-    while left and flat[left - 1]:
-        left -= 1
-    return left if left == count else max(left - MARGIN, 0)
+    kept_bins = count
+    while kept_bins and flat[kept_bins - 1]:
+        kept_bins -= 1
+    return kept_bins if kept_bins == count else max(kept_bins - MARGIN, 0)
 
 
 def _end(wavevector: Floats, count: int) -> float:

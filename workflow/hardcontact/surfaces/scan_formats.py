@@ -159,14 +159,14 @@ def _entry(scan: dict[str, Any]) -> dict[str, Any]:
 
 def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
     """Return what is said of the one scan of this name or data file."""
-    chosen = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
-    if len(chosen) != 1:
+    named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
+    if len(named_entries) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)
         raise RefusedFile(
             "expected the column dataset to name one scan, "
-            f"found {len(chosen)} of {dataset!r} among {scans}"
+            f"found {len(named_entries)} of {dataset!r} among {scans}"
         )
-    return chosen[0]
+    return named_entries[0]
 
 
 def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any, list[str]]:
@@ -183,7 +183,7 @@ def _height_channel(reader: Any, entry: dict[str, Any], name: str) -> tuple[Any,
     names = ", ".join(channel.name for channel in channels)
     if name and len(channels) > 1:  # Else there is nothing to choose.
         numbered = enumerate(channels, 1)
-        channels = [channel for place, channel in numbered if name in (channel.name, str(place))]
+        channels = [channel for index, channel in numbered if name in (channel.name, str(index))]
         if not channels:
             raise RefusedFile(
                 f"expected one of the channels {names}, or its number from 1; found {name!r}"
@@ -213,18 +213,18 @@ def _topography(channel: Any, stated: dict[str, Any]) -> tuple[Any, list[str]]:
             "the file is damaged, or its format has none"
         )
     # A height scale that the file has already would calibrate it twice.
-    used: dict[str, Any] = {}
+    arguments: dict[str, Any] = {}
     for argument, key in STATED.items():
         value = size if argument == "physical_sizes" else stated.get(key)
         if value is not None:
             with suppress(MetadataAlreadyFixedByFile):
-                channel.topography(**used | {argument: value})
-                used[argument] = value
-    words = [f"{STATED[argument]} {value}" for argument, value in used.items()]
-    topography = channel.topography(**used)
+                channel.topography(**arguments | {argument: value})
+                arguments[argument] = value
+    words = [f"{STATED[argument]} {value}" for argument, value in arguments.items()]
+    topography = channel.topography(**arguments)
     is_text_line = isinstance(channel.reader, XYZReader) and topography.dim == 1
     if is_text_line and (
         abs(topography.physical_sizes[0]) <= COARSE_SPACING * topography.nb_grid_pts[0]
     ):
-        topography = channel.reader._read(tol=0, **used)
+        topography = channel.reader._read(tol=0, **arguments)
     return topography, words

@@ -90,15 +90,15 @@ def map_values(topography: Any, factor: float, undefined_pixels: str) -> dict[st
     columns, rows = heights.shape
     if rows != columns:
         edge = min(rows, columns)
-        left, low = (columns - edge) // 2, (rows - edge) // 2
-        heights = heights[left : left + edge, low : low + edge]
+        first_column, first_row = (columns - edge) // 2, (rows - edge) // 2
+        heights = heights[first_column : first_column + edge, first_row : first_row + edge]
         notes.append(f"cropped from {columns} x {rows} to {edge} x {edge} pixels")
     undefined, gaps = _undefined(heights, undefined_pixels)
-    filled = heights.data
+    values = heights.data
     if undefined:
         holed = Topography(heights, heights.shape)
-        filled = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
-    return _fields(filled.T * factor, pixel_size, notes + gaps, undefined)
+        values = np.asarray(holed.interpolate_undefined_data(undefined_pixels).heights())
+    return _fields(values.T * factor, pixel_size, notes + gaps, undefined)
 
 
 def _square_pixels(

@@ -208,9 +208,9 @@ def profile_points(wavevector: Floats, wavelengths: Floats, profile: Floats) -> 
     points, level = np.log(2 * np.pi / wavelengths), np.log(profile)
     hurst = (-np.polyfit(points, level, 1)[0] - 1) / 2
     order = np.argsort(points)
-    points, level, place = points[order], level[order], np.log(wavevector)
+    points, level, position = points[order], level[order], np.log(wavevector)
     # The first and the last segment continue beyond the points.
-    segment = np.clip(np.searchsorted(points, place) - 1, 0, len(points) - 2)
+    segment = np.clip(np.searchsorted(points, position) - 1, 0, len(points) - 2)
     slope = np.diff(level)[segment] / np.diff(points)[segment]
-    density: Floats = np.exp(level[segment] + slope * (place - points[segment]))
+    density: Floats = np.exp(level[segment] + slope * (position - points[segment]))
     return density / profile_from_isotropic_power_law(wavevector, hurst)

@@ -148,15 +148,15 @@ def _eroded(heights: Floats, depth: Floats, axis: int) -> Floats:
     """Return `scipy.ndimage.grey_erosion` by a parabola along an axis, in less time."""
     lines, reach = heights.swapaxes(axis, 1), len(depth) - 1
     lowest = np.empty_like(lines)
-    for first in range(0, len(lines), LINES):
-        wide = np.pad(lines[first : first + LINES], ((0, 0), (reach, reach)), "wrap")
+    for start in range(0, len(lines), LINES):
+        wide = np.pad(lines[start : start + LINES], ((0, 0), (reach, reach)), "wrap")
         shifted = sliding_window_view(wide, lines.shape[1], axis=1)
-        least = shifted[:, reach].copy()
+        eroded = shifted[:, reach].copy()
         for step in range(1, reach + 1):
             nearest = np.minimum(shifted[:, reach - step], shifted[:, reach + step])
             nearest += depth[step]
-            np.minimum(least, nearest, out=least)
-        lowest[first : first + LINES] = least
+            np.minimum(eroded, nearest, out=eroded)
+        lowest[start : start + LINES] = eroded
     return lowest.swapaxes(axis, 1)
 
 

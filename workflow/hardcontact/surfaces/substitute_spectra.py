@@ -120,8 +120,10 @@ def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> 
         }
 
     def mismatch(solution: Floats) -> Floats:
-        filled = dict(band) | parameters(solution)
-        table = Spectrum(WAVEVECTORS, model(WAVEVECTORS, *(filled[name] for name in names)))
+        band_parameters = dict(band) | parameters(solution)
+        table = Spectrum(
+            WAVEVECTORS, model(WAVEVECTORS, *(band_parameters[name] for name in names))
+        )
         return np.asarray(np.log(expected_moments(table, weights) / values))
 
     start = {
@@ -178,8 +180,8 @@ def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tup
     possible = [
         end for end in ends if excess(0, TAIL_HURST[0], end) > 0 > excess(0, TAIL_HURST[1], end)
     ]
-    reached = [excess(1, hurst_of(end), end) for end in possible]
-    if not reached or not reached[0] < 0 < reached[-1]:
+    excesses = [excess(1, hurst_of(end), end) for end in possible]
+    if not excesses or not excesses[0] < 0 < excesses[-1]:
         raise refusal
     shortest = brentq(
         lambda end: excess(1, hurst_of(end), end), possible[0], possible[-1], xtol=1e-14
