@@ -6,6 +6,7 @@ After a quick study, this renews the costs from its benchmarks:
 
 import csv
 import sys
+from collections import defaultdict
 from pathlib import Path
 from statistics import mean, median
 from typing import NamedTuple
@@ -27,44 +28,40 @@ def read_stages() -> dict[str, Stage]:
         return {row["rule"]: Stage(float(row["seconds"]), row["name"]) for row in rows}
 
 
+def _name_in_table(rule: str, stages: dict[str, Stage]) -> str:
+    """Return the longest name in the table that a rule begins with; nothing if there is none."""
+    names = [name for name in stages if f"{rule}_".startswith(f"{name}_")]
+    return max(names, key=len, default="")
+
+
 def stage_of(rule: str, stages: dict[str, Stage]) -> Stage:
     """Return the stage of a rule; rules made in a loop share that of the name they begin with.
 
     A rule that is not in the table has the median cost and its own name.
     """
-    names = [name for name in stages if rule == name or rule.startswith(f"{name}_")]
-    if not names:
-        return Stage(median(stage.seconds for stage in stages.values()), rule.replace("_", " "))
-    longest = max(names, key=len)
-    words = rule.removeprefix(longest).replace("_", " ")
-    return Stage(stages[longest].seconds, stages[longest].name + words)
-
-
-def measured_seconds(rule: str, folders: list[str]) -> list[float]:
-    """Return the processor times (s) in the benchmarks of all jobs of a rule."""
-    paths = [
-        path
-        for folder in folders
-        for pattern in (f"{rule}.tsv", f"{rule}_*.tsv", f"{rule}/**/*.tsv")
-        for path in Path(folder, "benchmarks").glob(pattern)
-    ]
-    times = []
-    for path in paths:
-        with open(path, newline="") as file:
-            rows = csv.DictReader(file, delimiter="\t")
-            times += [float(row["cpu_time"]) for row in rows if row["cpu_time"] != "NA"]
-    return times
+    name = _name_in_table(rule, stages)
+    words = rule.removeprefix(name).replace("_", " ")
+    if not name:
+        return Stage(median(stage.seconds for stage in stages.values()), words)
+    return Stage(stages[name].seconds, stages[name].name + words)
 
 
 def main() -> None:
-    """Write the table again, with the costs of the run in the given folders."""
-    stages = read_stages()
+    """Write the table again, with the mean costs of the benchmarks in the given folders."""
+    stages, times = read_stages(), defaultdict[str, list[float]](list)
+    for benchmarks in (Path(folder, "benchmarks") for folder in sys.argv[1:]):
+        for path in benchmarks.rglob("*.tsv"):
+            rule = path.relative_to(benchmarks).parts[0].removesuffix(".tsv")
+            with open(path, newline="") as file:
+                (row,) = csv.DictReader(file, delimiter="\t")
+            if row["cpu_time"] != "NA":
+                times[_name_in_table(rule, stages)].append(float(row["cpu_time"]))
     with open(TABLE, "w", newline="") as file:
         writer = csv.writer(file, delimiter="\t", lineterminator="\n")
         writer.writerow(("rule", "seconds", "name"))
         for rule, stage in stages.items():
-            times = measured_seconds(rule, sys.argv[1:])
-            writer.writerow((rule, f"{mean(times) if times else stage.seconds:.2g}", stage.name))
+            seconds = mean(times.get(rule, [stage.seconds]))
+            writer.writerow((rule, f"{seconds:.2g}", stage.name))
 
 
 if __name__ == "__main__":

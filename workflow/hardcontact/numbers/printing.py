@@ -20,8 +20,6 @@ UNITS_OF_PAPER = {
     "1": {"": 1.0},
 }
 
-#: Of computed numbers in sentences: their intervals are wider than what more digits would say.
-DIGITS = 2
 #: Intervals whose ends differ by more than this factor bound nothing.
 ENDLESS = 1e6
 #: An interval that reaches so many times beyond its value says only that there are too few scans.

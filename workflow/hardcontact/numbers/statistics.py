@@ -71,11 +71,10 @@ def percentile_interval(samples: ArrayLike, confidence: float) -> np.ndarray:
 
 
 def student_interval(values: xr.DataArray, confidence: float, dim: str) -> xr.DataArray:
-    """Return the interval of a mean along a dimension by Student's t.
+    """Return the interval of a mean of independent values along a dimension by Student's t.
 
-    Values are independent, NaN where one is missing. The low and the high end are along the last
-    dimension `bound`, and NaN of fewer than two values; the confidence is the probability that the
-    interval holds the mean.
+    Missing values are NaN, and so are both ends, along the last dimension `bound`, for fewer than
+    two values. The confidence is the probability that the interval holds the mean.
     """
     from scipy import stats
 
@@ -153,8 +152,8 @@ def lognormal_shape(mean: ArrayLike, median: ArrayLike) -> np.ndarray:
 def lognormal_fit(forces: np.ndarray, floor: float) -> tuple[float, float, float]:
     """Fit the log-normal of greatest likelihood to forces (n,), left-censored below a floor, in N.
 
-    Returned are its shape, its median in N and the censored share of forces; the first two are NaN
-    if all forces are below the floor.
+    Returns its shape, its median in N and the censored share of forces; the first two are NaN if
+    all forces are below the floor.
     """
     below = forces < floor
     if below.all():
@@ -176,21 +175,21 @@ def _censored_normal_fit(limit: float, censored: float) -> tuple[float, float]:
     """
     from scipy import optimize, special
 
-    def surprise(parameters: np.ndarray) -> tuple[float, np.ndarray]:
-        """Return minus the mean log-likelihood at mean and log deviation, and its gradient."""
+    def negative_log_likelihood(parameters: np.ndarray) -> tuple[float, np.ndarray]:
+        """Return the mean over forces at mean and log deviation, and its gradient."""
         mean, log_deviation = parameters
         deviation = np.exp(log_deviation)
-        place = (limit - mean) / deviation
-        log_below = special.log_ndtr(place)
-        hazard = np.exp(-(place**2) / 2 - log_below) / np.sqrt(2 * np.pi)
+        reduced = (limit - mean) / deviation
+        log_below = special.log_ndtr(reduced)
+        hazard = np.exp(-(reduced**2) / 2 - log_below) / np.sqrt(2 * np.pi)
         square, known = (1 + mean**2) / deviation**2, 1 - censored
         value = known * (log_deviation + square / 2) - censored * log_below
         by_mean = known * mean / deviation**2 + censored * hazard / deviation
-        by_log_deviation = known * (1 - square) + censored * hazard * place
+        by_log_deviation = known * (1 - square) + censored * hazard * reduced
         return value, np.array([by_mean, by_log_deviation])
 
-    found = optimize.minimize(surprise, np.zeros(2), jac=True, options={"gtol": 1e-9})
-    return float(found.x[0]), float(np.exp(found.x[1]))
+    fit = optimize.minimize(negative_log_likelihood, np.zeros(2), jac=True, options={"gtol": 1e-9})
+    return float(fit.x[0]), float(np.exp(fit.x[1]))
 
 
 @dataclass(frozen=True)
