@@ -1,7 +1,7 @@
 """Draw the figures and pages of a finished study again, from its datasets: no scan, no store."""
 
 from hardcontact.config import start
-from hardcontact.config.configuration import made
+from hardcontact.config.configuration import available_targets
 from hardcontact.records.code import write_pins
 
 start.prepare(workflow)
@@ -33,7 +33,7 @@ else:
 
 
 #: What is drawn from the final datasets alone.
-DRAWN = [target for target in made(STUDY) if target in ("figures", "pages", "answer", "insight")]
+DRAWN = [target for target in available_targets(STUDY) if target in ("figures", "pages", "answer", "insight")]
 
 
 onstart:

@@ -29,20 +29,19 @@ def planned_workflow(*configfiles):
 
 
 @pytest.mark.parametrize(
-    ("parsed", "main", "working", "parts"),
+    ("parsed", "main", "working"),
     [
-        ("other", "other/Snakefile", "other", ["expected the library of", "another copy"]),
-        (ROOT, "Snakefile", "other", ["Snakefile", "used as a module"]),
-        (ROOT, ROOT / "Snakefile", "other", ["working directory", "relative to that folder"]),
+        ("other", "other/Snakefile", ROOT),
+        (ROOT, "Snakefile", ROOT),
+        (ROOT, ROOT / "Snakefile", "."),
     ],
 )
-def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, parsed, main, working, parts):
-    (tmp_path / working).mkdir()
+def test_a_run_elsewhere_is_refused(tmp_path, monkeypatch, parsed, main, working):
     monkeypatch.chdir(tmp_path / working)
     monkeypatch.setattr(logging, "raiseExceptions", True)
     folder = SimpleNamespace(get_path_or_uri=lambda secret_free: tmp_path / parsed)
     workflow = SimpleNamespace(current_basedir=folder, main_snakefile=tmp_path / main)
-    assert_says(refused(start.prepare, workflow), str(tmp_path), *parts)
+    assert_says(refused(start.prepare, workflow), str(tmp_path), str(ROOT))
 
 
 def test_keys_of_the_quick_study_are_checked_even_where_they_are_not_used():

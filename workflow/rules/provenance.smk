@@ -1,6 +1,6 @@
 # Provenance: the configuration kept with the results, the RO-Crate, and the check of both.
 
-from hardcontact.config.configuration import made
+from hardcontact.config.configuration import available_targets
 
 
 rule keep_configuration:
@@ -24,7 +24,7 @@ rule keep_configuration:
 rule describe_crate:
     """Describe inputs, outputs, software, authors, licence and paper for an archive."""
     input:
-        [getattr(rules, target).input for target in made(STUDY)],
+        [getattr(rules, target).input for target in available_targets(STUDY)],
         rules.keep_configuration.output,
         citation="CITATION.cff",
         environment=PINS[0],

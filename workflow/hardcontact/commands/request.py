@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple, get_args
 
-from hardcontact.config.configuration import at, read_yaml
+from hardcontact.config.configuration import get_key, read_yaml
 from hardcontact.config.key_types import STUDY_NAME
 from hardcontact.config.model import ScanKeys, quantity
 from hardcontact.config.selection import LABEL, TIP_RADIUS
@@ -102,7 +102,7 @@ def add_shared(parser: ArgumentParser) -> None:
     """Add what both commands have: QUANTITIES, and what files of scans may not state."""
     paper = read_yaml("config/config.yaml")
     for name, (key, meaning) in QUANTITIES.items():
-        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {at(paper, key)})")
+        parser.add_argument(f"--{name}", help=f"{meaning} (the paper's: {get_key(paper, key)})")
     parser.add_argument("--tip", help="radius of the tip, for the files that do not state it")
     parser.add_argument(
         "--unit", choices=get_args(ScanKeys.model_fields["unit"].annotation), default="none",
@@ -127,7 +127,7 @@ def options(arguments: Namespace) -> tuple[dict[str, Option], list[str]]:
         except ValueError as error:
             faults.append(f"--{name}: {error}")
         if name in QUANTITIES and name not in quantities:
-            usual = at(paper, QUANTITIES[name][0])
+            usual = get_key(paper, QUANTITIES[name][0])
             quantities[name] = Option(usual, bounds.number(usual), bounds.unit, False)
     return quantities, faults
 

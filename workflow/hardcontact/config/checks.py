@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pandas as pd
 
-from hardcontact.config.configuration import at
+from hardcontact.config.configuration import get_key
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
 from hardcontact.config.grids import PIXEL_SIZES, Grid, alike
 from hardcontact.config.limits import check_grids
@@ -58,7 +58,7 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
 def _limit_of_name(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
     """Return the limit of the name of a surface: it is one of those in the table."""
     expected = f"one of {', '.join(surfaces)}, surfaces of the table"
-    return Limit(at(config, key) in surfaces, key, expected, at(config, key))
+    return Limit(get_key(config, key) in surfaces, key, expected, get_key(config, key))
 
 
 def _limits_of_own_surfaces(config: dict[str, Any], contacts: pd.DataFrame) -> Iterator[Limit]:

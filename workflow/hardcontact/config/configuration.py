@@ -65,33 +65,21 @@ def read_yaml(path: str) -> Any:
 
 
 def refuse_unreadable(path: str | Path) -> None:
-    """Refuse a file that is no YAML with keys at its top, as a ValueError of one line."""
+    """Refuse a file that is no YAML with keys at its top; raise ValueError with one line."""
     try:
-        found = yaml.safe_load(Path(path).read_bytes().decode("utf-8"))
-        if isinstance(found, dict):
-            return
-        reason = plain(found) if found is not None else "nothing"
-    except OSError as error:
-        reason = str(error.strerror)
-    except UnicodeDecodeError:
-        reason = "what is no UTF-8"
-    except yaml.MarkedYAMLError as error:
-        line = f"line {error.problem_mark.line + 1}: " if error.problem_mark else ""
-        reason = f"{line}{error.problem}"
-    except RecursionError:
-        reason = "too many levels"
-    except ValueError as error:  # a date that is none, a number of thousands of digits
-        reason = str(error).partition(";")[0]
-    except yaml.YAMLError as error:
-        reason = str(error).splitlines()[0]
-    raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")
+        content = yaml.safe_load(Path(path).read_bytes().decode("utf-8"))
+        reason = plain(content) if content is not None else "nothing"
+    except (OSError, RecursionError, ValueError, yaml.YAMLError) as error:
+        content, reason = None, " ".join(str(error).split())[:200]
+    if not isinstance(content, dict):
+        raise ValueError(f"{path}: expected YAML with keys at its top, found: {reason}")
 
 
 def refuse_repeated_keys(path: str | Path) -> None:
     """Refuse a YAML file that gives a key twice, of which only the last would count.
 
-    As a ValueError of one line that names the file, the line and the key; other faults of the file
-    are left to whoever reads it.
+    Raises ValueError with one line that names the file, the line and the key; other faults of the
+    file are left to whoever reads it.
     """
     try:
         pending = [("", yaml.compose(Path(path).read_text("utf-8"), yaml.CSafeLoader))]
@@ -115,7 +103,7 @@ def refuse_repeated_keys(path: str | Path) -> None:
             pending.append((f"{name}.", value))
 
 
-def at(tree: Mapping[str, Any], key: str) -> Any:
+def get_key(tree: Mapping[str, Any], key: str) -> Any:
     """Return what a tree of keys has at one, with dots between its parts."""
     return reduce(getitem, key.split("."), tree)
 
@@ -127,14 +115,15 @@ def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str,
     """
     parts = section.split(".")
     sections = ["scales", *(".".join(parts[: end + 1]) for end in range(len(parts)))]
-    return {name: f"{part}.{side}.{name}" for part in sections for name in at(config, part)[side]}
+    return {
+        name: f"{part}.{side}.{name}" for part in sections for name in get_key(config, part)[side]
+    }
 
 
-def made(configuration: Mapping[str, Any]) -> list[str]:
+def available_targets(configuration: Mapping[str, Any]) -> list[str]:
     """Return the targets that the data of a study allow, in their order."""
     targets = OF_PAPER if configuration["published"] == PAPER else OF_OWN_SURFACES
-    without = left_out(configuration)
-    return [target for target in targets if target not in without]
+    return [target for target in targets if target not in left_out(configuration)]
 
 
 def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
@@ -147,11 +136,15 @@ def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
     """Return what contacts are computed for: the surface of the sphere, QUANTITIES as printed."""
-    quantities = {name: printed(at(config, key), unit) for name, (key, unit) in QUANTITIES.items()}
+    quantities = {
+        name: printed(get_key(config, key), unit) for name, (key, unit) in QUANTITIES.items()
+    }
     return {"sphere": str(config["sphere"]["surface"])} | quantities
 
 
 def of_paper(config: Mapping[str, Any]) -> list[str]:
     """Return which of QUANTITIES, by name, are those of the paper, a ruby sphere on diamond."""
     paper = Study().model_dump(warnings=False)
-    return [name for name, (key, _) in QUANTITIES.items() if at(config, key) == at(paper, key)]
+    return [
+        name for name, (key, _) in QUANTITIES.items() if get_key(config, key) == get_key(paper, key)
+    ]

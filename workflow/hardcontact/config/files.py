@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import cycle, product
 from typing import Any
 
-from hardcontact.config.configuration import at, master_keys
+from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.patterns import STUDY_VARIANT, Patterns
 from hardcontact.config.selection import Selection
 from hardcontact.config.variants import Variant, study_contact, surface_variants, variants
@@ -86,10 +86,8 @@ class Files:
         """Return every scan of a measured surface as its file was read; none of a substitute."""
         if self._selection.basis[surface] != "measured":
             return []
-        return [
-            self.path(self._patterns.measurement, surface, scan=measured.scan)
-            for measured in self._selection.measured(surface)
-        ]
+        scans = self._selection.all_scans(surface)
+        return [self.path(self._patterns.measurement, surface, scan=scan) for scan in scans]
 
     def levelling(self, surface: str) -> dict[str, Any]:
         """Return how the scans of a surface are levelled, with the radius (nm) of a sphere."""
@@ -101,8 +99,7 @@ class Files:
 
     def measuring(self, surface: str) -> dict[str, Any]:
         """Return how the measurements of a surface become its spectrum, with the tips (nm)."""
-        radii = [measured.tip_radius for measured in self._selection.measured(surface)]
-        return {"tip_radii": radii, **self.levelling(surface)}
+        return {"tip_radii": self._selection.tip_radii(surface), **self.levelling(surface)}
 
     def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
         """Return what a substitute scan shares with the others of its group."""
@@ -231,10 +228,10 @@ class Files:
         section = {"sets": "sets", "scaling": "insight.scaling"}.get(purpose, "scales")
         count = {"sets": "sets.count", "scaling": "insight.count"}.get(purpose, "contact.count")
         return {
-            "count": at(configuration, count),
+            "count": get_key(configuration, count),
             "sides": {
                 side: {
-                    name: at(configuration, key)
+                    name: get_key(configuration, key)
                     for name, key in master_keys(configuration, section, side).items()
                 }
                 for side in SIDES

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from hardcontact.config.configuration import at, master_keys
+from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.faults import Limit, refuse_all, refuse_lines, unmet
 from hardcontact.config.grids import (
     CONTACT_PIXELS,
@@ -123,7 +123,7 @@ def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator
         yield from _limits_of_loads(use, available, grid.pixel_size, why)
     expected = f"at most the {stitched} pixels along the stitched scan of {surface}"
     for use in uses:
-        count = at(config, use.count)
+        count = get_key(config, use.count)
         yield Limit(count <= stitched, use.count, expected, count)
     ranges = {"adhesion.ranges": config["adhesion"]["ranges"][0]}
     if config["published"] == PAPER:
@@ -157,7 +157,7 @@ def _limits_of_master(
 ) -> Iterator[Limit]:
     """Yield the limits of the masters of one side that are built on a surface."""
     keys = master_keys(config, use.section, side)
-    values = {name: at(config, key) for name, key in keys.items()}
+    values = {name: get_key(config, key) for name, key in keys.items()}
     pixels, tiles = values["pixels"], values.get("tiles", 1)
     size, needed = 2 * grid.size * tiles, 2 * grid.pixels * tiles
     master, finest = grid._replace(size=size / 2), size / pixels
@@ -212,7 +212,7 @@ def _limits_of_contact_pixels(
 
     Each pixel (edge in nm) has so many periodic images in the window.
     """
-    count, window = at(config, use.count), config["contact"]["window"]
+    count, window = get_key(config, use.count), config["contact"]["window"]
     why = (
         f"with which the contact pixels of {pixel_size:.4g} nm on {surface} fit into memory at "
         f"{use.count} = {count} and contact.window = {window:.6g} nm"

@@ -3,7 +3,7 @@
 import os
 import reprlib
 from pathlib import Path
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal
 
 import pandas as pd
 from pydantic import GetCoreSchemaHandler
@@ -86,18 +86,6 @@ class SurfaceRow(Keys):
     the file states."""
 
 
-class Measured(NamedTuple):
-    """One scan of a measured surface: its number, its file, its dataset there, the tip radius.
-
-    The radius is in nm, None where the table of surfaces does not state it.
-    """
-
-    scan: int
-    path: str
-    dataset: str
-    tip_radius: float | None
-
-
 class Selection:
     """What the rows of a table of surfaces say, asked for by surface.
 
@@ -126,16 +114,14 @@ class Selection:
         """Numbers of the scans of the sphere; of a smooth one NO_SCAN alone."""
         return self.scans(self.sphere) or [NO_SCAN]
 
-    def measured(self, surface: str) -> list[Measured]:
-        """Return every scan of a measured surface, also those that only enter its spectrum."""
-        rows = self._all_rows[self._all_rows.surface == surface]
-        radii = [magnitude(text, "nm") if text else None for text in rows.tip_radius]
-        return [
-            Measured(int(scan), path, dataset, radius)
-            for scan, path, dataset, radius in zip(
-                rows.scan, rows.path, rows.dataset, radii, strict=True
-            )
-        ]
+    def all_scans(self, surface: str) -> list[int]:
+        """Return the numbers of all scans of a surface, also those that only enter its spectrum."""
+        return [int(scan) for scan in self._all_rows.scan[self._all_rows.surface == surface]]
+
+    def tip_radii(self, surface: str) -> list[float | None]:
+        """Return the tip radius (nm) of all scans of a surface, None where the table has none."""
+        texts = self._all_rows.tip_radius[self._all_rows.surface == surface]
+        return [magnitude(text, "nm") if text else None for text in texts]
 
     def contact_places(self, surface: str) -> list[int]:
         """Return which of the measured scans of a surface contacts are made on, from 0."""

@@ -59,25 +59,16 @@ def prepare(workflow: Any) -> None:
 def _refuse_elsewhere(workflow: Any) -> None:
     """Refuse another clone's library, use as a module, and another working directory."""
     parsed = Path(workflow.current_basedir.get_path_or_uri(secret_free=True)).resolve()
-    main = Path(workflow.main_snakefile).resolve()
-    if not parsed.is_relative_to(ROOT):
+    main, working = Path(workflow.main_snakefile).resolve(), Path.cwd().resolve()
+    if working != ROOT or not (parsed.is_relative_to(ROOT) and main.is_relative_to(ROOT)):
         _refuse(
-            f"hardcontact: expected the library of {parsed}, found that of {ROOT}: this is the "
-            "environment of another copy of the study; make one here (README.md)"
-        )
-    if not main.is_relative_to(ROOT):
-        _refuse(
-            f"{main}: expected the study to be run by itself, found it used as a module: its "
-            "inputs and their provenance are named relative to its own folder"
-        )
-    if Path.cwd().resolve() != ROOT:
-        _refuse(
-            f"working directory: expected the folder of the study, {ROOT}, found {Path.cwd()}: its "
-            "inputs and their provenance are named relative to that folder"
+            f"working directory: expected the study to be run by itself in {ROOT}, whose library "
+            f"this environment has (README.md), found {main} with the rules of {parsed} run in "
+            f"{working}"
         )
 
 
-def _is_main(workflow: Any) -> bool:
+def _plans_the_run(workflow: Any) -> bool:
     """Return whether this process plans the run, and is not one that carries out a job of it."""
     return bool(workflow.exec_mode == ExecMode.DEFAULT)
 
@@ -112,7 +103,7 @@ def checked_configuration(workflow: Any, config: dict[str, Any]) -> dict[str, An
     The keys under `quick` are checked even where they are not used.
     """
     try:
-        if _is_main(workflow):
+        if _plans_the_run(workflow):
             refuse_all(
                 partial(refuse_repeated_keys, os.path.relpath(path))
                 for path in workflow.configfiles
@@ -129,7 +120,7 @@ def checked_selection(workflow: Any, configuration: dict[str, Any]) -> Selection
     """Return the surfaces and scans of the study, or refuse what could only fail later."""
     try:
         rows = selected_scans(surface_table(configuration["surfaces"]), configuration["scans"])
-        if _is_main(workflow):
+        if _plans_the_run(workflow):
             # Imported here, as the libraries that read scans would cost every job almost a second.
             from hardcontact.config.checks import check
 
