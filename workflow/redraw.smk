@@ -33,7 +33,11 @@ else:
 
 
 #: What is drawn from the final datasets alone.
-DRAWN = [target for target in available_targets(STUDY) if target in ("figures", "pages", "answer", "insight")]
+DRAWN = [
+    target
+    for target in available_targets(STUDY)
+    if target in ("figures", "pages", "answer", "insight")
+]
 
 
 onstart:

@@ -13,6 +13,7 @@ from repository import PAPER, merged
 from hardcontact.adhesion.pull_off import pull_off_of_pair
 from hardcontact.config import checks
 from hardcontact.config import selection as surface_table
+from hardcontact.config.configuration import get_key, master_keys
 from hardcontact.config.grids import realization_pixels
 from hardcontact.config.model import configuration
 from hardcontact.contact.asperities import asperities_of_pair
@@ -57,10 +58,7 @@ def tiny(draw):
         "large": {"pixels": large, "tiles": tiles, "cutoffs": cutoffs["large"]},
     }
     return {
-        "scan": {
-            "pixels": pixels,
-            "size": f"{pixels * pixel:.9g} nm",
-        },
+        "scan": {"pixels": pixels, "size": f"{pixels * pixel:.9g} nm"},
         "sphere": {"radius": f"{max(pixels * pixel, pick(10, 1e4, 2.5e5, 1e9)):.9g} nm"},
         "contact": {
             "count": count,
@@ -68,9 +66,7 @@ def tiny(draw):
             "preload": load,
             "hardness": f"{hardness} GPa",
         },
-        "adhesion": {
-            "ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")],
-        },
+        "adhesion": {"ranges": [pick("0.1 nm", "0.5 nm", "1 nm"), pick("5 nm", "1 um")]},
         "scales": {
             "range": pick("0.1 nm", "1 nm", "5.6 nm", "5.6 nm", "1 um"),
             "sphere_roughness": pick(True, False),
@@ -88,10 +84,7 @@ def tiny(draw):
         },
         "elastic": {"contacts": 1},
         "indent": {"preloads": [f"{4 * contact_pixels * hardness * pixel**2:.6g} nN"]},
-        "asperities": {
-            "contacts": 1,
-            "ranges": ["0.1 nm", "9 nm"],
-        },
+        "asperities": {"contacts": 1, "ranges": ["0.1 nm", "9 nm"]},
         "sets": {
             "count": pick(1, 2),
             "small": {"pixels": small, "cutoffs": cutoffs["small"]},
@@ -167,33 +160,22 @@ def check_pair(config, rng, substrate, sphere):
 
 
 def check_masters(config, rng, stitched, sphere, section, side):
-    """Compute forces of one master, filtered at every cutoff, on a smooth and a rough sphere."""
-    scales = config["scales"][side]
-    wanted = scales | config[section][side]
-    size = wanted["pixels"] if side == "small" else scales["tiles"]
-    make = getattr(synthesis, f"{side}_scale_master")
-    master = make(rng, stitched, size, wanted["transition"], ROUGH)
+    """Compute forces of one master, filtered at every cutoff, at all that its section asks for."""
+    keys = master_keys(config, section, side)
+    wanted = {name: get_key(config, key) for name, key in keys.items()}
+    master = synthesized_master(side, rng, stitched, wanted, ROUGH)
     filters = Filters(side, wanted["pixels"], wanted["cutoffs"])
-    count = config["sets" if section == "sets" else "contact"]["count"]
+    scaling, counted = config["insight"]["scaling"], {"sets": "sets", "scales": "contact"}
     contact = Contact(
         radius=config["sphere"]["radius"],
         range=config["scales"]["range"],
-        **config["contact"] | {"count": count},
+        **config["contact"] | {"count": config[counted.get(section, "insight")]["count"]},
     )
-    for probe in [None, sphere] if section == "sets" else [None]:
-        assert_forces(filtered_pull_off(master, filters, [contact], probe))
-
-
-def check_scaled(config, rng, stitched, side):
-    """Compute forces of one master at all radii, ranges and loads of the scaling of edges."""
-    scaling, contact = config["insight"]["scaling"], config["contact"]
-    wanted = config["scales"][side] | config["insight"][side] | scaling[side]
-    master = synthesized_master(side, rng, stitched, wanted, ROUGH)
-    contacts = [
-        Contact(radius=1.0, **contact | {"count": config["insight"]["count"], "preload": preload})
-        for preload in scaling["preloads"]
-    ]
-    filters = Filters(side, wanted["pixels"], wanted["cutoffs"])
+    if section != "insight.scaling":
+        for probe in [None, sphere] if section == "sets" else [None]:
+            assert_forces(filtered_pull_off(master, filters, [contact], probe))
+        return
+    contacts = [replace(contact, preload=preload) for preload in scaling["preloads"]]
     lengths = {name: scaling[name] for name in ("radii", "ranges")}
     assert_forces(filtered_pull_off(master, filters, contacts, None, **lengths))
 
@@ -218,10 +200,8 @@ def test_what_is_accepted_can_be_computed(at_root, examples):
         stitched = stitched_scan(config, rng, ROUGH)
         sphere = stitched_scan(config, rng, SMOOTH, config["sphere"]["radius"])
         check_pair(config, rng, stitched, sphere)
-        for section, side in product(("scales", "sets"), ("small", "large")):
+        for section, side in product(("scales", "sets", "insight.scaling"), ("small", "large")):
             check_masters(config, rng, stitched, sphere, section, side)
-        for side in ("small", "large"):
-            check_scaled(config, rng, stitched, side)
 
     compute()
     assert sum(seen) >= examples and not all(seen)
