@@ -18,8 +18,7 @@ def test_a_smooth_sphere_is_hertz(load):
     pixels, pixel_size = 384, 4.0 * (load / 10e-6) ** (1 / 3)
     radius, peak, approach = hertz_contact(load, RADIUS, MODULUS)
     gap = sphere_gap(pixels, pixel_size)
-    pressure, iterations = elastic_solvers.contact_at_load(gap, pixel_size, MODULUS, load)
-    assert iterations > 1
+    pressure = elastic_solvers.contact_at_load(gap, pixel_size, MODULUS, load)
     area = np.count_nonzero(pressure) * pixel_size**2
     assert np.sqrt(area / np.pi) == pytest.approx(radius, rel=0.01)
     assert pressure.max() == pytest.approx(peak, rel=0.01)
@@ -35,8 +34,7 @@ def test_the_approach_that_a_gap_is_given_at_does_not_matter():
     # Heights that are all below zero make the solver report success after one iteration.
     gap = sphere_gap(128, 12.0)
     near, far = (
-        elastic_solvers.contact_at_load(gap + lift, 12.0, MODULUS, 10e-6)[0]
-        for lift in (0.0, 300.0)
+        elastic_solvers.contact_at_load(gap + lift, 12.0, MODULUS, 10e-6) for lift in (0.0, 300.0)
     )
     np.testing.assert_allclose(near, far, rtol=1e-6, atol=1e-6 * near.max())
 
@@ -51,10 +49,9 @@ def test_pull_off_of_stiff_bodies_is_the_rigid_one():
     gap = sphere_gap(96, 12.0) + rng.normal(0, 1.0, (96, 96))
     differences = []
     for stiffer in (1, 10):
-        rigid, pull_off, iterations = elastic_solvers.adhesive_pull_off(
+        rigid, pull_off = elastic_solvers.adhesive_pull_off(
             gap, 12.0, stiffer * MODULUS, 46.3e-3, 5.6
         )
-        assert iterations > 1
         assert pull_off <= rigid * (1 + 1e-6)
         differences.append(1 - pull_off / rigid)
     assert differences[0] < 0.01

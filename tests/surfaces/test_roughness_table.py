@@ -67,8 +67,6 @@ def test_table_has_every_scan_and_what_is_missing_is_nan(table, maps):
         assert row.rms_height == metrics(heights)["rms_height"]
         np.testing.assert_array_equal(row.psd_isotropic, measured_psds(heights)[2])
     assert np.isnan(table.rms_height.sel(surface="ruby", scan=2))
-    mean = table.psd_isotropic.sel(surface="uncd").mean("scan")
-    np.testing.assert_array_equal(table.psd_isotropic_mean.sel(surface="uncd"), mean)
     assert list(table.calibrated_to_table1.values) == ["uncd", "afm_rms_height"]
 
 

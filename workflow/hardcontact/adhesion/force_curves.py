@@ -51,22 +51,19 @@ def mean_forces(
 def force_curves(
     forces: xr.DataArray, means: np.ndarray, sampled: np.ndarray, reference: int, sampling: Sampling
 ) -> dict[str, Any]:
-    """Return mean forces, their ratios to a reference surface, and the spread over contacts.
+    """Return mean forces and their ratios to a reference surface, over surface and rho.
 
     Forces (surface, scan, sphere_scan, rho, contact_y, contact_x) have the means and samples of
-    `mean_forces`; the reference is the index of a surface. Variables are over surface and rho.
+    `mean_forces`; the reference is the index of a surface.
     """
-    dimensions, newton, no_unit = ("surface", "rho"), {"units": "N"}, {"units": "1"}
+    dimensions = ("surface", "rho")
     ratio, ratios = means / means[reference], sampled / sampled[:, [reference]]
-    spread = forces.std(["scan", *CONTACTS]).values
     interval = student_log_interval(mean_of_each_scan(forces), sampling.confidence, "scan")
     return {
-        "contact_spread": (dimensions, spread, newton),
-        "ratio_contact_spread": (dimensions, spread / means[reference], no_unit),
         **with_interval(
-            "mean_force", dimensions, means, interval.values, newton, sampling.confidence
+            "mean_force", dimensions, means, interval.values, {"units": "N"}, sampling.confidence
         ),
-        **sampling.with_interval("ratio", dimensions, ratio, ratios, no_unit),
+        **sampling.with_interval("ratio", dimensions, ratio, ratios, {"units": "1"}),
     }
 
 

@@ -94,8 +94,8 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     """Return the rigid and plastic pull-off of one pair of scans, at every contact and range (nm).
 
     The variables are ``pull_off_force`` (contact_model, rho, contact_y, contact_x),
-    ``closest_approach`` (contact_model, contact_y, contact_x), ``penetration`` (contact_y,
-    contact_x) and ``contact_pixels`` (contact_model).
+    ``closest_approach`` (contact_model, contact_y, contact_x) and ``contact_pixels``
+    (contact_model).
     """
     pixel_size = bodies.geometry.pixel_size
     counts = [1, contact.pixels(pixel_size)]
@@ -103,13 +103,11 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
     approaches = np.stack([gaps[..., 0], gaps[..., -1]])
     positions = bodies.geometry.positions * pixel_size
     beyond_planes = {"units": "nm", "long_name": "approach beyond touching mean planes"}
-    beyond_rigid = {"units": "nm", "long_name": "approach of plastic beyond rigid contact"}
     model_axes = ("contact_model", *CONTACT_AXES)
     return xr.Dataset(
         {
             "pull_off_force": (("contact_model", "rho", *CONTACT_AXES), forces, FORCE),
             "closest_approach": (model_axes, approaches, beyond_planes),
-            "penetration": (CONTACT_AXES, approaches[1] - approaches[0], beyond_rigid),
             "contact_pixels": ("contact_model", counts, {"units": "1"}),
         },
         {"contact_model": ["rigid", "plastic"]}
@@ -118,7 +116,6 @@ def pull_off_of_pair(bodies: Bodies, contact: Contact, ranges: Sequence[float]) 
         {
             "work_of_adhesion": WORK_OF_ADHESION,
             "pixel_size": pixel_size,
-            "interpolation_stretch": bodies.stretch,
         },
     )
 

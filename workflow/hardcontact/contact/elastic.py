@@ -43,10 +43,8 @@ OVERLAP = 1e-4
 RESIDUAL = 1e-4
 
 
-def contact_at_load(
-    gap: Floats, pixel_size: float, modulus: float, load: float
-) -> tuple[Floats, int]:
-    """Return the pressure (n, n) in Pa of elastic contact without adhesion, and iterations.
+def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float) -> Floats:
+    """Return the pressure (n, n) in Pa of elastic contact without adhesion.
 
     Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206). The gap (n, n) at any
     approach and the pixel size are in nm, the effective modulus in Pa and the load in N. Raises
@@ -72,13 +70,13 @@ def contact_at_load(
         in_contact.all() or pressure.max() > modulus,
         f"{in_contact.mean():.0%} of all pixels in contact, peak pressure {pressure.max():.3g} Pa",
     )
-    return pressure, solution.nit
+    return np.asarray(pressure)
 
 
 def adhesive_pull_off(
     gap: Floats, pixel_size: float, modulus: float, work_of_adhesion: float, rho: float
-) -> tuple[float, float, int]:
-    """Return the pull-off forces (N) of one window, rigid and elastic, and iterations.
+) -> tuple[float, float]:
+    """Return the pull-off forces (N) of one window, rigid and elastic.
 
     Rigid: Eq. 3 at closest approach. Elastic: the largest attraction in equilibrium while the
     bodies part, with the exponential potential of Eq. 1 outside a hard wall, by L-BFGS-B (the
@@ -117,7 +115,7 @@ def adhesive_pull_off(
     )
     _refuse(not largest.success or iterations < 2, f"{largest.message}, {iterations} iterations")
     rigid = attraction.sum() * NEWTON_PER_NN
-    return rigid, -largest.fun * NEWTON_PER_NN, iterations
+    return rigid, -largest.fun * NEWTON_PER_NN
 
 
 def _body_and_half_space(heights: Floats, pixel_size: float, modulus: float) -> tuple[Any, Any]:
@@ -151,7 +149,6 @@ UNITS = {
     "mean_pressure": "Pa",
     "rigid_pull_off_force": "N",
     "elastic_pull_off_force": "N",
-    "iterations": "1",
 }
 
 
@@ -179,8 +176,8 @@ def elastic_contacts_of_pair(
             gap = gap_map(bodies, index)
             period_gap = part_around_lowest(gap, period)
             window_gap = part_around_lowest(gap, window)
-            pressure, steps = contact_at_load(period_gap, pixel_size, modulus, contact.preload)
-            rigid, elastic, pull_off_steps = adhesive_pull_off(
+            pressure = contact_at_load(period_gap, pixel_size, modulus, contact.preload)
+            rigid, elastic = adhesive_pull_off(
                 window_gap, pixel_size, modulus, contact.work, contact.range
             )
             carried = pressure[pressure > 0]
@@ -192,7 +189,6 @@ def elastic_contacts_of_pair(
                     carried.mean(),
                     rigid,
                     elastic,
-                    steps + pull_off_steps,
                 )
             )
             peaks.append(-part_around_lowest(-pressure, min(64, period)))

@@ -50,8 +50,6 @@ class Bodies:
     #: Of the sphere, t (m, m), periodic, its apex at the origin; None of a smooth sphere.
     roughness: HeightMap | None
     geometry: ContactGeometry
-    #: Relative change of a period that common pixels needed, at most half a pixel a period.
-    stretch: float = 0.0
 
     def sphere(self, rows: NDArray[np.int_], columns: NDArray[np.int_]) -> Floats:
         """Return the height s - t (k, l) of the sphere in nm, k and l pixels from its apex."""
@@ -97,23 +95,21 @@ def bodies(substrate: HeightMap, sphere: HeightMap | None, contact: Contact) -> 
     The coarser map is Fourier interpolated to the whole number of pixels nearest to its period. The
     sphere is its mirror-stitched roughness, or None for a smooth sphere.
     """
-    roughness, stretch = None, 0.0
+    roughness = None
     if sphere is not None:
         fine = min(substrate.pixel_size, sphere.pixel_size)
-        (substrate, first), (rough, second) = (
-            _on_pixels(surface, fine) for surface in (substrate, sphere)
-        )
+        substrate, rough = (_on_pixels(surface, fine) for surface in (substrate, sphere))
         # The origin of a stitched map is a corner of the scan, the apex in the middle of it.
         middle = rough.pixels // 4
         heights = np.roll(rough.heights, (-middle, -middle), axis=(0, 1))
-        roughness, stretch = replace(rough, heights=heights), max(first, second)
+        roughness = replace(rough, heights=heights)
     geometry = ContactGeometry(
         contact.radius,
         substrate.pixel_size,
         window_pixels(contact.window, substrate.pixel_size),
         contact_positions(substrate.pixels, contact.count),
     )
-    return Bodies(substrate, roughness, geometry, stretch)
+    return Bodies(substrate, roughness, geometry)
 
 
 def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
@@ -122,13 +118,12 @@ def read_bodies(substrate: str, sphere: str | None, contact: Contact) -> Bodies:
     return bodies(read_height_map(substrate), roughness, contact)
 
 
-def _on_pixels(surface: HeightMap, pixel_size: float) -> tuple[HeightMap, float]:
-    """Return a periodic map on pixels of a size (nm), and the relative change of its period."""
+def _on_pixels(surface: HeightMap, pixel_size: float) -> HeightMap:
+    """Return a periodic map on pixels of a size (nm), its period changed by up to half of one."""
     pixels = max(round(surface.size / pixel_size), surface.pixels)
-    stretch = abs(pixels * pixel_size / surface.size - 1)
     if pixels != surface.pixels:
         surface = interpolate(surface, pixels)
-    return replace(surface, pixel_size=pixel_size), stretch
+    return replace(surface, pixel_size=pixel_size)
 
 
 def gaps_at(bodies: Bodies, position: NDArray[np.int_], offsets: NDArray[np.int_]) -> Floats:

@@ -99,8 +99,6 @@ def roughness_table(
         conditionings.get(name, spectra[name]).attrs["calibrated_to_table1"] for name in names
     ]
     return table.assign(
-        psd_profile_mean=stacked["psd_profile"].mean("scan", keep_attrs=True),
-        psd_isotropic_mean=stacked["psd_isotropic"].mean("scan", keep_attrs=True),
         label=("surface", [labels[name] for name in names]),
         basis=("surface", [basis[name] for name in names]),
         calibrated_to_table1=("surface", calibrated),
