@@ -5,9 +5,8 @@ import numpy as np
 SUBSTRATES = ["polished_uncd", "uncd", "ncd", "mcd"]
 LABELS = ["polished UNCD", "UNCD", "NCD", "MCD"]
 SURFACES = [*SUBSTRATES, "ruby"]
-#: Pull-off forces in N.
+#: Mean pull-off forces in N.
 MEAN_FORCE = np.array([8.8e-6, 0.4e-6, 0.16e-6, 0.11e-6])
-MEDIAN_FORCE = np.array([1.75e-6, 0.31e-6, 0.12e-6, 0.06e-6])
 #: Values and uncertainties of the substrates in Table 1: heights in nm, curvatures in 1/nm.
 TABLE1 = {
     "afm_rms_height": ([3.2, 17.4, 97.1, 107.1], [1.6, 2.1, 11.2, 12.0]),

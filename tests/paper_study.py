@@ -4,12 +4,8 @@ from functools import cache
 
 import numpy as np
 import yaml
-from figure_inputs.published_tables import published_table1
-from figure_inputs.scales import band, scales
-from figure_inputs.scan_size import scan_size
-from figure_inputs.sets import sets
-from figure_inputs.surfaces import topography
 from paper_claims import CONSTANTS, STATEMENTS
+from paper_datasets import band, published_table1, scales, scan_size, sets, topography
 from repository import ROOT
 
 from hardcontact.answer.captions import Caption
@@ -38,10 +34,9 @@ def claims():
 @cache
 def datasets(contacts=20, pixels=512):
     """The datasets that the page takes numbers from, not to be changed; the band has two edges."""
-    maps = ("surface", "row"), np.zeros((5, pixels))
     return {
-        "topography": topography().assign(example_heights=maps),
-        "scales": scales().assign(pull_off_force=("contact_y", np.ones(contacts))),
+        "topography": topography(pixels),
+        "scales": scales(contacts),
         "band": band(),
         "sets": sets(),
         "scan_size": scan_size(),

@@ -4,11 +4,8 @@ import json
 
 import numpy as np
 import pytest
-from figure_inputs.published_tables import published_table1
-from figure_inputs.scales import band
-from figure_inputs.scan_size import scan_size
-from figure_inputs.surfaces import topography
 from jsonschema import Draft202012Validator
+from paper_datasets import band, published_table1, scan_size, topography
 from paper_numbers import SUBSTRATES
 from paper_study import CITATION, answer, claims, datasets
 from repository import PAPER, ROOT

@@ -1,1 +1,0 @@
-"""Small synthetic datasets and published tables of the form that figures are drawn from."""

@@ -1,0 +1,115 @@
+"""Datasets and Table 1 of which the page of the paper's study takes numbers, as small as it can."""
+
+import json
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+from intervals import between_multiples
+from paper_numbers import LABELS, SUBSTRATES, TABLE1
+
+from hardcontact.surfaces.height_map import table1_variables
+
+CUTOFFS = {
+    "small": [20.0, 30, 36, 43, 52, 62, 80, 120, 250],
+    "large": [500.0, 800, 1100, 1400, 1600, 1800, 2000, 2300, 2700, 3500],
+}
+SETS = 100
+
+
+def published_table1() -> pd.DataFrame:
+    """Return Table 1."""
+    return pd.DataFrame(
+        {"surface": surface, "quantity": quantity, "value": value, "uncertainty": uncertainty}
+        for quantity, columns in TABLE1.items()
+        for surface, value, uncertainty in zip(SUBSTRATES, *columns, strict=True)
+    )
+
+
+def topography(pixels: int = 512) -> xr.Dataset:
+    """Return surfaces whose moments are the published ones, those of scans by construction."""
+    names = [*SUBSTRATES, "ruby"]
+    printed = {name: np.array(values) for name, (values, _) in TABLE1.items()}
+    on_scans = {
+        "rms_height": printed["afm_rms_height"],
+        "rms_gradient": printed["afm_rms_slope"],
+        "rms_profile_slope": printed["afm_rms_slope"] / np.sqrt(2),
+        "rms_half_laplacian": printed["afm_rms_curvature"],
+        "rms_laplacian": printed["afm_rms_curvature"] * 2,
+    }
+    all_scales = {
+        "rms_height": printed["all_rms_height"],
+        "rms_gradient": printed["all_rms_slope"],
+        "rms_profile_slope": printed["all_rms_slope"] / np.sqrt(2),
+        "rms_half_laplacian": printed["all_rms_curvature"],
+        "rms_laplacian": printed["all_rms_curvature"] * 2,
+    }
+    moments = {f"{name}_mean": [*values, 0.7] for name, values in on_scans.items()}
+    moments |= {f"{name}_std": [*(0.1 * values), 0.07] for name, values in on_scans.items()}
+    moments |= {f"all_scales_{name}": [*values, np.nan] for name, values in all_scales.items()}
+    constructed = "afm_rms_height,afm_rms_slope,afm_rms_curvature"
+    return xr.Dataset(
+        {name: ("surface", values) for name, values in moments.items()}
+        | {
+            "label": ("surface", [*LABELS, "ruby"]),
+            "basis": ("surface", ["substitute"] * len(names)),
+            "scan_size": ("surface", [2500.0] * len(names)),
+            "calibrated_to_table1": ("surface", [constructed] * len(SUBSTRATES) + [""]),
+            "example_heights": (("surface", "row"), np.zeros((len(names), pixels))),
+        },
+        {"surface": names},
+        {
+            "sphere_surface": "ruby",
+            "table1_variables": json.dumps(table1_variables("gradient", "half_laplacian")),
+        },
+    )
+
+
+def band() -> xr.Dataset:
+    """Return a band with both edges of all substrates, changes NaN where a side has no cutoff."""
+    cutoffs = np.concatenate(list(CUTOFFS.values()))
+    known = np.array([np.isin(cutoffs, of_side) for of_side in CUTOFFS.values()])
+    groups = [*SUBSTRATES, "pooled"]
+    change = xr.DataArray(np.where(known, 0.1, np.nan), dims=("side", "cutoff_wavelength"))
+    return xr.Dataset(
+        {
+            "scale_change": change.expand_dims(group=groups),
+            "critical_wavelength": (("side", "group"), [[60.0] * 5, [1667.0] * 5]),
+        },
+        {"side": list(CUTOFFS), "cutoff_wavelength": cutoffs, "surface": SUBSTRATES},
+        {"scale_tolerance": 0.1, "confidence": 0.9},
+    )
+
+
+def sets() -> xr.Dataset:
+    """Return sets with fewer cutoffs, whose ranges lie on either side of 5 nm, as the study's."""
+    scatter = np.random.default_rng(1).lognormal(0, 0.1, (SETS, 2))
+    ranges = np.where(np.arange(SETS) < 58, 9.0, 1.3)[:, None] * scatter
+    fits = ("set", "contact_model")
+    return xr.Dataset(
+        {
+            "range_of_adhesion": (fits, ranges),
+            "work_of_adhesion": (fits, 0.12 / ranges),
+            "scale_change": band()["scale_change"].isel(cutoff_wavelength=slice(1, -1)),
+        },
+        {"contact_model": ["rigid", "plastic"]},
+    )
+
+
+def scales(contacts: int = 20) -> xr.Dataset:
+    """Return how many contacts and realizations the forces on filtered surfaces have."""
+    forces = ("contact_y", "realization"), np.ones((contacts, 5))
+    return xr.Dataset({"pull_off_force": forces}, attrs={"rho": 5.6})
+
+
+def scan_size() -> xr.Dataset:
+    """Return forces on mirrored windows of three sizes and, the last two, on whole surfaces."""
+    ratio = 2 - np.arange(4 * 5.0).reshape(4, 5) / 20
+    forces = between_multiples(
+        "force_over_largest", ("surface", "edge_size"), ratio, (0.8, 1.2), 0.9, units="1"
+    )
+    return xr.Dataset(
+        forces | {"mirrored": ("edge_size", [1, 1, 1, 0, 0])},
+        {"surface": SUBSTRATES, "edge_size": [1250.0, 2500.0, 5000.0, 20e3, 40e3]},
+        {"scan_size": 2500.0},
+    )
