@@ -1,4 +1,4 @@
-"""What a run shows in the terminal: a line a stage, a bar while it runs, and the time left.
+"""What a run shows in the terminal: a line a stage, the jobs done and the time left.
 
 A plugin that Snakemake finds by the name of this package. A stage is all jobs of one rule. Dry
 runs, `--quiet` and `--verbose` show Snakemake's own log, which `.snakemake/log` has of every run.
@@ -8,25 +8,18 @@ import os
 import sys
 import threading
 import time
+from collections import Counter
+from collections.abc import Mapping
 from datetime import timedelta
 from functools import partial
 from itertools import takewhile
 from logging import WARNING, LogRecord
 
-from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    Task,
-    TextColumn,
-    TimeElapsedColumn,
-)
 from snakemake.common import NOTHING_TO_BE_DONE_MSG
 from snakemake_interface_logger_plugins.base import LogHandlerBase
 from snakemake_interface_logger_plugins.common import LogEvent
 
-from snakemake_logger_plugin_stages.costs import read_stages, stage_of
+from snakemake_logger_plugin_stages.costs import Stage, read_stages, stage_of
 
 #: The logger of what a study itself says.
 STUDY = "snakemake.logging.study"
@@ -53,20 +46,12 @@ class LogHandler(LogHandlerBase):
         """Prepare to show a run."""
         settings = self.common_settings
         self._own_log = bool(settings.dryrun or settings.verbose or settings.quiet)
-        self._console = Console(file=sys.stdout if settings.stdout else sys.stderr, highlight=False)
-        self._progress = Progress(
-            TextColumn("{task.description}"),
-            BarColumn(),
-            MofNCompleteColumn(),
-            TimeElapsedColumn(),
-            console=self._console,
-            transient=True,
-            disable=not self._console.is_terminal,
-        )
-        self._tasks: dict[str, Task] = {}
-        self._rules: dict[int, str] = {}
-        self._cost: dict[str, float] = {}  # of a job, relative to the others
-        self._spent = self._begin = 0.0
+        self._stream = sys.stdout if settings.stdout else sys.stderr
+        self._stages: dict[str, Stage] = {}
+        self._planned: dict[str, int] = {}  # jobs of each rule
+        self._done = Counter[str]()
+        self._rules: dict[int, str] = {}  # by job
+        self._begin: dict[str, float] = {}  # of the first job of each rule
         self._ended = threading.Event()
         self._last_line = time.monotonic()
         if not self._own_log:
@@ -75,7 +60,7 @@ class LogHandler(LogHandlerBase):
     def emit(self, record: LogRecord) -> None:
         """Show what begins, what ends, and what is to be read."""
         event, said = getattr(record, "event", None), vars(record)
-        if event == LogEvent.ERROR and not self._tasks and (faults := _faults_of_files()):
+        if event == LogEvent.ERROR and not self._planned and (faults := _faults_of_files()):
             self._say(faults)
         elif event == LogEvent.ERROR and said["exception"] in OF_FILES:
             self._say("error: " + record.getMessage().strip().splitlines()[-1])
@@ -91,7 +76,7 @@ class LogHandler(LogHandlerBase):
             self._finish(self._rules[said["job_id"]])
         elif event == LogEvent.JOB_ERROR:
             self._say(f"Error in rule {said['rule_name']}: see {', '.join(said['log'])}")
-        elif event == LogEvent.ERROR and said["exception"] in OF_JOBS and self._tasks:
+        elif event == LogEvent.ERROR and said["exception"] in OF_JOBS and self._planned:
             pass
         elif (
             record.levelno >= WARNING
@@ -102,34 +87,30 @@ class LogHandler(LogHandlerBase):
 
     def _say(self, text: str) -> None:
         self._last_line = time.monotonic()
-        self._console.print(text, markup=False, soft_wrap=True)
+        print(text, file=self._stream, flush=True)
 
     def _plan(self, jobs: dict[str, int]) -> None:
-        """Show how many jobs there will be: by rule, and in total."""
-        stages = read_stages()
-        for rule, count in jobs.items():
-            stage = stage_of(rule, stages)
-            task = self._progress.add_task(stage.name, total=count, start=False, visible=False)
-            self._tasks[rule] = self._progress.tasks[task]
-            self._cost[rule] = 0 if rule == "total" else stage.seconds
-        self._begin = time.monotonic()
-        minutes = self._whole_cost() / (os.cpu_count() or 1) / 60
+        """Show how many jobs there will be, by rule, and about how long they take."""
+        stages, self._planned = read_stages(), {**jobs}
+        self._total = self._planned.pop("total")
+        self._stages = {rule: stage_of(rule, stages) for rule in self._planned}
+        self._run_begin = time.monotonic()
+        minutes = self._cost(self._planned) / (os.cpu_count() or 1) / 60
         how_long = f"about {minutes:.0f} minutes" if minutes > 1.5 else "about a minute or less"
-        self._say(f"{jobs['total']} jobs, {how_long} on grids of a quick study")
-        self._show("total")
-        self._progress.start()
+        self._say(f"{self._total} jobs, {how_long} on grids of a quick study")
         threading.Thread(target=self._break_silence, daemon=True).start()
 
-    def _whole_cost(self) -> float:
-        return sum(cost * (self._tasks[rule].total or 0) for rule, cost in self._cost.items())
+    def _cost(self, jobs: Mapping[str, int]) -> float:
+        """Return the processor time (s) of jobs of a quick study, by rule."""
+        return sum(self._stages[rule].seconds * count for rule, count in jobs.items())
 
     def _position(self) -> str:
         """Return how many jobs have ended and how long the others take, by what they cost."""
-        total, elapsed = self._tasks["total"], time.monotonic() - self._begin
-        done = f"{total.completed:.0f} of {total.total:.0f} jobs done"
-        if not self._spent:
+        done = f"{self._done.total()} of {self._total} jobs done"
+        if not (spent := self._cost(self._done)):
             return done
-        left = elapsed * (self._whole_cost() / self._spent - 1)
+        elapsed = time.monotonic() - self._run_begin
+        left = elapsed * (self._cost(self._planned) / spent - 1)
         return f"{done}, about {timedelta(seconds=round(max(left, 0)))} left"
 
     def _break_silence(self) -> None:
@@ -138,34 +119,21 @@ class LogHandler(LogHandlerBase):
             if time.monotonic() - self._last_line > SILENCE:
                 self._say(self._position())
 
-    def _show(self, rule: str) -> None:
-        task = self._tasks[rule]
-        self._progress.start_task(task.id)
-        self._progress.update(task.id, visible=True)
-
     def _start(self, job: int, rule: str) -> None:
-        """Show the bar of a rule from its first job on."""
         self._rules[job] = rule
-        if not self._tasks[rule].started:
-            self._show(rule)
+        self._begin.setdefault(rule, time.monotonic())
 
     def _finish(self, rule: str) -> None:
-        """Count a job that has ended; of a rule without further jobs a line stays."""
-        stage, total = self._tasks[rule], self._tasks["total"]
-        for task in (stage, total):
-            self._progress.advance(task.id)
-        self._spent += self._cost[rule]
-        if stage.finished:
-            self._progress.update(stage.id, visible=False)
-            took = timedelta(seconds=round(stage.finished_time or 0))
-            self._say(
-                f"{stage.description:40}{stage.total:4.0f} jobs in {took}, {self._position()}"
-            )
+        """Count a job that has ended; of a rule without further jobs show a line."""
+        self._done[rule] += 1
+        if self._done[rule] == self._planned[rule]:
+            took = timedelta(seconds=round(time.monotonic() - self._begin[rule]))
+            name, jobs = self._stages[rule].name, self._planned[rule]
+            self._say(f"{name:40}{jobs:4} jobs in {took}, {self._position()}")
 
     def close(self) -> None:
-        """Take the bars away."""
+        """End the thread that breaks silence."""
         self._ended.set()
-        self._progress.stop()
         super().close()
 
 
