@@ -1,14 +1,13 @@
 """Datasets of all surfaces, with their names, stacked from those of single scans and masters."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Any, TypedDict, TypeVar
+from typing import Any, TypedDict
 
 import numpy as np
 import xarray as xr
 
 from hardcontact.records.dataset import stack
 
-Forces = TypeVar("Forces", xr.DataArray, xr.Dataset)
 #: Datasets by their labels: the surface first.
 Parts = Mapping[tuple[Any, ...], xr.Dataset]
 CONTACT_AXES = ("contact_y", "contact_x")
@@ -52,14 +51,6 @@ def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     return with_names(forces.assign(contact_pixels=largest), described)
 
 
-def at_load(forces: Forces, load: str) -> Forces:
-    """Return the forces at one load, by its name; raises ValueError if it is not there."""
-    loads = forces["load"].values.tolist()
-    if load not in loads:
-        raise ValueError(f"expected forces at the load {load}, found those at {', '.join(loads)}")
-    return forces.sel(load=load, drop=True)
-
-
 def single_masters(
     files: Iterable[tuple[Sequence[str], xr.Dataset]], realizations: int, load: str | None = None
 ) -> Parts:
@@ -73,7 +64,7 @@ def single_masters(
     for key, file in files:
         forces = file
         if load is not None:
-            forces = at_load(file, load).squeeze(["radius", "rho"], drop=True)
+            forces = file.sel(load=load, drop=True).squeeze(["radius", "rho"], drop=True)
             forces = forces.drop_vars("contact_area")
         for number in file["realization"].values.tolist():
             if number <= realizations:

@@ -82,10 +82,7 @@ def sampled_contacts(
 
     With the same generator a larger sample contains the smaller one.
     """
-    available = contacts_along_edge**2
-    if contacts > available:
-        raise ValueError(f"expected at most {available} contacts, found {contacts}")
-    numbers = rng.permutation(available)[:contacts]
+    numbers = rng.permutation(contacts_along_edge**2)[:contacts]
     return np.stack(np.divmod(numbers, contacts_along_edge), axis=1)
 
 

@@ -14,7 +14,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from hardcontact.adhesion.all_surfaces import at_load, single_masters, stacked_forces
+from hardcontact.adhesion.all_surfaces import single_masters, stacked_forces
 from hardcontact.adhesion.force_curves import at_range
 from hardcontact.inference.inference import Pair, infer_model
 from hardcontact.numbers.statistics import Sampling
@@ -101,7 +101,7 @@ def _range_and_work(
     if variant["probe"] != choices.probe:
         return xr.Dataset()
     parts = [
-        at_load(forces[name, variant["variant"][name]], variant["load"])
+        forces[name, variant["variant"][name]].sel(load=variant["load"], drop=True)
         for name in choices.substrates
     ]
     stacked = xr.concat(parts, pd.Index(choices.substrates, name="surface"), join="outer")
