@@ -7,7 +7,6 @@ import pandas as pd
 import pytest
 from paper_numbers import SUBSTRATES, SURFACES
 from random_scans import PIXEL, UNCD, uncd
-from refusals import assert_says, refusal
 from repository import ROOT
 
 from hardcontact.numbers.random import generator
@@ -184,7 +183,6 @@ def test_uncd_is_near_what_is_measured_of_it_in_public():
 @pytest.mark.parametrize(
     ("band", "part"),
     [
-        ("inf,20,cubic,1,1,1,,", "expected the model self-affine, .* found 'cubic'"),
         ("inf,20,profile,,,,,none.csv", "none.csv"),
         ("inf,20,self-affine,,,,,", "afm_rms_height"),
     ],
@@ -193,15 +191,6 @@ def test_a_band_that_cannot_be_made_is_named(described, band, part):
     path = described(band)
     with pytest.raises(ValueError, match=f"surface.csv: band from inf nm: .*{part}"):
         substitute_spectra.from_description(path, NO_TABLE1, WEIGHTS)
-
-
-@pytest.mark.parametrize("content", [b"", b"a,b\n1,2\n", b"\xff\xfe", None])
-def test_what_is_no_description_is_named(tmp_path, content):
-    path = tmp_path / "a.csv"
-    path.write_bytes(content) if content is not None else path.mkdir()
-    message = refusal(substitute_spectra.described_rms_height, path, 1000.0)
-    assert_says(message, "a.csv: expected bands of a spectrum", "found")
-    assert len(message.splitlines()) == 1
 
 
 MOMENTS = ("rms_height", "rms_gradient", "rms_half_laplacian")

@@ -259,14 +259,11 @@ def _with_measurements(
 def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
     """Return a stored `substitute_spectrum` in the form of `joined_spectrum`.
 
-    Its known bands stand for measurements, neighbours of one source for one. What only a
-    measurement has is NaN or empty. The path is that of the description. Raises ValueError if no
-    band is known.
+    Its known bands stand for measurements, neighbours of one source for one; there is one at least.
+    A variable that only a measurement has is NaN or empty. The path is that of the description.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
     known_bands = bands[bands.basis.isin(KNOWN)]
-    if known_bands.empty:
-        raise ValueError(f"{path}: expected a band that is {' or '.join(KNOWN)}, found none")
     previous = known_bands.shift()
     has_gap = known_bands.longest_nm != previous.shortest_nm
     begins = has_gap | (known_bands.source != previous.source)

@@ -22,7 +22,6 @@ from hardcontact.surfaces.spectrum import (
     Spectrum,
     all_scales_moments,
     continued,
-    is_calibrated,
     power_law_tail,
     profile_points,
     share_of_cells,
@@ -198,7 +197,7 @@ def from_description(
     basis. A band of CALIBRATED without Hurst exponent is calibrated to Table 1 (of
     `rows_of_surface`). Raises ValueError that names the file and the band that cannot be made.
     """
-    bands = _bands(path)
+    bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
     for i, band in bands.iterrows():
         try:
@@ -220,47 +219,27 @@ def from_description(
     return density, bands, calibrated
 
 
-def _bands(path: str | Path) -> pd.DataFrame:
-    """Return the bands of a description; raises ValueError, in one line, if the file has none."""
-    columns = ("model", "table", *PARAMETERS)
-    try:
-        bands = pd.read_csv(path)
-        if missing := [name for name in columns if name not in bands]:
-            raise ValueError(f"no {', '.join(missing)}")
-        return bands.astype(dict.fromkeys(PARAMETERS, float))
-    except (OSError, ValueError) as error:
-        reason = " ".join(str(error).split())
-        raise ValueError(
-            f"{path}: expected bands of a spectrum, with the columns {', '.join(columns)} "
-            f"(resources/README.md), found: {reason}"
-        ) from None
-
-
 def _band_density(band: pd.Series, above: Floats, folder: Path) -> Floats:
     """Return C_iso of one band on WAVEVECTORS, zero outside it."""
     if band.model == "power law":
         return continued(above, band.hurst) * (share_of_cells(band.shortest_nm) > 0)
-    if band.model in MODELS:
+    if band.model == "profile":
+        columns = ["wavelength_nm", "c1d_nm3"]
+        points = pd.read_csv(folder / band.table, usecols=columns, dtype=float)[columns]
+        wavelengths, profile = points.to_numpy().T
+        model = profile_points(WAVEVECTORS, wavelengths, profile)
+    else:
         density, parameters = MODELS[band.model]
         model = density(WAVEVECTORS, *(band[name] for name in parameters))
-    elif band.model == "profile":
-        points = pd.read_csv(folder / band.table).astype({"wavelength_nm": float, "c1d_nm3": float})
-        model = profile_points(
-            WAVEVECTORS, points["wavelength_nm"].to_numpy(), points["c1d_nm3"].to_numpy()
-        )
-    else:
-        raise ValueError(
-            "expected the model self-affine, varying Hurst, smooth roll-off, profile or power law, "
-            f"found {band.model!r}"
-        )
     wavelength = 2 * np.pi / WAVEVECTORS
     return np.where((wavelength <= band.longest_nm) & (wavelength > band.shortest_nm), model, 0.0)
 
 
 def described_rms_height(path: str | Path, longest: float) -> float:
-    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone."""
-    if is_calibrated(_bands(path)):
-        raise ValueError(f"{path}: expected all parameters, found some to calibrate to Table 1")
+    """Return the rms height (nm) of the waves up to a wavelength (nm), from a description alone.
+
+    The description leaves no parameters to Table 1.
+    """
     no_weights = np.empty(0), np.empty((3, 0))
     density, _, _ = from_description(path, pd.DataFrame(), no_weights)
     short_enough = 2 * np.pi / WAVEVECTORS <= longest
