@@ -8,7 +8,7 @@ import scan_files
 from paper_numbers import SUBSTRATES, SURFACES
 from small_study import PATTERNS, configuration, files, selection
 
-from hardcontact.config.variants import study_contact, surface_variants, variants
+from hardcontact.config.variants import study_contact, variants
 from hardcontact.surfaces.scans import flattened, read_measurement
 
 pytestmark = pytest.mark.usefixtures("at_root")
@@ -19,12 +19,6 @@ pytestmark = pytest.mark.usefixtures("at_root")
 def test_scans_of_the_sphere_are_taken_in_turn():
     pairs = files(scans=[1, 2]).pairs_in_turn
     assert [(pair.scan, pair.sphere_scan) for pair in pairs] == [(1, 1), (2, 2)] * len(SUBSTRATES)
-
-
-def test_the_first_scans_are_the_realizations_of_insight():
-    study = files([1, 2, 4], insight__realizations=2)
-    assert study.realized_scans == list(product(SUBSTRATES, [1, 2]))
-    assert study.repeated_pairs == [(1, 1), (2, 2)]
 
 
 def test_measured_surfaces_have_measurements_and_their_spectrum():
@@ -220,7 +214,6 @@ def test_variants_concern_the_surfaces_and_loads_that_they_name():
     assert made["skewness-1"].variant == study | {"polished_uncd": "skewness-1"}
     assert made["skewness-1"].label == "polished UNCD: skewness -1"
     assert made["preload-20uN"].contact.preload == 2e-5
-    assert made["preload-20uN"].label == "preload 20 µN"
 
 
 def test_a_variant_that_changes_nothing_is_the_study():
@@ -235,11 +228,3 @@ def test_a_variant_that_changes_nothing_is_the_study():
 def test_the_other_sphere_follows_from_the_study():
     made = by_name(variants(configuration(scales__sphere_roughness=True), selection()))
     assert (made["baseline"].probe, made["smooth_sphere"].probe) == ("rough", "smooth")
-
-
-def test_what_a_variant_of_a_surface_is_made_with():
-    made = surface_variants(configuration())
-    definitions = {"slope": "gradient", "curvature": "half_laplacian"}
-    assert made["study"].table1 == definitions
-    assert made["laplacian"].table1 == definitions | {"curvature": "laplacian"}
-    assert (made["study"].heights(0.1), made["skewness-1"].heights(0.1)) == (0.1, -1.0)

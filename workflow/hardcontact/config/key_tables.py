@@ -28,8 +28,6 @@ HEAD = """\
 COLUMNS = ("key", "meaning", "values", "default", "paper")
 #: The string below a field, by the names of its model and of the field.
 Meanings = dict[tuple[str, str], str]
-#: A space at which no line is broken.
-NO_BREAK = "\u00a0"
 #: Lists of more entries are given in tables by their number, first and last entry.
 LIST_LIMIT = 4
 #: Values of keys whose types have no bounds.
@@ -98,8 +96,7 @@ def _yaml(section: type[BaseModel], indent: str, meanings: Meanings) -> Iterator
                 "\n".join(textwrap.wrap(meanings[section.__name__, name] + paper, 96)),
                 f"{indent}# ",
             )
-            lines = textwrap.wrap(_written(field.default, space=NO_BREAK), 90 - len(name))
-            yield f"{indent}{name}: " + f"\n{indent}  ".join(lines).replace(NO_BREAK, " ")
+            yield f"{indent}{name}: {_written(field.default)}"
 
 
 def _sections() -> Iterator[str]:
@@ -153,10 +150,10 @@ def _values(field: FieldInfo) -> str:
     return f"{limits['ge']} to {limits['le']}{multiple}"
 
 
-def _written(value: Any, space: str = " ") -> str:
-    """Return a default as it stands in YAML, with this space between numbers and units."""
+def _written(value: Any) -> str:
+    """Return a default as it stands in YAML."""
     if isinstance(value, list):
-        return f"[{', '.join(str(item).replace(' ', space) for item in value)}]"
+        return f"[{', '.join(map(str, value))}]"
     return str(value).lower() if isinstance(value, bool) else str(value)
 
 
