@@ -29,7 +29,6 @@ CONTRADICTIONS = [
     ("sets.pool", 4, "the 5 scans of polished_uncd", "found 4"),
     # Values beside each other
     ("adhesion.ranges", ["1 nm", "0.001 um"], "ascending", "found 0.001 um after 1 nm"),
-    ("robustness.heights.skewness", [0.1234567], "six digits", "0.1234567"),
     ("elastic.contacts", 401, "400", "found 401"),
     # Wavelengths and pixels
     ("scan.size", "20 nm", "0.05 to 10000 nm", "found 0.0390625 nm"),

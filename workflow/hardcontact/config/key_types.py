@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field, GetCoreSchemaHandler, WrapValidator
+from pydantic import Field, GetCoreSchemaHandler, WrapValidator
 from pydantic_core import CoreSchema, core_schema
 
 from hardcontact.config.faults import shortened
@@ -91,13 +91,6 @@ def _or_all(value: Any, validate: Callable[[Any], list[int]]) -> list[int] | str
     return validate(value)
 
 
-def _of_six_digits(number: float) -> float:
-    """Refuse a number that stands in names, of which two with more digits might be the same."""
-    if float(f"{number:g}") != number:
-        raise ValueError(f"expected at most six digits, found {number!r}")
-    return number
-
-
 ASCENDING, ONCE = WrapValidator(_ascending), WrapValidator(_once)
 
 Length = Annotated[float, Quantity("nm", 0.01, 1e9)]
@@ -128,7 +121,7 @@ MasterPixels = Annotated[int, Field(ge=32, le=32768, multiple_of=2)]
 Tiles = Annotated[int, Field(ge=1, le=256)]
 Fraction = Annotated[float, Field(ge=0.001, le=0.999, allow_inf_nan=False)]
 
-Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False), AfterValidator(_of_six_digits)]
+Skewness = Annotated[float, Field(ge=-1, le=1, allow_inf_nan=False)]
 Skewnesses = Annotated[list[Skewness], Field(max_length=20), ONCE]
 
 SurfaceId = Annotated[

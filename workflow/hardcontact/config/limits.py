@@ -76,23 +76,16 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
     Raises ValueError with a line for each fault, which names the key of the configuration; this has
     numbers.
     """
-    name, radius = config["sphere"]["surface"], config["sphere"]["radius"]
-    tables = []
+    name, uses = config["sphere"]["surface"], uses_of_scans(config)
+    tables = [limits_of_scan(config, surface, grid) for surface, grid in grids.items()]
     for surface, grid in grids.items():
-        tables.append(limits_of_scan(config, surface, grid))
-        if surface == name:
-            expected = f"at least the size of its scans ({grid.size:.6g} nm)"
-            tables.append(
-                iter([Limit(radius >= grid.size, "sphere.radius", expected, f"{radius:.6g} nm")])
-            )
-            continue
-        sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
-        _, *of_masters = uses_of_scans(config)
-        tables.append(_limits_of_pair(config, surface, grid, sphere))
-        tables += [
-            _limits_of_master(config, use, side, surface, grid, sphere)
-            for use, side in product(of_masters, SIDES)
-        ]
+        if surface != name:
+            sphere = grids.get(name, grid)  # A smooth sphere has the pixels of what it meets.
+            tables.append(_limits_of_pair(config, surface, grid, sphere))
+            tables += [
+                _limits_of_master(config, use, side, surface, grid, sphere)
+                for use, side in product(uses[1:], SIDES)
+            ]
     refuse_all(partial(refuse_lines, islice(unmet(limits), 1)) for limits in tables)
 
 
@@ -117,6 +110,10 @@ def pressed_depth(contact: Contact, relief: float) -> float:
 def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator[Limit]:
     """Yield the limits of the scans of a surface: loads, numbers of contacts, ranges."""
     uses, window, stitched = uses_of_scans(config), config["contact"]["window"], 2 * grid.pixels
+    radius = config["sphere"]["radius"]
+    if surface == config["sphere"].get("surface"):
+        expected = f"at least the size of its scans ({grid.size:.6g} nm)"
+        yield Limit(radius >= grid.size, "sphere.radius", expected, f"{radius:.6g} nm")
     available = carrying_pixels(window, grid)
     why = f"which a quarter of the {4 * available} pixels of {surface} can carry"
     for use in uses:
@@ -130,7 +127,7 @@ def limits_of_scan(config: dict[str, Any], surface: str, grid: Grid) -> Iterator
         ranges["insight.ranges"] = config["insight"]["ranges"][0]
     ranges["scales.range"] = config["scales"]["range"]
     for key, rho in ranges.items():
-        yield _limit_of_range(window, (key, rho, config["sphere"]["radius"]), surface, grid)
+        yield _limit_of_range(window, (key, rho, radius), surface, grid)
 
 
 def _limits_of_pair(
@@ -166,7 +163,14 @@ def _limits_of_master(
     yield limit_of_memory(keys["pixels"], pixels, machine_megabytes())
     yield _limit_of_range(config["contact"]["window"], use.range, surface, master)
     if use.section in ("scales", "sets"):  # Those that are computed at `scales.range` alone.
-        yield from _limits_of_depth(use, grid)
+        for key, contact in use.loads.items():
+            depth = pressed_depth(contact, grid.relief)
+            shortest = depth / PENETRATION_OVER_RANGE
+            pressed = f"as {key} presses the bodies some {depth:.3g} nm into each other"
+            expected = f"at least {shortest:.3g} nm, {pressed}"
+            yield Limit(
+                contact.range >= shortest, use.range[0], expected, f"{contact.range:.4g} nm"
+            )
     cutoff_pixel_size = finest if side == "small" else grid.pixel_size
     for name, pixel_size in (("transition", grid.pixel_size), ("cutoffs", cutoff_pixel_size)):
         # Exactly two pixels is refused with some margin, as `filters.lowpass` does.
@@ -230,15 +234,3 @@ def _limits_of_loads(use: Use, available: int, pixel_size: float, why: str) -> I
         )
         holds = contact.pixels(pixel_size) <= available
         yield Limit(holds, key, expected, print_quantity(contact.preload, "N"))
-
-
-def _limits_of_depth(use: Use, grid: Grid) -> Iterator[Limit]:
-    """Yield the limits of the range of adhesion beside the depth of contacts at each load."""
-    range_key, rho, _ = use.range
-    for key, contact in use.loads.items():
-        depth = pressed_depth(contact, grid.relief)
-        shortest = depth / PENETRATION_OVER_RANGE
-        pressed = f"as {key} presses the bodies some {depth:.3g} nm into each other"
-        yield Limit(
-            rho >= shortest, range_key, f"at least {shortest:.3g} nm, {pressed}", f"{rho:.4g} nm"
-        )

@@ -85,7 +85,7 @@ def surface_variants(configuration: Mapping[str, Any]) -> dict[str, SurfaceVaria
         SurfaceVariant(other, f"curvature of Table 1: {other}", "curvature", curvature=other)
     )
     for value in heights["skewness"]:
-        name, label = f"skewness{value:+g}", f"skewness {value:+g}"
+        name, label = f"skewness{value:+.12g}", f"skewness {value:+.12g}"
         made.append(SurfaceVariant(name, label, "heights", heights["surface"], skewness=value))
     return {variant.name: variant for variant in made}
 
