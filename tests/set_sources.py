@@ -43,7 +43,6 @@ def make_pool(surface, count=12):
         scans(rng, mean * rng.uniform(0.8, 1.2, count))
         | {
             "log_force": (("scan", "rms_height_of_force", *AXES), log_force),
-            "interpolation_error": (("scan", *AXES[:2]), rng.normal(0, 0.01, (count, 2, len(RHO)))),
         },
         {
             "scan": range(1, count + 1),

@@ -1,6 +1,5 @@
 """Range and work of adhesion and the critical band under every variant of the study's choices."""
 
-from hardcontact.inference.inference import Pair
 from hardcontact.inference.robustness import Choices, robustness
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records import dataset, published
@@ -20,13 +19,7 @@ with job(snakemake) as this:
         constants["error_threshold"],
         given["tolerance"],
         given["realizations"],
-        Pair(constants["range_of_adhesion"], constants["work_of_adhesion"]),
-        Sampling(
-            given["seed"],
-            given["samples"],
-            given["confidence"],
-            ("sampling", "robustness"),
-        ),
+        Sampling(given["seed"], given["samples"], given["confidence"], ("sampling", "robustness")),
     )
     masters = zip(given["masters"], this.input.scales, strict=True)
     varied = robustness(

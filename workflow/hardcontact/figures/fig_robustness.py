@@ -39,8 +39,7 @@ interval, from Student's t on logarithms over scans (a, b) or over realizations 
 interval that ends at the largest or smallest range computed is open there. Grey: the published
 uncertainty where one is given. "Not affected": the choice concerns Fig. 6 alone; "never
 reached": the force stays within the band at all cutoffs. Drawn from robustness.nc (which also
-has the least error and the mean force of each surface at the published range and work),
-inference.nc, band.nc and resources/paper/parameters.csv.
+has the least error), inference.nc, band.nc and resources/paper/parameters.csv.
 """
 
 BASELINE = "baseline"

@@ -5,6 +5,7 @@ Lengths in nm, forces in N, works of adhesion in J/m².
 """
 
 from decimal import Decimal
+from typing import Any
 
 import numpy as np
 import pandas as pd
@@ -75,7 +76,8 @@ def apply_classical_models(
     }
     maugis = smooth_sphere.maugis_parameter(value["tabor_parameter"])
     coefficient = smooth_sphere.transition_coefficient(maugis)
-    mean_forces, works, effective = {}, {}, {}
+    mean_forces: dict[str, Any] = {}
+    works, effective = {}, {}
     for against, force in forces.items():
         name = f"{against}_mean_force"
         mean_forces |= with_interval(name, "surface", *force, NEWTON, confidence)
@@ -90,14 +92,14 @@ def apply_classical_models(
     models = {}
     for metrics, prefix in METRICS.items():
         mean, uncertainty = (
-            _roughness(rows[column], prefix) for column in ("value", "uncertainty")
+            _roughness(rows, column, prefix) for column in ("value", "uncertainty")
         )
         drawn = sample_roughness(sampling.generator(metrics), mean, uncertainty, sampling.samples)
         compared = compare_models(mean, drawn, sphere, value["work_of_adhesion"], targets, sampling)
         models[(metrics,)] = compared.merge(power_laws(mean, drawn, works, sampling))
     pressed = smooth_sphere.hertz_contact(value["preload"], sphere.radius, sphere.modulus)
     tabor = smooth_sphere.tabor_parameter(value["work_of_adhesion"], *sphere)
-    descriptions = {
+    descriptions: dict[str, Any] = {
         f"model_{field}": ("model", [getattr(model, field) for model in MODELS.values()])
         for field in ("label", "roughness", "verified")
     }
@@ -107,8 +109,8 @@ def apply_classical_models(
         .assign(mean_forces)
         .assign_coords(surface=surfaces)
         .reindex(surface=inference["surface"].values)
+        .assign(descriptions)
         .assign(
-            **descriptions,
             tabor_parameter=((), tabor, ONE),
             hertz_peak_pressure=((), pressed.peak_pressure, {"units": "Pa"}),
             label=inference["label"],
@@ -118,9 +120,10 @@ def apply_classical_models(
     )
 
 
-def _roughness(rows: pd.DataFrame, prefix: str) -> Roughness:
-    """Return three rows of Table 1 as arrays over surfaces."""
-    return Roughness(*(rows[f"{prefix}_rms_{name}"].to_numpy() for name in Roughness._fields))
+def _roughness(rows: pd.DataFrame, column: str, prefix: str) -> Roughness:
+    """Return the value or uncertainty of three rows of Table 1 as arrays over surfaces."""
+    names = [(column, f"{prefix}_rms_{name}") for name in Roughness._fields]
+    return Roughness(*(rows[name].to_numpy() for name in names))
 
 
 def rounded(printed: "pd.Series[str]") -> tuple[np.ndarray, np.ndarray]:

@@ -1,9 +1,7 @@
 """Range and work of adhesion and the critical band under every variant of the study's choices.
 
-A variant is a dict of its `name`, `label` and `group`, of `variant` (the variant of each
-substrate's scans, by the substrate), of `load` (the name of hardness and preload) and of `probe`
-(the sphere of the filtered masters). The intervals of all variants come from the same random
-numbers, so that only what they vary makes them differ.
+The intervals of all variants come from the same random numbers, so that only what they vary makes
+them differ.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,8 +13,7 @@ import pandas as pd
 import xarray as xr
 
 from hardcontact.adhesion.all_surfaces import single_masters, stacked_forces
-from hardcontact.adhesion.force_curves import at_range
-from hardcontact.inference.inference import Pair, infer_model
+from hardcontact.inference.inference import infer_model
 from hardcontact.numbers.statistics import Sampling
 from hardcontact.records.job import progress
 from hardcontact.scales.critical_band import critical_band
@@ -30,31 +27,21 @@ INFERRED = [
 #: What is computed for every variant of the filtered masters.
 CRITICAL = ["critical_wavelength", "critical_wavelength_interval"]
 
-
 #: Files of masters, each with its surface, variant and probe.
 Masters = Sequence[tuple[Sequence[str], xr.Dataset]]
 
 
 @dataclass(frozen=True)
 class Choices:
-    """What all variants share.
-
-    The basis of a surface says whether its scans are measured or substitutes; forces are divided by
-    those of the reference surface. The probe is the study's sphere of the filtered masters; another
-    one leaves range and work as they are. The threshold is of the mean relative error, the
-    tolerance the relative change of the force that ends the critical band. Of the masters so many
-    realizations count, and the published pair
-    the range and work of adhesion that mean forces are given at.
-    """
+    """What all variants share."""
 
     substrates: list[str]
-    basis: dict[str, str]
-    reference_surface: str
-    probe: str
-    error_threshold: float
-    tolerance: float
-    realizations: int
-    published_pair: Pair
+    basis: dict[str, str]  #: Of surfaces, whether their scans are measured or substitutes.
+    reference_surface: str  #: The surface whose force divides the others.
+    probe: str  #: The study's sphere of the filtered masters.
+    error_threshold: float  #: Of the mean relative error.
+    tolerance: float  #: Relative change of the force that ends the critical band.
+    realizations: int  #: Masters that count.
     sampling: Sampling
 
 
@@ -67,22 +54,39 @@ def robustness(
 ) -> xr.Dataset:
     """Return range and work of adhesion and the critical band under every variant.
 
-    Forces pull_off_force (scan, sphere_scan, load, rho), in N, are by surface and variant; files
-    of masters, as of `single_masters`, by surface, variant and probe; published are those of
-    `published.pull_off`. Returned are INFERRED, `mean_force` (variant, surface) in N at the
-    published pair, and CRITICAL of all substrates pooled.
+    Parameters
+    ----------
+    adhesion : mapping of tuple to xarray.Dataset
+        ``pull_off_force`` (scan, sphere_scan, load, rho) in N, by surface and variant of its scans.
+    masters : sequence of (keys, xarray.Dataset)
+        Files of masters as of `single_masters`, with their surface, variant and probe.
+    variants : sequence of dict
+        The ``name``, ``label`` and ``group`` of each, the ``variant`` of each substrate's scans,
+        the ``load`` by its name, and the ``probe`` of the filtered masters; another probe than the
+        study's leaves range and work as they are.
+    published : pandas.DataFrame
+        Of `published.pull_off`.
+    choices : Choices
+        What all variants share.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over variant: INFERRED, and CRITICAL (side) of all substrates pooled.
     """
     target = published.mean_force.reindex(choices.substrates).to_numpy()
-    forces = {key: one["pull_off_force"] for key, one in adhesion.items()}
+    forces = {key: scans["pull_off_force"] for key, scans in adhesion.items()}
     parts = [
-        xr.merge([_range_and_work(forces, target, one, choices), _band(masters, one, choices)])
-        for one in progress(variants, len(variants), "variants")
+        xr.merge(
+            [_range_and_work(forces, target, variant, choices), _band(masters, variant, choices)]
+        )
+        for variant in progress(variants, len(variants), "variants")
     ]
-    names = pd.Index([one["name"] for one in variants], name="variant")
+    names = pd.Index([variant["name"] for variant in variants], name="variant")
     varied = xr.concat(parts, names, coords="minimal", join="outer")
     return varied.assign_coords(
-        variant_label=("variant", [one["label"] for one in variants]),
-        group=("variant", [one["group"] for one in variants]),
+        variant_label=("variant", [variant["label"] for variant in variants]),
+        group=("variant", [variant["group"] for variant in variants]),
     ).assign_attrs(
         tolerance=choices.tolerance,
         confidence=choices.sampling.confidence,
@@ -112,17 +116,15 @@ def _range_and_work(
         choices.error_threshold,
         choices.sampling,
     )
-    rho, work = choices.published_pair
-    force = work * at_range(inferred.mean_force, rho)
-    return inferred[INFERRED].assign(mean_force=force.assign_attrs(units="N"))
+    return inferred[INFERRED]
 
 
 def _band(masters: Masters, variant: dict[str, Any], choices: Choices) -> xr.Dataset:
     """Return CRITICAL (side) of all substrates of one variant pooled."""
     files = [
         ([surface], file)
-        for (surface, made, probe), file in masters
-        if (made, probe) == (variant["variant"].get(surface), variant["probe"])
+        for (surface, scans, probe), file in masters
+        if (scans, probe) == (variant["variant"].get(surface), variant["probe"])
     ]
     curves = stacked_forces(single_masters(files, choices.realizations, variant["load"]))
     curves = curves.sel(surface=choices.substrates)

@@ -1,7 +1,6 @@
-"""Sets of scans: drawn from a pool, shaped as the datasets of the study, and judged as it is.
+"""Sets of scans, drawn from a pool and judged as the study is.
 
-A set takes scans of a pool and gives each its height, from which its forces follow. Its numbers are
-those of every claim that sets hold, range and work of adhesion, and the band.
+A set takes scans of a pool and gives each its height, from which its forces follow.
 """
 
 from collections.abc import Mapping
@@ -32,15 +31,12 @@ Drawn = Mapping[str, xr.Dataset]
 TRIES = 1000
 #: Metrics that do not change with the height of a scan.
 SHAPES = ("skewness", "kurtosis")
-#: Of the inference of a set.
+#: Variables of the inference of a set that are kept.
 INFERRED = [
-    "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
-    "minimum_error", "mean_force", "ratio",
+    "range_of_adhesion", "work_of_adhesion", "minimum_range", "minimum_work", "minimum_error",
 ]  # fmt: skip
-#: Of the critical band of a set.
-OF_BAND = ["scale_ratio", "scale_change", "critical_wavelength"]
-#: What may move the range of adhesion: facts of topography, means and deviations over scans.
-FACTS = ["rms_height", "rms_gradient", "rms_half_laplacian"]
+#: Variables of the critical band of a set that are kept.
+BAND = ["scale_ratio", "scale_change", "critical_wavelength"]
 
 
 class Sources(NamedTuple):
@@ -48,10 +44,8 @@ class Sources(NamedTuple):
 
     topography: xr.Dataset  #: Of the study.
     adhesion: xr.Dataset  #: Of the study.
-    #: Of `pool.compute_pool`, by substrate; a substrate without one keeps its scans.
-    pools: Mapping[str, xr.Dataset]
-    #: (contact_model, surface, rho) force on the rough sphere over that on a smooth one, of
-    #: substrates with a pool.
+    pools: Mapping[str, xr.Dataset]  #: By substrate; a substrate without one keeps its scans.
+    #: (contact_model, surface, rho) force on the rough sphere relative to a smooth one.
     sphere_factor: xr.DataArray
     masters: xr.Dataset  #: Of `all_surfaces.stacked_forces` at one load.
 
@@ -67,22 +61,24 @@ class SetSettings(NamedTuple):
     confidence: float  #: Of the intervals.
 
 
-def set_generator(seed: int, number: int, surface: str, purpose: str) -> np.random.Generator:
-    """Return the random generator of one set for one purpose on one surface."""
-    return generator(seed, surface, number, "set", purpose)
-
-
 def gathered_sources(
     study: Mapping[str, xr.Dataset],
     chunks: Mapping[tuple[Any, ...], xr.Dataset],
     smooth: Mapping[str, xr.Dataset],
     masters: xr.Dataset,
 ) -> Sources:
-    """Return what sets are made from, of the files of the study and of the pools.
+    """Return what sets are made from.
 
-    The study gives `topography` and `adhesion`; the chunks of `pool.compute_pool` are by substrate,
-    first and last scan, the smooth ones of `mean_pull_off_of_pair` by substrate, the masters of
-    `all_surfaces.stacked_forces` at one load.
+    Parameters
+    ----------
+    study : mapping of str to xarray.Dataset
+        ``topography`` and ``adhesion`` of the study.
+    chunks : mapping of tuple to xarray.Dataset
+        Of `pool.compute_pool`, by substrate, first and last scan.
+    smooth : mapping of str to xarray.Dataset
+        Mean forces of the study's scans on a smooth sphere, by substrate.
+    masters : xarray.Dataset
+        Of `all_surfaces.stacked_forces` at one load.
     """
     pools: dict[str, list[xr.Dataset]] = {}
     for (surface, *_), chunk in chunks.items():
@@ -107,10 +103,10 @@ def gathered_sources(
 def draw_scans(pool: xr.Dataset, rng: np.random.Generator, scans: int) -> xr.Dataset:
     """Draw a set of scans of one substrate from its pool, without replacement.
 
-    A set of which a height would be below those of the pool is drawn again: with six scans or more
-    it could be negative; ValueError if none is found. METRICS and `number` in the pool are over
-    scan, which counts from 1; `pull_off_force` (scan, contact_model, rho, contact_y, contact_x) in
-    N is that on a smooth sphere.
+    With six scans or more a height could be negative: a set with a height below those of the pool
+    is drawn again. Returns METRICS and ``number`` in the pool over scan, which counts from 1, and
+    ``pull_off_force`` (scan, contact_model, rho, contact_y, contact_x) in N on a smooth sphere.
+    Raises ValueError if no set is found.
     """
     least = pool["rms_height_of_force"].values.min()
     mean, deviation = pool.attrs["mean_rms_height"], pool.attrs["rms_height_deviation"]
@@ -162,16 +158,13 @@ def drawn_scans(sources: Sources, seed: int, number: int) -> dict[str, xr.Datase
     """Return the scans of a set by substrate, of those with a pool; as many as the study has."""
     counts = sources.topography["rms_height"].count("scan").to_series()
     return {
-        name: draw_scans(pool, set_generator(seed, number, name, "scans"), counts[name])
+        name: draw_scans(pool, generator(seed, name, number, "set", "scans"), counts[name])
         for name, pool in sources.pools.items()
     }
 
 
 def set_topography(study: xr.Dataset, drawn: Drawn, confidence: float) -> xr.Dataset:
-    """Return METRICS, their averages, and all that scans do not enter, as topography.nc has them.
-
-    Surfaces without drawn scans keep those of the study.
-    """
+    """Return METRICS, their averages and what depends on no scan, as topography.nc has them."""
     parts = [
         drawn[name] if name in drawn else study.sel(surface=name, drop=True)
         for name in study["surface"].values
@@ -196,7 +189,8 @@ def set_adhesion(sources: Sources, drawn: Drawn, seed: int, number: int) -> xr.D
         else:
             own = study["pull_off_force"].sel(surface=surface, drop=True)
             own = own.dropna("scan", how="all").dropna("sphere_scan", how="all")
-            forces = with_sampled_mean(own, set_generator(seed, number, surface, "mean force"))
+            rng = generator(seed, surface, number, "set", "mean force")
+            forces = with_sampled_mean(own, rng)
         parts.append(forces)
     stacked = xr.concat(parts, study["surface"], join="outer")
     return study[["label", "basis", "contact_pixels"]].assign(
@@ -207,14 +201,11 @@ def set_adhesion(sources: Sources, drawn: Drawn, seed: int, number: int) -> xr.D
 def set_band(
     masters: xr.Dataset, realizations: int, tolerance: float, sampling: Sampling, number: int
 ) -> xr.Dataset:
-    """Return the critical band of some masters of each substrate, drawn with replacement.
-
-    It is as band.nc, without labels.
-    """
+    """Return the critical band of some masters of each substrate, drawn with replacement."""
     parts = []
     for surface in masters["surface"].values.tolist():
         known = masters["ratio"].sel(surface=surface).dropna("realization", how="all")
-        rng = set_generator(sampling.seed, number, surface, "masters")
+        rng = generator(sampling.seed, surface, number, "set", "masters")
         chosen = rng.choice(known.realization, realizations)
         ratio = known.sel(realization=chosen).assign_coords(realization=range(realizations))
         parts.append(ratio.drop_vars("surface"))
@@ -231,69 +222,60 @@ def judge_sets(
 ) -> xr.Dataset:
     """Draw all sets and compute the numbers of each.
 
-    The statements are those of `evaluation.replicated_statements`, the constants those of
-    `published.constants`. The numbers are over set: `value` (claim), INFERRED (contact_model, ...),
-    OF_BAND (side, ...), the FACTS `<metric>` and `<metric>_std` (surface); `sphere_factor` and
-    `interpolation_error` (contact_model, surface, rho), the latter the root mean square over the
-    pool; NaN of a surface without one.
+    Parameters
+    ----------
+    sources : Sources
+        What sets are made from.
+    statements, constants : pandas.DataFrame
+        Of `evaluation.replicated_statements` and `published.constants`.
+    measured : Published
+        Published forces, range and work of adhesion.
+    settings : SetSettings
+        How sets are drawn and judged.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over set: ``value`` (claim), INFERRED (contact_model, ...) and BAND (side, ...). Over
+        (contact_model, surface, rho) ``sphere_factor``, NaN of a surface without a pool.
     """
     numbers = range(1, settings.replicates + 1)
-    sets = [
-        _judged_set(sources, statements, constants, measured, settings, number)
-        for number in progress(numbers, len(numbers), "sets")
-    ]
-    errors = xr.full_like(sources.sphere_factor, np.nan)
-    for surface, pool in sources.pools.items():
-        errors.loc[{"surface": surface}] = (pool["interpolation_error"] ** 2).mean("scan") ** 0.5
+    sets = []
+    for number in progress(numbers, len(numbers), "sets"):
+        datasets = _set_datasets(sources, constants["value"], measured, settings, number)
+        value = values(statements, datasets, constants)
+        claims = xr.Dataset({"value": ("claim", value)}, {"claim": value.index.to_list()})
+        kept = [claims, datasets["inference"][INFERRED], datasets["band"][BAND]]
+        sets.append(xr.merge(kept, join="exact", combine_attrs="drop_conflicts"))
     return xr.concat(sets, pd.Index(numbers, name="set")).assign(
         sphere_factor=sources.sphere_factor.assign_attrs(
             units="1", long_name="pull-off force on the rough sphere over that on a smooth one"
-        ),
-        interpolation_error=errors.assign_attrs(
-            units="1", long_name="root mean square error of an interpolated mean force of one scan"
-        ),
+        )
     )
 
 
-def _judged_set(
+def _set_datasets(
     sources: Sources,
-    statements: pd.DataFrame,
-    constants: pd.DataFrame,
+    constants: "pd.Series[float]",
     measured: Published,
     settings: SetSettings,
     number: int,
-) -> xr.Dataset:
-    """Return the numbers of one set."""
+) -> dict[str, xr.Dataset]:
+    """Return the datasets of one set by the names that claims give them."""
     sampling = Sampling(settings.seed, 0, settings.confidence)
     drawn = drawn_scans(sources, settings.seed, number)
     adhesion = set_adhesion(sources, drawn, settings.seed, number)
     band = set_band(sources.masters, settings.realizations, settings.tolerance, sampling, number)
-    datasets = {  # by the names that claims give them
+    return {
         "topography": set_topography(sources.topography, drawn, settings.confidence),
         "adhesion": adhesion,
         "inference": infer(
             adhesion,
             measured,
             settings.reference_surface,
-            constants["value"]["error_threshold"],
-            constants["value"]["force_floor"],
+            constants["error_threshold"],
+            constants["force_floor"],
             sampling,
         ),
         "band": band.assign_attrs(sphere_radius=adhesion.attrs["sphere_radius"]),
     }
-    value = values(statements, datasets, constants)
-    substrates = adhesion["surface"].values
-    topography = datasets["topography"].sel(surface=substrates).assign_coords(surface=substrates)
-    facts: dict[str, Any] = {}
-    for name in FACTS:
-        facts |= {name: topography[f"{name}_mean"], f"{name}_std": topography[f"{name}_std"]}
-    return xr.merge(
-        [
-            xr.Dataset({"value": ("claim", value.to_numpy())}, {"claim": value.index.to_list()}),
-            datasets["inference"][INFERRED],
-            datasets["band"][OF_BAND],
-            xr.Dataset(facts),
-        ],
-        join="exact",
-        combine_attrs="drop_conflicts",
-    )

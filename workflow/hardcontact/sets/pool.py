@@ -1,13 +1,12 @@
 """The pool that sets of substitute scans are drawn from: forces of each scan at several heights.
 
-A set multiplies the heights of each of its scans by a factor. Forces are computed at a few rms
-heights that span what a set may ask for, and interpolated between them. They are those on a smooth
-sphere; what its roughness changes is measured on the study's own scans, and applied to all sets.
+A set multiplies the heights of each of its scans by a factor. Forces on a smooth sphere are
+computed at a few rms heights that span what a set may ask for, and interpolated between them.
 """
 
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any, TypedDict
+from typing import TypedDict
 
 import numpy as np
 import pandas as pd
@@ -20,7 +19,7 @@ from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
 from hardcontact.surfaces.conditioning import Targets
-from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
+from hardcontact.surfaces.height_map import METRICS, level, metrics, mirror_stitch
 from hardcontact.surfaces.spectrum import Density, Floats
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
 
@@ -54,10 +53,7 @@ def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
 
 
 def height_weights(heights: Floats, at: Floats) -> Floats:
-    """Return the weights (at, amplitude) of logarithms of forces at `heights`, all in nm.
-
-    Those of a cubic spline in the root of the height.
-    """
+    """Return the weights (at, amplitude) of a cubic spline in the root of heights (nm)."""
     if len(heights) == 1:
         return np.ones((len(at), 1))
     degree = min(3, len(heights) - 1)
@@ -74,11 +70,24 @@ def compute_pool(
 ) -> xr.Dataset:
     """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
 
-    The density is C_iso in nm⁴ as a function of the wavevector in rad/nm, `heights` (amplitude,)
-    are those of `pool_heights`; mean and deviation of the targets are kept as attributes. Over scan
-    follow `log_force` (scan, rms_height_of_force, contact_model, rho, contact_y, contact_x), the
-    logarithm of forces in N; METRICS of the scan as it was drawn; and `interpolation_error` (scan,
-    contact_model, rho) of the logarithm of the mean force, at one height drawn at random.
+    Parameters
+    ----------
+    numbers : sequence of int
+        Of the scans in the pool.
+    density : callable
+        C_iso in nm⁴ as a function of the wavevector in rad/nm.
+    targets : Targets
+        Its mean and deviation of the rms height become attributes.
+    heights : numpy.ndarray
+        Rms heights (amplitude,) of `pool_heights` in nm.
+    settings : PoolSettings
+        What the scans and their contacts are made with.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over scan: ``log_force`` (rms_height_of_force, contact_model, rho, contact_y, contact_x),
+        the logarithm of forces in N, and METRICS of the scan as it was drawn.
     """
     parts = [
         _pool_scan(number, density, heights, settings)
@@ -95,47 +104,29 @@ def _pool_scan(
     """Return the forces and the roughness of one scan."""
     rng = generator(settings["seed"], settings["surface"], number, "pool")
     scan = level(drawn_scan(rng, density, settings["scan"]))
-    roughness = metrics(scan)
-    between = rng.uniform(*np.sqrt(heights[[0, -1]])) ** 2
-    *computed, direct = (
-        _log_forces(scan, height / roughness["rms_height"], settings)
-        for height in (*heights, between)
+    roughness, contact = metrics(scan), settings["contact"]
+    forces = []
+    for height in heights:
+        scaled = replace(scan, heights=height / roughness["rms_height"] * scan.heights)
+        pair = bodies(mirror_stitch(scaled), None, contact)
+        forces.append(pull_off_of_pair(pair, contact, settings["ranges"])["pull_off_force"])
+    axis = xr.DataArray(heights, dims="rms_height_of_force", name="rms_height_of_force")
+    computed = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
+    log_force: xr.DataArray = xr.apply_ufunc(np.log, computed).astype("float32")
+    places = range(contact.count)
+    return xr.Dataset(
+        {
+            "log_force": log_force.assign_attrs(
+                units="1", long_name="logarithm of the pull-off force in N at W = 1 J/m2"
+            )
+        }
+        | {
+            name: ((), roughness[name], {"units": unit, "long_name": long_name})
+            for name, (unit, long_name) in METRICS.items()
+        },
+        {
+            "rms_height_of_force": ("rms_height_of_force", heights, {"units": "nm"}),
+            "contact_y": places,
+            "contact_x": places,
+        },
     )
-    log_forces = np.array(computed)
-    interpolated = np.tensordot(height_weights(heights, np.array([between]))[0], log_forces, 1)
-    error = np.log(np.exp(interpolated).mean(axis=(-2, -1)) / np.exp(direct).mean(axis=(-2, -1)))
-    axes = ("contact_model", "rho")
-    variables: dict[str, Any] = {
-        "log_force": (
-            ("rms_height_of_force", *axes, "contact_y", "contact_x"),
-            log_forces.astype("float32"),
-            {"units": "1", "long_name": "logarithm of the pull-off force in N at W = 1 J/m2"},
-        ),
-        "interpolation_error": (
-            axes,
-            error,
-            {"units": "1", "long_name": "relative error of the interpolated mean force"},
-        ),
-    } | {
-        name: ((), roughness[name], {"units": unit, "long_name": long_name})
-        for name, (unit, long_name) in METRICS.items()
-    }
-    coordinates: dict[str, Any] = {
-        "rms_height_of_force": ("rms_height_of_force", heights, {"units": "nm"}),
-        "contact_model": ["rigid", "plastic"],
-        **{axis: range(log_forces.shape[-1]) for axis in ("contact_y", "contact_x")},
-        "rho": ("rho", np.asarray(settings["ranges"], float), {"units": "nm"}),
-    }
-    return xr.Dataset(variables, coordinates)
-
-
-def _log_forces(scan: HeightMap, factor: float, settings: PoolSettings) -> Floats:
-    """Return the logarithms of the forces (contact_model, rho, contact_y, contact_x) in N.
-
-    Those of a scan whose heights are multiplied by a factor, on a smooth sphere.
-    """
-    stitched = mirror_stitch(replace(scan, heights=factor * scan.heights))
-    contact = settings["contact"]
-    pair = bodies(stitched, None, contact)
-    forces = pull_off_of_pair(pair, contact, settings["ranges"])["pull_off_force"].values
-    return np.asarray(np.log(forces))
