@@ -103,10 +103,3 @@ def test_another_probe_changes_the_critical_band_alone(varied):
         expected = [10 ** (1 + decades), 10 ** (4 - decades)]
         computed = varied.critical_wavelength.sel(variant=name, side=["small", "large"])
         np.testing.assert_allclose(computed, expected)
-
-
-def test_a_load_that_was_not_computed_is_refused():
-    unknown = VARIANTS[0] | {"load": "H1GPa-F1uN"}
-    adhesion = {(surface, "study"): scan_forces(surface) for surface in SUBSTRATES}
-    with pytest.raises(ValueError, match="expected .* H1GPa-F1uN, found .* H25GPa-F10uN, H25GPa"):
-        robustness(adhesion, [], [unknown], TABLE, CHOICES)
