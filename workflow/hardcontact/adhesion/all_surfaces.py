@@ -42,7 +42,7 @@ def over_sphere_scans(pairs: Mapping[int, xr.Dataset]) -> xr.Dataset:
 def stacked_pull_off_forces(scans: Parts, described: Described) -> xr.Dataset:
     """Return the pull-off forces of all surfaces, pairs of scans, contact models and ranges.
 
-    The scans are of `over_sphere_scans` with `window_change`, by (surface, scan).
+    The scans come from `over_sphere_scans`, with `window_change`, by (surface, scan).
     ``contact_pixels`` (contact_model) are the most of any pair.
     """
     dimensions = ["surface", "scan"]
@@ -56,8 +56,8 @@ def single_masters(
 ) -> Parts:
     """Return the forces on each master, by the key of its file, realization and side.
 
-    The files are of `filtered_masters.filtered_pull_off`; realizations beyond the number asked for
-    are left out. Given a load by its name, the forces are at the single radius and range of the
+    The files come from `filtered_masters.filtered_pull_off`; realizations beyond the number asked
+    for are left out. With a load, the forces are those at it, at the single radius and range of the
     file.
     """
     masters: dict[tuple[Any, ...], xr.Dataset] = {}
@@ -77,7 +77,7 @@ def single_masters(
 def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
     """Return the `elastic_contacts_of_pair` of all surfaces and scans, by (surface, scan).
 
-    The ``pressure`` (surface, y, x) is that of one contact on the first scan of each surface.
+    The ``pressure`` (surface, y, x) shows one contact on the first scan of each surface.
     """
     contacts = stack(
         {key: scan.drop_vars(["pressure", "y", "x"]) for key, scan in scans.items()},
@@ -91,11 +91,11 @@ def stacked_elastic_contacts(scans: Parts, described: Described) -> xr.Dataset:
 
 
 def stacked_forces(masters: Parts) -> xr.Dataset:
-    """Return the forces on all filtered masters, and their ratios to those on the whole ones.
+    """Return the forces on all filtered masters, and their ratios to the unfiltered forces.
 
-    The masters are of `forces_at_cutoffs`, by (surface, realization, side); forces are NaN at
+    The masters come from `forces_at_cutoffs`, by (surface, realization, side); forces are NaN at
     cutoffs of the other side. ``unfiltered_wavelength`` is over (surface, side), ``ratio``
-    (surface, realization, side, cutoff_wavelength, ...) is that of the means over contacts.
+    (surface, realization, side, cutoff_wavelength, ...) compares means over contacts.
     """
     forces = stack(masters, ["surface", "realization", "side"]).sortby("cutoff_wavelength")
     contacts = [axis for axis in CONTACT_AXES if axis in forces.dims]
@@ -112,9 +112,9 @@ def stacked_forces(masters: Parts) -> xr.Dataset:
 
 
 def with_spectrum_shifts(scales: xr.Dataset, varied: xr.Dataset) -> xr.Dataset:
-    """Return forces of masters with what another spectrum changes of them.
+    """Return forces of masters with the changes that another spectrum makes.
 
-    Both are of `stacked_forces`; those varied are of drawn spectra, with the same random numbers.
+    Both come from `stacked_forces`; varied masters have drawn spectra and the same random numbers.
     ``ratio_shift`` and ``unfiltered_shift`` are changes of the logarithms of ``ratio`` and of the
     mean ``unfiltered_pull_off_force``, NaN where there is no other master.
     """

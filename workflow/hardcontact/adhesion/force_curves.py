@@ -32,9 +32,9 @@ def mean_forces(
     """Average forces over all scans of each surface, and sample this mean.
 
     Forces (surface, scan, rho), of scans or of their contacts, are NaN where a scan is missing.
-    Samples (sample, surface, rho), as from `student_log_samples`, are NaN of a surface of one scan.
-    The random numbers of a surface depend on the purpose and its name alone: contact models share
-    them.
+    Samples (sample, surface, rho) by `student_log_samples` are NaN for a surface with a single
+    scan. The random numbers of a surface depend on the purpose and its name alone: contact models
+    share them.
     """
     scans = mean_of_each_scan(forces)
     samples = [

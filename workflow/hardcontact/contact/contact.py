@@ -1,4 +1,4 @@
-"""What touches what: the sphere, its load, its attraction, and the array of contacts."""
+"""The contact: the sphere, its load, its attraction, and the array of contacts."""
 
 import math
 from dataclasses import dataclass

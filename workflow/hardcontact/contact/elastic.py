@@ -48,7 +48,7 @@ def contact_at_load(gap: Floats, pixel_size: float, modulus: float, load: float)
 
     Constrained conjugate gradients (Polonsky and Keer, Wear 231 (1999) 206). The gap (n, n) at any
     approach and the pixel size are in nm, the effective modulus in Pa and the load in N. Raises
-    ValueError if what the solver returned is no solution.
+    ValueError if the solver returned no solution.
     """
     # The solver reports no contact if all heights are below zero; centred heights are not.
     body, half_space = _body_and_half_space(gap.mean() - gap, pixel_size, modulus)

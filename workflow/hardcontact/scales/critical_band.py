@@ -13,14 +13,14 @@ AXES = ("side", "surface", "cutoff_wavelength")
 
 
 def computed_cutoffs(values: xr.DataArray) -> np.ndarray:
-    """Return the cutoffs (nm), growing, at which any value (..., cutoff_wavelength) is known."""
+    """Return the cutoffs (nm), growing, where any value (..., cutoff_wavelength) is finite."""
     dimensions = [dim for dim in values.dims if dim != "cutoff_wavelength"]
     cutoffs = values["cutoff_wavelength"].values[values.notnull().any(dimensions).values]
     return np.sort(cutoffs)
 
 
 def last_cutoff(values: xr.DataArray, side: str) -> float:
-    """Return the cutoff (nm) of a side that removes most, which stands for all beyond it."""
+    """Return the cutoff (nm) of a side that removes most."""
     return float(computed_cutoffs(values)[-1 if side == "small" else 0])
 
 
@@ -28,14 +28,13 @@ def critical_band(scales: xr.Dataset, tolerance: float, sampling: Sampling) -> x
     """Return ratio curves, changes of the force and critical wavelengths, by side.
 
     `scales` has ``ratio`` (surface, realization, side, cutoff_wavelength), NaN at cutoffs of the
-    other side, and ``unfiltered_wavelength`` (surface, side) in nm; the tolerance is the relative
-    change of the force that counts. Mean ratios over realizations are sampled, each surface by
-    itself.
+    other side, and ``unfiltered_wavelength`` (surface, side) in nm; the tolerance is a relative
+    change of the force. Mean ratios over realizations are sampled, each surface by itself.
 
     With intervals: ``scale_ratio`` (side, surface, cutoff_wavelength); ``scale_change`` (side,
-    group, cutoff_wavelength), |ratio - 1|, of the group POOLED the mean over surfaces; and
+    group, cutoff_wavelength), |ratio - 1|, and its mean over surfaces for the group POOLED; and
     ``critical_wavelength`` (side, group) in nm. A surface leaves the tolerance where ln(ratio)
-    does. A sampled change that never does counts as the last cutoff of its side.
+    does. A sampled change that never does gets the last cutoff of its side.
     """
     realizations = scales.ratio.transpose("realization", *AXES)
     ratio = realizations.mean("realization").values
@@ -95,7 +94,7 @@ def _changes(ratios: np.ndarray) -> np.ndarray:
 
 
 def logarithmic_limits(tolerance: float) -> tuple[float, float]:
-    """Return the limits of ln(ratio) within which a force is as good as unchanged."""
+    """Return the limits of ln(ratio) between which the force counts as unchanged."""
     return float(np.log1p(-tolerance)), float(np.log1p(tolerance))
 
 
@@ -105,8 +104,8 @@ def critical_wavelength(
     """Return the cutoff (nm) where a curve leaves its limits, coming from no filter; NaN if never.
 
     Linear in the curve and in log wavelength; the cutoffs (k,) are in the order of growing effect.
-    The curve (k,) begins within the limits. Of one surface it is ln(ratio), which passes through no
-    change where the ratio crosses one, as |ratio - 1| does not; of several the mean of |ratio - 1|.
+    The curve (k,) begins within the limits. A single surface has ln(ratio), which passes through
+    zero where the ratio crosses one, as |ratio - 1| does not; several have the mean of |ratio - 1|.
     """
     lower, upper = limits
     outside = np.flatnonzero((curve < lower) | (curve > upper))
@@ -151,16 +150,15 @@ class Curve(NamedTuple):
 def described_edge(curve: Curve) -> dict[str, Any]:
     """Return the edge of a curve with its interval, and status.
 
-    An edge is that of `critical_wavelength`, found between two cutoffs that were computed. Where
-    the curve has left its limits before the first one, or does not leave them up to the last, the
-    edge is open, and a bound is all that is known. The ends of its interval are cutoffs too: the
-    last one before any value within the intervals leaves the limits, and the first one at which all
-    have left. This takes nothing for granted but that the curve has no further crossing between two
-    cutoffs.
+    An edge is a `critical_wavelength` between two computed cutoffs. Where the curve has left its
+    limits before the first one, or does not leave them up to the last, the edge is open, and only a
+    bound is known. The ends of its interval are cutoffs too: the last one before any value within
+    the intervals leaves the limits, and the first one at which all have left. This assumes nothing
+    but that the curve has no further crossing between two cutoffs.
 
     ``edge``, ``edge_bound`` and ``edge_interval`` (2,) are in nm, NaN where they are open;
     ``edge_at_least`` is 1 where the edge is longer than its bound; ``edge_status`` and
-    ``interval_status`` (2,) say whether an edge was found, or what it lies beyond.
+    ``interval_status`` (2,) are ``"found"``, or name the end that the edge lies beyond.
     """
     cutoffs, small = curve.cutoffs, curve.side == "small"
     value, low, high = curve.values

@@ -32,7 +32,7 @@ from hardcontact.surfaces.synthesis import synthesized_master
 
 
 class Filters(NamedTuple):
-    """The cutoffs of one side that a master is filtered at, one at a time."""
+    """The cutoffs of one side, each of which filters a master alone."""
 
     side: str  #: "small": wavelengths below the cutoff are removed; "large": those above.
     pixels: int  #: Along an edge of the filtered surfaces.
@@ -124,8 +124,8 @@ def varied_master(
 ) -> HeightMap:
     """Return the master of one side of a scan, of their files, with a spectrum that may be drawn.
 
-    The heights of the scan are multiplied by the factor of a drawn spectrum. The scales are of
-    `synthesized_master`, the key is that of the random numbers.
+    The heights of the scan are multiplied by the factor of a drawn spectrum. The scales are the
+    argument of `synthesized_master`, the key selects the random numbers.
     """
     density, stitched = dataset.read(spectrum), read_height_map(scan)
     if "height_factor" in density.attrs:

@@ -1,8 +1,7 @@
-"""Scans of one surface, conditioned together on what Table 1 says of five.
+"""Substitute scans of one surface, conditioned together on Table 1.
 
 A smooth gain of the spectrum and one factor for each scan give a group of random scans exactly the
-mean and standard deviation of the rms heights, and the mean slope and curvature, that are
-published.
+published mean and standard deviation of rms heights, and mean slope and curvature.
 """
 
 import math
@@ -53,25 +52,25 @@ def scan_targets(
 ) -> Targets | None:
     """Return the targets of substitute scans on this study's pixels.
 
-    On the paper's pixels and size they are what the spectrum expects of a scan: Table 1, if it was
-    calibrated to it. On other pixels slope and curvature are those expected there; on another size
-    all three are. The deviation is the share of the rms height that its published uncertainty is.
+    Scans of the paper's pixels and size get the moments that the spectrum expects of a scan. Other
+    pixels change slope and curvature to those expected there, another size changes all three. The
+    deviation has the ratio to the rms height that its published uncertainty has.
 
     Parameters
     ----------
     spectrum : xarray.Dataset
-        Of `substitute_spectrum`.
+        The dataset that `substitute_spectrum` returns.
     table1, constants : pandas.DataFrame
-        Table 1, of `rows_of_surface`; `published.constants`, with the paper's pixels and size.
+        Table 1 from `rows_of_surface`; `published.constants`, with the paper's pixels and size.
     definitions : mapping of str to str
-        What ``slope`` and ``curvature`` of Table 1 are read as: keys of DEFINITIONS.
+        Meaning of ``slope`` and ``curvature`` in Table 1: keys of DEFINITIONS.
     grid : ScanGrid
-        Of the study.
+        Pixels and size of the scans.
 
     Returns
     -------
     Targets or None
-        None for a surface that the paper has no rms height of.
+        None for a surface without a published rms height.
     """
     if "afm_rms_height" not in table1.index:
         return None
@@ -98,7 +97,7 @@ def scan_targets(
 
 
 def group_heights(heights: Floats, mean: float, deviation: float) -> Floats:
-    """Return rms heights (scan,) with a mean and a standard deviation (ddof 1), from drawn ones.
+    """Return rms heights (scan,) with a mean and a standard deviation (ddof 1), from random ones.
 
     They keep their order and their relative distances; a single scan gets the mean.
     """
@@ -161,7 +160,7 @@ def _fitted(moments: Floats, targets: Targets) -> tuple[Floats, Floats, Floats]:
     means = np.array(list(targets.means.values()))
 
     def misses(logs: Floats) -> tuple[Floats, Floats]:
-        """Return the misses (3,), and the factors (scan,) with which rms heights are met."""
+        """Return the misses (3,), and the factors (scan,) that give scans their rms heights."""
         amplitudes = np.exp(np.append(0.0, logs))
         values = np.sqrt(np.einsum("smij,i,j->sm", moments, amplitudes, amplitudes))
         heights = values[:, 0]
@@ -197,9 +196,9 @@ def conditioned_group(
 ) -> xr.Dataset:
     """Return the `gain` (wavevector) of amplitudes and the `factor` (scan) of heights of a group.
 
-    Both are one without targets. The generators, by number of the scan, return that which the scan
-    is drawn with. The attribute `calibrated_to_table1` has the rows of Table 1 that the surface
-    meets by construction. Raises ValueError if an rms height would be negative.
+    Without targets both equal 1. The generators, by number of the scan, draw the same scans as
+    later synthesis does. The attribute `calibrated_to_table1` lists the rows of Table 1 that the
+    surface meets by construction. Raises ValueError if an rms height would be negative.
     """
     gain, factors = np.ones_like(WAVEVECTORS), np.ones(len(generators))
     calibrated = rows_met(spectrum.attrs["calibrated_to_table1"])

@@ -1,8 +1,8 @@
-"""How a joined spectrum goes on beyond the wavelengths that its measurements show.
+"""Extrapolation of a joined spectrum beyond the wavelengths that its measurements show.
 
-Below the shortest it is self-affine down to atoms, within bounds on slope and curvature. Above the
-longest it rises up to a roll-off wavelength, and is constant beyond. The roll-off follows from the
-variance of the levelled heights by Bayes' rule.
+The spectrum is self-affine from the shortest wavelength down to atoms, within bounds on slope and
+curvature. It rises from the longest wavelength up to a roll-off, and is constant beyond. The
+roll-off follows from the variance of the levelled heights by Bayes' rule.
 """
 
 from collections.abc import Sequence
@@ -59,7 +59,7 @@ def continued_spectrum(
     """Return C_iso (nm⁴) on WAVEVECTORS from measured points, and how it was continued.
 
     The points, at least three without gaps, are wavevectors (rad/nm), C_iso (nm⁴) and the variance
-    of ln C. Above them C_iso is constant. Below it is self-affine with the Hurst exponent of the
+    of ln C. C_iso is constant above them. It is self-affine below, with the Hurst exponent of the
     last decade past the roll-off, changed by a number and held within 0 to 1. The tail ends at the
     distance of atoms, or where the rms gradient or half-Laplacian of all scales would exceed that
     of the roughest hard surface known.
@@ -152,7 +152,7 @@ def _projections(half: Floats) -> tuple[Floats, Floats]:
 
 
 class LongWaves:
-    """The scans of a surface that reach farthest, and what their rms height says of long waves."""
+    """The farthest-reaching scans of a surface, and the evidence of their rms height."""
 
     def __init__(
         self, scans: Sequence[Measurement], densities: Floats, bands: Sequence[ReliableBand]

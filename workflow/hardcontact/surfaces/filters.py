@@ -47,7 +47,7 @@ def _limit(surface: HeightMap, cutoff: float) -> float:
 
 
 def _lowest_orders(surface: HeightMap, highest: int) -> Spectrum:
-    """Return the transform of a surface up to an order along both axes: 0, 1, ... -2, -1 of y."""
+    """Return the transform of a surface up to an order along both axes; y runs 0, 1, ... -2, -1."""
     from scipy import fft
 
     pixels = surface.pixels
@@ -61,12 +61,12 @@ def _lowest_orders(surface: HeightMap, highest: int) -> Spectrum:
 
 
 def _orders(highest: int) -> NDArray[np.int_]:
-    """Return the orders along y in the sequence of a transform; negative ones index its end."""
+    """Return the orders along y in the sequence of a transform; negative orders index its end."""
     return np.append(np.arange(highest + 1), np.arange(-highest, 0))
 
 
 def _longer_waves(transform: Spectrum, limit: float) -> Spectrum:
-    """Return the part of `_lowest_orders` up to a limit of the order in any direction."""
+    """Return the part of a transform up to a limit of the order in any direction."""
     orders = _orders(int(limit))
     band = transform[orders, : int(limit) + 1]
     band[np.hypot(orders[:, None], np.arange(int(limit) + 1)) > limit] = 0

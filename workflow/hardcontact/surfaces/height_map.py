@@ -59,7 +59,7 @@ class HeightMap:
 
 
 def read_height_map(path: str) -> HeightMap:
-    """Read a netCDF file of `HeightMap.dataset`; raises ValueError if it cannot be read."""
+    """Read a height map from a netCDF file of the study; raises ValueError if that fails."""
     stored = dataset.read(path)
     heights = stored["heights"]
     return HeightMap(
@@ -118,7 +118,7 @@ def flat_map(
 
 
 def mirror_stitch(scan: HeightMap) -> HeightMap:
-    """Return a periodic map (2y, 2x): the scan beside its mirror images, so that all edges match.
+    """Return a periodic map (2y, 2x) of a scan and its mirror images, so that all edges match.
 
     Source: the paper, section Numerical Analysis of Results.
     """

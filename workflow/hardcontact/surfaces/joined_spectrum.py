@@ -51,7 +51,7 @@ ENDS = dict.fromkeys(("shortest_measured", "longest_measured", "rolloff"), "nm")
 
 
 class _Data(NamedTuple):
-    """The measurements of a surface, and what they say of its spectrum."""
+    """The measurements of a surface, with their spectra and reliable bands."""
 
     radii: Sequence[float | None]  #: Of their tips in nm, where they are known.
     densities: Floats  #: (measurement, bins) C_iso in nm⁴, NaN in empty bins.
@@ -60,12 +60,12 @@ class _Data(NamedTuple):
     long_waves: LongWaves
 
     def reliable(self, bands: Sequence[ReliableBand]) -> NDArray[np.bool_]:
-        """Return which bins (measurement, bins) are measured within given bands."""
+        """Return a mask (measurement, bins) of the bins that are measured within given bands."""
         return np.array([band.bins for band in bands]) & np.isfinite(self.densities)
 
 
 def _data(measurements: Sequence[Measurement], tip_radii: Sequence[float | None]) -> _Data:
-    """Return what the measurements say; raises ValueError for fewer than three reliable bins."""
+    """Return the data of measurements; raises ValueError for fewer than three reliable bins."""
     radii = [
         measurement.tip_radius if radius is None else radius
         for measurement, radius in zip(measurements, tip_radii, strict=True)
@@ -99,15 +99,15 @@ def joined_spectrum(
     measurements : sequence of Measurement
         Levelled maps and line scans.
     tip_radii : sequence of float or None
-        In nm, by measurement; None for that which its file states, if any.
+        In nm, by measurement; None to use the radius that its file states, if any.
 
     Returns
     -------
     xarray.Dataset
         `spectrum` (wavevector) in nm⁴ over all scales; `joined` (bin_wavevector) in nm⁴, the mean
-        logarithm of what is reliable, weighted by independent waves, freed of the bias of the
-        logarithm and smoothed where waves are few, NaN where nothing is; `psd` and `reliable`
-        (measurement, bin_wavevector), and what is known of each measurement.
+        logarithm of the reliable densities, weighted by independent waves, freed of the bias of the
+        logarithm and smoothed where waves are few, NaN in other bins; `psd` and `reliable`
+        (measurement, bin_wavevector), and properties of each measurement.
 
     Raises
     ------
@@ -152,12 +152,12 @@ def drawn_spectra(
     measurements: Sequence[Measurement],
     tip_radii: Sequence[float | None],
 ) -> Iterator[tuple[Spectrum, Floats]]:
-    """Draw spectra of a surface within what its measurements leave open, one by each generator.
+    """Draw spectra of a surface within the uncertainty of its measurements, one by each generator.
 
-    Measurements and radii are those of `joined_spectrum`. Drawn are the power of the few waves in
-    each bin and the bends between them; the calibrations; the radii of tips that are not known,
-    uniform in their logarithm within TIPS; the Hurst exponent of the tail; and the roll-off above.
-    With each spectrum come the factors (measurement,) by which it takes heights to be wrong.
+    Measurements and radii are the arguments of `joined_spectrum`. Random are the power of the few
+    waves in each bin and the bends between them; the calibrations; the radii of tips that are not
+    known, uniform in their logarithm within TIPS; the Hurst exponent of the tail; and the roll-off.
+    Yields each spectrum with the factors (measurement,) by which it takes heights to be wrong.
     """
     data = _data(measurements, tip_radii)
     for rng in rngs:
@@ -192,13 +192,13 @@ def _log_mean(reliable: NDArray[np.bool_], density: Floats, waves: Floats) -> tu
 def smoothed(
     joined: Floats, variance: Floats, rng: np.random.Generator | None = None
 ) -> tuple[Floats, Floats, Floats]:
-    """Return the wavevectors from the first to the last that is known, C_iso there, its variance.
+    """Return the wavevectors from the first to the last finite bin, C_iso there, its variance.
 
     C_iso (bins,) in nm⁴ has the variance (bins,) of its logarithm by the number of waves. The slope
     d ln C/d ln q changes at random by KINK a root of a decade (an integrated Wiener process): the
     mean of all curves that may be, given the points, is a smoothing spline (Wahba, J. R. Stat. Soc.
-    B 40 (1978) 364). With random numbers one of the curves is drawn. The variance returned is that
-    of these curves and of the calibration.
+    B 40 (1978) 364). A generator draws one of the curves. The returned variance covers these curves
+    and the calibration.
     """
     finite = np.flatnonzero(np.isfinite(joined))
     bins = slice(finite[0], finite[-1] + 1)
@@ -222,7 +222,7 @@ def _continued(
     probability: float,
     hurst_change: float = 0.0,
 ) -> tuple[Floats, Tail, float]:
-    """Return C_iso (nm⁴) on WAVEVECTORS of what is joined, with its tail and roll-off in nm."""
+    """Return a joined C_iso (nm⁴) extrapolated to WAVEVECTORS, with its tail and roll-off in nm."""
     density, tail = continued_spectrum(*points, hurst_change)
     slope, longest = float(local_slopes(*points)[0][0]), float(2 * np.pi / points[0][0])
     rolloff = long_waves.rolloff(density, longest, slope, probability)
@@ -257,10 +257,10 @@ def _with_measurements(
 
 
 def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
-    """Return a stored `substitute_spectrum` in the form of `joined_spectrum`.
+    """Return a stored substitute spectrum in the form of a joined spectrum.
 
-    Its known bands stand for measurements, neighbours of one source for one; there is one at least.
-    A variable that only a measurement has is NaN or empty. The path is that of the description.
+    Its known bands take the place of measurements, neighbours of one source as one. Variables that
+    only a measurement has are NaN or empty. The path is the file of the description.
     """
     bands = pd.read_csv(io.StringIO(stored.attrs["bands"]))
     known_bands = bands[bands.basis.isin(KNOWN)]
@@ -297,8 +297,8 @@ def described_spectrum(stored: xr.Dataset, path: str) -> xr.Dataset:
 def stacked_spectra(spectra: Mapping[str, xr.Dataset], labels: Mapping[str, str]) -> xr.Dataset:
     """Return the joined spectra of all surfaces, given by surface, with their names in print.
 
-    The variables of `joined_spectrum` have a leading dimension `surface`, filled with NaN, 0 or "".
-    Variables (surface) hold `label` and ENDS.
+    Variables have a leading dimension `surface`, filled with NaN, 0 or "". Variables (surface) hold
+    `label` and ENDS.
     """
     numbered = [
         spectrum.drop_attrs(deep=False).assign_coords(

@@ -33,16 +33,16 @@ MAX_MESSAGE = 2000
 
 
 class RefusedFile(Exception):
-    """A file that cannot be used; the text says what was expected and what was found."""
+    """A file that cannot be used; the text has the expectation and the finding."""
 
 
 def read_in_child(
     read: Callable[..., dict[str, Any]], path: Path, *arguments: str
 ) -> dict[str, Any]:
-    """Return what `read` returns for the bytes of a file and the arguments, in a child process.
+    """Return the dictionary that `read` makes of the bytes of a file, in a child process.
 
-    It returns a dictionary that JSON can hold; `heights` may be an array. Raises ValueError, in one
-    line with the path, whatever goes wrong with the file or in the child.
+    JSON can hold the dictionary, except for an array `heights`. Raises ValueError, in one line with
+    the path, whatever goes wrong with the file or in the child.
     """
     if path.is_dir():
         raise ValueError(f"{path}: expected a scan, found a folder: name the files in it")
@@ -92,7 +92,7 @@ def _run_child(
     path: Path,
     *arguments: str,
 ) -> None:
-    """Send what is read of a file, or why it is refused; silently, for readers log and print."""
+    """Send the dictionary or the refusal of a file; silently, for readers log and print."""
     faulthandler.disable()
     logging.disable()
     warnings.simplefilter("ignore")
@@ -129,7 +129,7 @@ def _printable(value: Any) -> Any:
 
 
 def _limit(seconds: int, memory: int) -> None:
-    """Limit this process: its computing time, memory beyond what it has, and files to none."""
+    """Limit computing time and added memory of this process, and let it open no file."""
     limits = {
         resource.RLIMIT_CORE: 0,
         resource.RLIMIT_FSIZE: 0,  # writes nothing

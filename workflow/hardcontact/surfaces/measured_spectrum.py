@@ -1,4 +1,4 @@
-"""C_iso of one measurement, map or profile, and what bears on how far to believe it.
+"""C_iso of one measurement, map or profile, and its independent waves and slopes.
 
 C_iso of a surface follows from C_1D of its profiles by an inverse Abel transform (Bracewell, The
 Fourier Transform and Its Applications): C_iso(q) = -2 ∫_q^∞ C_1D'(p) / sqrt(p² - q²) dp.
@@ -64,7 +64,7 @@ def measured_psd(measurement: Measurement) -> tuple[Floats, Floats]:
 
 
 def axis_ratio(measurement: Measurement) -> Floats:
-    """Return how many times C_1D along one axis of a map exceeds that along the other: (bins,).
+    """Return the ratio (bins,) of C_1D along both axes of a map, at least 1.
 
     It is 1 in empty bins and for a profile.
     """
@@ -105,9 +105,9 @@ def variance_of_log(waves: Floats) -> Floats:
 
 
 def bias_of_log(waves: Floats) -> Floats:
-    """Return how far the mean of ln C lies below ln of the mean of C over independent waves.
+    """Return ln of the mean of C minus the mean of ln C over a number of independent waves.
 
-    For a gamma variable of n waves it is ln n minus the digamma function of n.
+    A gamma variable of n waves has ln n minus the digamma function of n.
     """
     from scipy.special import digamma
 
@@ -136,8 +136,8 @@ def local_slopes(wavevector: Floats, density: Floats, variance: Floats) -> tuple
 def isotropic_from_profile(wavevector: Floats, profile: Floats, waves: Floats) -> Floats:
     """Return C_iso (bins,) in nm⁴ of a surface whose profiles have a measured C_1D (bins,) in nm³.
 
-    The ratio C_iso/C_1D is that of the smoothed, falling spectrum, so that the scatter of C_1D is
-    neither amplified nor made negative. `waves` (bins,) are numbers of independent ones. Both
+    The ratio C_iso/C_1D is taken from the smoothed, falling spectrum, so that the scatter of C_1D
+    is neither amplified nor made negative. `waves` (bins,) are numbers of independent waves. Both
     densities are NaN in empty bins.
     """
     finite = np.isfinite(profile)

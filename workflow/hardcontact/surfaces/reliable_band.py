@@ -50,7 +50,7 @@ LIMITS = {
 
 
 class ReliableBand(NamedTuple):
-    """The wavelengths (nm) at which a measurement is reliable; none if shortest exceeds longest."""
+    """The reliable wavelengths (nm) of a measurement; empty if shortest exceeds longest."""
 
     shortest: float
     longest: float
@@ -63,7 +63,7 @@ class ReliableBand(NamedTuple):
         return (self.shortest <= wavelength) & (wavelength <= self.longest)
 
     def __str__(self) -> str:
-        """Print both ends with what sets them."""
+        """Print both ends with their reasons."""
         return (
             f"from {print_length(self.shortest)} ({LIMITS[self.limited_by]}) "
             f"to {print_length(self.longest)} (a third of the size)"
@@ -73,10 +73,10 @@ class ReliableBand(NamedTuple):
 def reliable_band(
     measurement: Measurement, tip_radius: float | None, density: Floats | None = None
 ) -> ReliableBand:
-    """Return the wavelengths at which a measurement is reliable, with what limits them.
+    """Return the reliable wavelengths of a measurement, with their limits.
 
-    The radius of the tip is in nm, or None if it is not known. The density is that of
-    `measured_psd`, if it is there already.
+    The radius of the tip is in nm, or None if it is not known. The density is the result of
+    `measured_psd`, if the caller has it.
     """
     if density is None:
         _, density = measured_psd(measurement)
@@ -97,7 +97,7 @@ def with_tip(band: ReliableBand, measurement: Measurement, tip_radius: float) ->
 
 
 def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[float, str]]:
-    """Return wavelengths (nm) at which the shape of the spectrum ends the band, with LIMITS."""
+    """Return the wavelengths (nm) of noise and smoothing in a spectrum, with LIMITS."""
     mask = np.isfinite(density) & (BIN_CENTRES * PIXELS * measurement.pixel_size <= 2 * np.pi)
     q, variance = BIN_CENTRES[mask], variance_of_log(independent_waves(measurement)[mask])
     slope, error = local_slopes(q, density[mask], variance)
@@ -117,7 +117,7 @@ def _spectral_ends(measurement: Measurement, density: Floats) -> list[tuple[floa
 
 
 def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:
-    """Return how many of the first `count` bins are left, their last half decade not smoothed."""
+    """Count the first bins, of `count`, whose last half decade is not smoothed."""
     # Where smoothing turns into noise the slope passes through that of a rough surface.
     while smoothed[max(count - HALF_DECADE, 0) : count].any():
         first = max(count - HALF_DECADE, 0)
@@ -126,7 +126,7 @@ def _without_smoothed(smoothed: NDArray[np.bool_], count: int) -> int:
 
 
 def _without_floor(flat: NDArray[np.bool_], count: int) -> int:
-    """Return how many of the first `count` bins are left without a floor at their end."""
+    """Count the first bins, of `count`, without a floor at their end."""
     kept_bins = count
     while kept_bins and flat[kept_bins - 1]:
         kept_bins -= 1

@@ -1,7 +1,7 @@
 """The bytes of a scan: any format SurfaceTopography reads, contact.engineering containers.
 
-`scans` calls this in a child process with limits, which opens no file: what readers import while
-they read is imported here. `SurfaceTopography.Container.IO.Schema` describes containers.
+`scans` calls this in a child process that opens no file, so that late imports of readers are made
+here. `SurfaceTopography.Container.IO.Schema` describes containers.
 """
 
 import io
@@ -147,7 +147,7 @@ def _container_entries(content: bytes) -> list[dict[str, Any]] | None:
 
 
 def _entry(scan: dict[str, Any]) -> dict[str, Any]:
-    """Return what is said of a scan, with its data file, after which it is named if need be."""
+    """Return the metadata of a scan in a container with its data file, the name if it has none."""
     key = next(key for key in DATA_FILES if scan["datafile"].get(key))
     file = scan["datafile"][key]
     if not isinstance(file, str):
@@ -158,7 +158,7 @@ def _entry(scan: dict[str, Any]) -> dict[str, Any]:
 
 
 def _entry_named(entries: list[dict[str, Any]], dataset: str) -> dict[str, Any]:
-    """Return what is said of the one scan of this name or data file."""
+    """Return the metadata of the only scan of this name or data file."""
     named_entries = [entry for entry in entries if dataset in (entry["file"], entry["name"])]
     if len(named_entries) != 1:
         scans = ", ".join(f"{entry['name']} ({entry['file']})" for entry in entries)

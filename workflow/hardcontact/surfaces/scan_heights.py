@@ -182,10 +182,10 @@ def _uniform_grid(positions: Floats) -> tuple[Floats, list[str]]:
 def stated_tip_radius(
     file: dict[str, Any], container: dict[str, Any]
 ) -> tuple[float | None, list[str]]:
-    """Return the radius of the tip in nm, None if none is stated, and a note of where it is.
+    """Return the radius of the tip in nm, None if none is stated, and a note on its source.
 
-    The file counts before its container, a number before words. Of several radii in words the
-    largest counts: tips wear, and a scan shows no more than a worn one.
+    The file counts before its container, a number before words. The largest radius in words counts:
+    tips wear, and a scan shows no more than a worn one.
     """
     for source, metadata in (("file", file), ("container", container)):
         radius = _radius_in_numbers(metadata)

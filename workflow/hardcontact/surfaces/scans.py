@@ -40,7 +40,7 @@ class Measurement:
 
 
 def read_stored(path: str) -> Measurement:
-    """Read a netCDF file of `Measurement.stored`; raises ValueError if it cannot be read."""
+    """Read a measurement from a netCDF file of the study; raises ValueError if that fails."""
     stored = labelled.read(path)
     words = ("path", "dataset", "channel", "file_unit", "kind")
     tip_radius, notes = float(stored.attrs["tip_radius"]), stored.attrs["notes"]
@@ -121,9 +121,9 @@ def height_map(measurement: Measurement, basis: str = "measured") -> HeightMap:
 def flattened(
     measurement: Measurement, sphere_radius: float | None = None, levelling: str = "plane"
 ) -> Measurement:
-    """Return a measured map as `flat_map` makes it; a line scan stays as it is.
+    """Return a measured map without its sphere and levelled; a line scan stays as it is.
 
-    The radius, in nm, is that of the sphere to subtract, None for a flat surface.
+    The radius of the sphere is in nm, None for a flat surface.
     """
     if levelling not in LEVELLING:
         raise ValueError(f"levelling: expected {' or '.join(LEVELLING)}, found {levelling}")
@@ -151,10 +151,10 @@ def prepared(
     sphere_radius: float | None = None,
     levelling: str = "plane",
 ) -> tuple[xr.Dataset, xr.Dataset]:
-    """Return a measured map levelled, and then mirror-stitched, both as they are stored.
+    """Return a measured map levelled, and then mirror-stitched, both as datasets.
 
     The levelled scan of a sphere, of a radius in nm, also keeps the heights as they were read, in
-    the variable `as_scanned`. Attributes say what the file of the scan states.
+    the variable `as_scanned`. Attributes hold channel, unit and notes of the file.
     """
     scan = height_map(measurement, basis)
     flat = flat_map(scan, sphere_radius, levelling)

@@ -1,4 +1,4 @@
-"""Power spectral densities: tables, their moments, models, and what is measured of scans.
+"""Power spectral densities: tables, their moments, models, and PSDs of scans.
 
 C_iso = |h~|²/A in nm⁴ with h_rms² = 1/(2 pi) ∫ q C_iso dq; C_1D = |h~|²/L in nm³ with h_rms² =
 (1/pi) ∫ C_1D dq; q = 2 pi/lambda in rad/nm. Source: Jacobs, Junge, Pastewka, Surf. Topogr.: Metrol.
@@ -102,7 +102,7 @@ def profile_psd(topography: "Topography | UniformLineScan") -> Floats:
 
 
 def _without_empty_bins(density: ArrayLike) -> Floats:
-    """Return a PSD with NaN in bins without wavevectors, for which SurfaceTopography gives 0."""
+    """Return a PSD with NaN in bins without wavevectors, where SurfaceTopography has 0."""
     values = np.asarray(density, float)
     return np.where(values > 0, values, np.nan)
 
@@ -165,7 +165,7 @@ KNOWN = ("published", "measured")
 
 
 def is_calibrated(bands: pd.DataFrame) -> bool:
-    """Return whether a description leaves parameters to Table 1."""
+    """Tell whether a description leaves parameters to Table 1."""
     return bool((bands.hurst.isna() & bands.model.isin(CALIBRATED)).any())
 
 
@@ -188,7 +188,7 @@ def share_of_cells(shortest: float) -> Floats:
 
 
 def power_law_tail(above: Floats, hurst: float, shortest: float) -> Floats:
-    """Return `continued`, up to the wavelength (nm) at which the spectrum ends."""
+    """Return `continued`, cut off at the wavelength (nm) where the spectrum ends."""
     return continued(above, hurst) * share_of_cells(shortest)
 
 

@@ -135,7 +135,7 @@ def skewed_surface(surface: HeightMap, skewness: float) -> HeightMap:
 
 
 def _opened(heights: Floats, depth: Floats) -> Floats:
-    """Return periodic heights without what a paraboloid that slides below does not reach."""
+    """Return periodic heights lowered to the reach of a paraboloid that slides below them."""
     eroded = _eroded(_eroded(heights, depth, 1), depth, 0)
     return -_eroded(_eroded(-eroded, depth, 1), depth, 0)
 

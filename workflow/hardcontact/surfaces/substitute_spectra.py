@@ -102,7 +102,7 @@ def rows_of_surface(table1: pd.DataFrame, surface: str, slope: str, curvature: s
 
 
 def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> dict[str, float]:
-    """Return the parameters with which scans of a band of a model of SEARCHED are those of Table 1.
+    """Return the parameters that give scans of a band of a model of SEARCHED their Table 1.
 
     Raises ValueError if no such spectrum has the three moments.
     """
@@ -151,9 +151,9 @@ def calibrate_model(band: pd.Series, table1: pd.DataFrame, weights: Weights) -> 
 def calibrate_tail(above: Floats, gradient: float, half_laplacian: float) -> tuple[float, float]:
     """Return Hurst exponent and shortest wavelength (nm) of a power law that ends a spectrum.
 
-    The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength at which the power law
+    The spectrum `above` (nm⁴ on WAVEVECTORS) is zero below the wavelength where the power law
     begins; gradient and half-Laplacian (1/nm) are those over all scales of both. Raises ValueError
-    if no power law adds what is missing of them.
+    if no power law adds the missing part of both.
     """
     from scipy.optimize import brentq
 
@@ -194,8 +194,8 @@ def from_description(
     """Return C_iso (nm⁴) on WAVEVECTORS, its bands with all parameters, rows of Table 1 used.
 
     The file is a CSV of bands from long to short wavelengths, each with its model, parameters and
-    basis. A band of CALIBRATED without Hurst exponent is calibrated to Table 1 (of
-    `rows_of_surface`). Raises ValueError that names the file and the band that cannot be made.
+    basis. A band of CALIBRATED without Hurst exponent is calibrated to the rows of Table 1 from
+    `rows_of_surface`. Raises ValueError that names the file and the band that cannot be made.
     """
     bands = pd.read_csv(path).astype(dict.fromkeys(PARAMETERS, float))
     density, calibrated = np.zeros_like(WAVEVECTORS), list[str]()
@@ -249,11 +249,11 @@ def described_rms_height(path: str | Path, longest: float) -> float:
 def substitute_spectrum(
     description: str | Path, table1: pd.DataFrame, constants: pd.DataFrame
 ) -> xr.Dataset:
-    """Return the spectrum of a substitute from a description, as of `from_description`.
+    """Return the spectrum of a substitute from a description.
 
-    Table 1, of `rows_of_surface` or empty, is for scans of the paper's pixels and size, which the
+    Table 1, from `rows_of_surface` or empty, is for scans of the paper's pixels and size, which the
     constants have. Attributes are the bands, the rows of Table 1 that they were calibrated to, and
-    the moments expected of one of the paper's scans.
+    the expected moments of a scan of the paper.
     """
     window = int(constants["value"]["scan_pixels"])
     weights = transfer_weights(4 * window, constants["value"]["scan_size"] / window, window)
