@@ -2,14 +2,11 @@
 
 import ast
 import os
-import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
-from jinja2 import Environment
-from jinja2.meta import find_referenced_templates
 from repository import ROOT
 
 from hardcontact.records import code
@@ -126,17 +123,3 @@ def test_all_that_python_loads_for_a_script_is_traced(script, at_root):
         check=True,
     ).stdout.split()
     assert {os.path.relpath(path) for path in loaded} <= set(code.code_inputs(script))
-
-
-def test_rules_name_every_template_that_their_page_reads():
-    """A template that another one extends, includes or imports is an input, too."""
-    parse = Environment().parse
-    found = 0
-    for path in (ROOT / "workflow/rules").glob("*.smk"):
-        for call in re.findall(r"template_inputs\((.*?)\)", path.read_text(), re.DOTALL):
-            files = list(map(Path, code.template_inputs(*re.findall('"(.+?)"', call))))
-            named = {file.resolve().relative_to(code.TEMPLATES).as_posix() for file in files}
-            for file in (file for file in files if file.suffix == ".html"):
-                found += 1
-                assert set(find_referenced_templates(parse(file.read_text()))) <= named, file
-    assert found
