@@ -29,7 +29,7 @@ RELIEF_OVER_RMS = 4.5
 
 
 def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]) -> None:
-    """Refuse what could only fail in a job; measured scans are read once all names are known.
+    """Refuse a study that could only fail in a job; read measured scans once all names are known.
 
     Raises ValueError with a line for each fault, naming the key or the file: names of surfaces or
     scans that are not in the table, values that contradict each other, unusable scans,
@@ -56,7 +56,7 @@ def check(config: dict[str, Any], table: pd.DataFrame, compared: Collection[str]
 
 
 def _limit_of_name(config: dict[str, Any], key: str, surfaces: list[str]) -> Limit:
-    """Return the limit of the name of a surface: it is one of those in the table."""
+    """Return the limit of the name of a surface: the table has it."""
     expected = f"one of {', '.join(surfaces)}, surfaces of the table"
     return Limit(get_key(config, key) in surfaces, key, expected, get_key(config, key))
 
@@ -70,7 +70,7 @@ def _limits_of_own_surfaces(config: dict[str, Any], contacts: pd.DataFrame) -> I
 def _limits_of_paper(
     config: dict[str, Any], contacts: pd.DataFrame, compared: Collection[str]
 ) -> Iterator[Limit]:
-    """Yield the limits of what only a study that is compared with the paper computes."""
+    """Yield the limits of a study that is compared with the paper."""
     sphere, surfaces = config["sphere"]["surface"], list(contacts.surface.unique())
     yield _limit_of_name(config, "sphere.surface", surfaces)
     substrates = [surface for surface in surfaces if surface != sphere]
@@ -119,10 +119,10 @@ def surface_grid(config: dict[str, Any], surface: str, rows: pd.DataFrame) -> Gr
         grid, where = Grid(pixels, size / pixels, size, relief), "config key scan.size"
     else:
         grid, where = _measured_grid(config, surface, rows), path
-    least, most = PIXEL_SIZES
-    if not least <= grid.pixel_size <= most:
+    low, high = PIXEL_SIZES
+    if not low <= grid.pixel_size <= high:
         raise ValueError(
-            f"{where}: expected pixels of {least:g} to {most:g} nm, where spectra are known, "
+            f"{where}: expected pixels of {low:g} to {high:g} nm, where spectra are known, "
             f"found {grid.pixel_size:.6g} nm"
         )
     return grid

@@ -1,4 +1,4 @@
-"""What a study makes of its configuration: its targets, its pages, its contacts in words."""
+"""Targets and pages that follow from a configuration, and its contacts in words."""
 
 from collections.abc import Mapping
 from functools import reduce
@@ -76,7 +76,7 @@ def refuse_unreadable(path: str | Path) -> None:
 
 
 def refuse_repeated_keys(path: str | Path) -> None:
-    """Refuse a YAML file that gives a key twice, of which only the last would count.
+    """Refuse a YAML file that gives a key twice: only the last would count.
 
     Raises ValueError with one line that names the file, the line and the key; other faults of the
     file are left to whoever reads it.
@@ -104,14 +104,14 @@ def refuse_repeated_keys(path: str | Path) -> None:
 
 
 def get_key(tree: Mapping[str, Any], key: str) -> Any:
-    """Return what a tree of keys has at one, with dots between its parts."""
+    """Return the value of a key, with dots between its parts, in a tree of keys."""
     return reduce(getitem, key.split("."), tree)
 
 
 def master_keys(config: Mapping[str, Any], section: str, side: str) -> dict[str, str]:
     """Return the key of each setting of the masters of one side that a section filters.
 
-    What a section does not set itself, the section around it does, and at last `scales`.
+    A section inherits missing settings from the section around it, and at last from `scales`.
     """
     parts = section.split(".")
     sections = ["scales", *(".".join(parts[: end + 1]) for end in range(len(parts)))]
@@ -135,7 +135,7 @@ def left_out(configuration: Mapping[str, Any]) -> dict[str, str]:
 
 
 def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
-    """Return what contacts are computed for: the surface of the sphere, QUANTITIES as printed."""
+    """Return the surface of the sphere and QUANTITIES, as printed, of the contacts."""
     quantities = {
         name: printed(get_key(config, key), unit) for name, (key, unit) in QUANTITIES.items()
     }
@@ -143,7 +143,7 @@ def contact_words(config: Mapping[str, Any]) -> dict[str, str]:
 
 
 def of_paper(config: Mapping[str, Any]) -> list[str]:
-    """Return which of QUANTITIES, by name, are those of the paper, a ruby sphere on diamond."""
+    """Return the names of QUANTITIES with the values of the paper, a ruby sphere on diamond."""
     paper = Study().model_dump(warnings=False)
     return [
         name for name, (key, _) in QUANTITIES.items() if get_key(config, key) == get_key(paper, key)

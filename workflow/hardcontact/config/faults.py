@@ -1,4 +1,4 @@
-"""What is wrong with the user's input: one line a fault, all of them at once."""
+"""Faults of the user's input: one line each, all of them at once."""
 
 import datetime
 import difflib
@@ -36,7 +36,7 @@ Model = TypeVar("Model", bound=BaseModel)
 
 
 class Limit(NamedTuple):
-    """What is expected of a key, or of several with "and" between them, and found, in words."""
+    """A limit of a key, or of several with "and" between them: what it expects and finds."""
 
     holds: bool
     key: str
@@ -66,7 +66,7 @@ def refuse_lines(lines: Iterable[str]) -> None:
 
 
 def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
-    """Carry out all checks; return what they return, or raise a ValueError of each fault once."""
+    """Carry out all checks; return their results, or raise ValueError with each fault once."""
     results, faults = [], list[str]()
     for check in checks:
         try:
@@ -78,7 +78,7 @@ def refuse_all(checks: Iterable[Callable[[], Any]]) -> list[Any]:
 
 
 def plain(key: object) -> str:
-    """Return a key as it stands in a file, or escaped and shortened if it would not fit a line."""
+    """Return a key as a file has it, or escaped and shortened if it would not fit a line."""
     text = str(key)
     return text if text.strip() and text.isprintable() and len(text) < 80 else shortened(key)
 
@@ -145,7 +145,7 @@ def _sentence(fault: Mapping[str, Any]) -> str:
 
 
 def _unknown(known: list[str], names: list[str]) -> str:
-    """Return which keys were expected, and a question for those that unknown ones resemble."""
+    """Return the expected keys, with a question for those that unknown keys resemble."""
     near = (difflib.get_close_matches(name, known, 1, SIMILARITY) for name in names)
     meant = ", ".join(dict.fromkeys(key for keys in near for key in keys))
     question = f" (did you mean {meant}?)" if meant else ""

@@ -63,11 +63,11 @@ class Files:
         return variants(self._configuration, self._selection)
 
     def path(self, pattern: str, surface: str, **wildcards: object) -> str:
-        """Return the path of a pattern for a surface; the study has the values not given."""
+        """Return the path of a pattern for a surface; wildcards default to values of the study."""
         sphere = surface == self._selection.sphere
         shape = f"sphere-{self._swept['radius']}" if sphere else "flat"
-        of_study = {"variant": STUDY_VARIANT, "shape": shape, **self._swept}
-        return pattern.format(surface=surface, **of_study | wildcards)
+        defaults = {"variant": STUDY_VARIANT, "shape": shape, **self._swept}
+        return pattern.format(surface=surface, **defaults | wildcards)
 
     def paths(self, pattern: str, rows: Iterable[Any]) -> list[str]:
         """Return the files of a pattern, one a row."""
@@ -78,19 +78,19 @@ class Files:
     def spectrum(self, surface: str, variant: str = STUDY_VARIANT) -> str:
         """Return the spectrum of a surface at all scales."""
         measured = self._selection.basis[surface] == "measured"
-        patterns, made = self._patterns, self.surface_variants[variant].spectrum
+        patterns, variant = self._patterns, self.surface_variants[variant].spectrum
         pattern = patterns.measured_spectrum if measured else patterns.calibrated_spectrum
-        return self.path(pattern, surface, variant=made)
+        return self.path(pattern, surface, variant=variant)
 
     def measurements(self, surface: str) -> list[str]:
-        """Return every scan of a measured surface as its file was read; none of a substitute."""
+        """Return the files of all scans of a measured surface; an empty list for a substitute."""
         if self._selection.basis[surface] != "measured":
             return []
         scans = self._selection.all_scans(surface)
         return [self.path(self._patterns.measurement, surface, scan=scan) for scan in scans]
 
     def levelling(self, surface: str) -> dict[str, Any]:
-        """Return how the scans of a surface are levelled, with the radius (nm) of a sphere."""
+        """Return the levelling of the scans of a surface, with the radius (nm) of a sphere."""
         radius = self._configuration["sphere"]["radius"]
         return {
             "levelling": self._configuration["scan"]["levelling"],
@@ -98,17 +98,18 @@ class Files:
         }
 
     def measuring(self, surface: str) -> dict[str, Any]:
-        """Return how the measurements of a surface become its spectrum, with the tips (nm)."""
+        """Return the levelling and the tip radii (nm) of the measurements of a surface."""
         return {"tip_radii": self._selection.tip_radii(surface), **self.levelling(surface)}
 
     def conditioning(self, surface: str, scan: int, variant: str = STUDY_VARIANT) -> str:
-        """Return what a substitute scan shares with the others of its group."""
-        group, made = self._selection.group(surface, scan), self.surface_variants[variant].spectrum
-        return self.path(self._patterns.conditioning, surface, variant=made, group=group)
+        """Return the gain and factors that a substitute scan shares with its group."""
+        group = self._selection.group(surface, scan)
+        variant = self.surface_variants[variant].spectrum
+        return self.path(self._patterns.conditioning, surface, variant=variant, group=group)
 
     @property
     def conditionings(self) -> dict[str, str]:
-        """What the study's own scans of each substitute share, by surface."""
+        """The conditioning of the study's own scans of each substitute, by surface."""
         return {
             surface: self.conditioning(surface, self._selection.scans(surface)[0])
             for surface, basis in self._selection.basis.items()
@@ -168,7 +169,7 @@ class Files:
         return self._first_scans(self._selection.substrates, count)
 
     def _first_scans(self, surfaces: Iterable[str], count: int | None = None) -> list[Scan]:
-        """Return the first so many scans of surfaces, or all."""
+        """Return the first scans of surfaces, or all without a count."""
         return [
             Scan(surface, scan)
             for surface in surfaces
@@ -219,11 +220,11 @@ class Files:
         elif purpose == "sets":
             contacts = [variant.contact for variant in self.variants if variant.probe == probe]
         different = {contact.load: contact for contact in contacts}.values()
-        loads = [{"preload": one.preload, "hardness": one.hardness} for one in different]
+        loads = [{"preload": load.preload, "hardness": load.hardness} for load in different]
         return {**lengths, "loads": loads}
 
     def filters(self, purpose: str) -> dict[str, Any]:
-        """Return how masters are made and filtered on both sides, and contacts along an edge."""
+        """Return the settings of masters and filters on both sides, and contacts along an edge."""
         configuration = self._configuration
         section = {"sets": "sets", "scaling": "insight.scaling"}.get(purpose, "scales")
         count = {"sets": "sets.count", "scaling": "insight.count"}.get(purpose, "contact.count")
@@ -239,7 +240,7 @@ class Files:
         }
 
     def _grid_names(self, purpose: str, probe: str) -> dict[str, str]:
-        """Return radii, loads and ranges of a grid as they stand in paths."""
+        """Return radii, loads and ranges of a grid as parts of paths."""
         grid = self.contact_grid(purpose, probe)
         return {
             "radii": "+".join(f"R{token(radius, 'um')}" for radius in grid["radii"]),
@@ -259,7 +260,7 @@ class Files:
         ]
 
     def masters(self, purpose: str = "scales") -> list[FilteredMasters]:
-        """Return the masters of the study on its own sphere; drawn spectra are of measured ones."""
+        """Return the masters of the study on its own sphere; only measured ones are drawn."""
         surfaces, probe = self._selection.substrates, self.probe
         count = self._configuration["scales"]["realizations"]
         if purpose == "drawn":
@@ -281,8 +282,8 @@ class Files:
         masters = dict[FilteredMasters, None]()  # in order, each once
         for variant in self.variants[:1] if section == "sets" else self.variants:
             for surface, name in variant.variant.items():
-                of_study = (name, variant.probe) == (STUDY_VARIANT, self.probe)
-                count = max(counts.values()) if of_study else counts["robustness"]
+                is_study = (name, variant.probe) == (STUDY_VARIANT, self.probe)
+                count = max(counts.values()) if is_study else counts["robustness"]
                 rows = self._masters_of("sets", surface, count, name, variant.probe)
                 masters |= dict.fromkeys(row for row in rows if row.first <= counts[section])
         return list(masters)

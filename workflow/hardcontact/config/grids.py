@@ -1,4 +1,4 @@
-"""The pixels that the scans of a surface have, what they permit, and the memory of masters."""
+"""Pixels of scans, the limits that follow from them, and the memory of masters."""
 
 import math
 import os
@@ -30,7 +30,7 @@ BESIDES = 500
 
 
 class Grid(NamedTuple):
-    """What all scans of a surface share: pixels along an edge, and lengths in nm.
+    """The grid of all scans of a surface: pixels along an edge, and lengths in nm.
 
     These are the edge of a pixel and of the scan, and the relief, the largest difference in height.
     """
@@ -46,10 +46,10 @@ def realization_pixels(pixels: int) -> int:
     return min(REALIZATION_OVER_SCAN * pixels, MAP_PIXELS)
 
 
-def alike(first: Grid, second: Grid) -> bool:
-    """Return whether scans have the same pixels."""
-    same_size = math.isclose(second.pixel_size, first.pixel_size, rel_tol=1e-3)
-    return first.pixels == second.pixels and same_size
+def alike(grid: Grid, other: Grid) -> bool:
+    """Compare the pixels of scans."""
+    same_size = math.isclose(other.pixel_size, grid.pixel_size, rel_tol=1e-3)
+    return grid.pixels == other.pixels and same_size
 
 
 def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
@@ -70,9 +70,9 @@ def least_range(radius: float, window: float, grid: Grid) -> tuple[float, str]:
         f"contacts lie up to some {relief:.4g} nm apart in height": relief / RELIEF_OVER_RANGE,
         f"{two_pixels} at R = {print_length(radius)}": 2 * grid.pixel_size**2 / radius,
     }
-    reason, least = max(reasons.items(), key=lambda item: item[1])
-    step = 10.0 ** (math.floor(math.log10(least)) - 2)
-    return float(f"{math.ceil(least / step) * step:.3g}"), reason
+    reason, shortest = max(reasons.items(), key=lambda item: item[1])
+    step = 10.0 ** (math.floor(math.log10(shortest)) - 2)
+    return float(f"{math.ceil(shortest / step) * step:.3g}"), reason
 
 
 def limit_of_memory(key: str, pixels: int, available: int) -> Limit:
@@ -83,13 +83,12 @@ def limit_of_memory(key: str, pixels: int, available: int) -> Limit:
     return Limit(fits, key, expected, f"{pixels}, which take {needed / 1e3:.3g} GB")
 
 
-def master_megabytes(pixels: int, least: int) -> int:
-    """Return what a job needs that makes a master, or filters it and presses a smooth sphere on it.
+def master_megabytes(pixels: int, minimum: int) -> int:
+    """Return the memory of a job that makes a master, or filters it and presses a sphere on it.
 
-    In units of 10^6 bytes, given the pixels along an edge and the megabytes that the job is given
-    for any smaller master.
+    In units of 10^6 bytes, given the pixels along an edge and the minimum for smaller masters.
     """
-    return max(least, BESIDES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
+    return max(minimum, BESIDES + math.ceil(BYTES_A_PIXEL * pixels**2 / 1e6))
 
 
 def machine_megabytes() -> int:

@@ -1,6 +1,6 @@
-"""What the value of a key may be: quantities with a unit and two bounds, names, lists of them.
+"""Types of values of keys: quantities with a unit and two bounds, names, lists of them.
 
-Bounds are generous: what lies beyond has no physical meaning here, or no computer holds it.
+Bounds are generous: values beyond have no physical meaning here, or no computer holds them.
 """
 
 import re
@@ -26,11 +26,11 @@ class Quantity:
 
     @property
     def expects(self) -> str:
-        """What is accepted, in words."""
+        """The accepted values in words."""
         return f"{self.low:g} to {self.high:g} {self.unit}"
 
     def number(self, text: object) -> float:
-        """Return the number of a text, or raise a ValueError of what was expected and found."""
+        """Return the number of a text. Raises ValueError if it is no quantity within the bounds."""
         value = magnitude(text, self.unit)
         if not self.low <= value <= self.high:
             raise ValueError(f"expected {self.expects}, found {shortened(text)}")
@@ -51,7 +51,7 @@ class Matching:
     expects: str
 
     def check(self, text: str) -> str:
-        """Return a text that matches; raise a ValueError of what was expected and found."""
+        """Return a text that matches. Raises ValueError if it does not."""
         # A terminal would obey what is not printable.
         if text.isprintable() and re.fullmatch(self.pattern, text):
             return text

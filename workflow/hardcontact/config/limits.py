@@ -1,7 +1,6 @@
-"""What the pixels of scans permit a study to compute, as limits of its keys.
+"""Limits of keys that follow from the pixels of scans.
 
-Each surface, pair of surfaces and master has a list of limits, of which the first that does not
-hold is reported.
+Each surface, pair of surfaces and master has a list of limits. The first unmet one is reported.
 """
 
 import math
@@ -71,7 +70,7 @@ def uses_of_scans(config: dict[str, Any]) -> list[Use]:
 
 
 def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
-    """Refuse what the pixels of scans, a grid for each surface, do not permit.
+    """Refuse values that the pixels of scans, a grid for each surface, do not permit.
 
     Raises ValueError with a line for each fault, which names the key of the configuration; this has
     numbers.
@@ -90,17 +89,17 @@ def check_grids(config: dict[str, Any], grids: Mapping[str, Grid]) -> None:
 
 
 def window_images(window: float, size: float) -> float:
-    """Return how many images of a scan of a size, stitched, a window holds (edges in nm)."""
+    """Return the number of images of a stitched scan that a window holds (edges in nm)."""
     return max(1.0, window / (2 * size)) ** 2
 
 
 def carrying_pixels(window: float, grid: Grid) -> int:
-    """Return how many pixels of a stitched scan in a window (nm) may carry a load: a quarter."""
+    """Return the pixels of a stitched scan in a window (nm) that may carry a load: a quarter."""
     return min(window_pixels(window, grid.pixel_size), 2 * grid.pixels) ** 2 // 4
 
 
 def pressed_depth(contact: Contact, relief: float) -> float:
-    """Return how deep (nm) a load presses bodies into each other, at most their relief (nm).
+    """Return the depth (nm) of the bodies in each other under a load, at most their relief (nm).
 
     On slopes near one a contact is about as deep as it is wide.
     """
@@ -194,9 +193,9 @@ def _limit_of_range(
 ) -> Limit:
     """Return the limit of a range of adhesion for the pixels and the relief of a surface."""
     key, rho, radius = shortest
-    least, reason = least_range(radius, window, grid)
-    expected = f"at least {least:g} nm on {surface}, where {reason}"
-    return Limit(rho >= least, key, expected, f"{rho:.4g} nm")
+    shortest_rho, reason = least_range(radius, window, grid)
+    expected = f"at least {shortest_rho:g} nm on {surface}, where {reason}"
+    return Limit(rho >= shortest_rho, key, expected, f"{rho:.4g} nm")
 
 
 def _limit_of_map(what: str, pixel_size: float, *grids: Grid) -> Limit:
@@ -214,7 +213,7 @@ def _limits_of_contact_pixels(
 ) -> Iterator[Limit]:
     """Yield the limits of loads for the contact pixels that are kept in memory at once.
 
-    Each pixel (edge in nm) has so many periodic images in the window.
+    Each pixel (edge in nm) has periodic images in the window; their number is given.
     """
     count, window = get_key(config, use.count), config["contact"]["window"]
     why = (
