@@ -34,25 +34,9 @@ def with_sizes(
 ) -> xr.Dataset:
     """Return predicted forces (surface) with how scans, window and pixels compare with contacts.
 
-    A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq. 3 of the
-    paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))².
-
-    Parameters
-    ----------
-    force : xarray.Dataset
-        Over surface and rho in nm.
-    topography : xarray.Dataset
-        ``scan_size`` and ``pixel_size`` (surface) in nm.
-    contact : Contact
-        The contact that the forces are predicted for.
-    draw_sizes : mapping of str to float
-        In nm, by surface.
-
-    Returns
-    -------
-    xarray.Dataset
-        The forces with ``draw_size``, ``finite_scan_ratio`` (bound) and ``pixel_area`` by surface,
-        ``window_share`` (rho), and the attributes ``window`` in nm and ``contact_area`` in nm².
+    The topography has ``scan_size`` and ``pixel_size`` (surface) in nm, draw sizes (nm) are given
+    by surface. A smooth sphere attracts by exp(-r²/(2 R rho)) at the distance r from its apex (Eq.
+    3 of the paper), of which a square window of the edge L holds erf(L/sqrt(8 R rho))².
     """
     scans = topography[["scan_size", "pixel_size"]].sel(surface=force["surface"])
     lengths = [draw_sizes[name] for name in force["surface"].values.tolist()]

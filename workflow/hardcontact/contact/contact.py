@@ -11,32 +11,15 @@ class Contact:
     """A sphere pressed onto a surface at an array of contacts.
 
     A window, range or work that nothing depends on may be left out; computing with it then fails.
-
-    Attributes
-    ----------
-    radius : float
-        Radius of the sphere in nm.
-    preload : float
-        Preload in N.
-    hardness : float
-        Hardness of the softer body in Pa.
-    window : float
-        Edge in nm of the square about each contact that is analysed.
-    count : int
-        Contacts along an edge of the array; there are count x count.
-    range : float
-        Range of adhesion rho in nm.
-    work : float
-        Work of adhesion in J/m².
     """
 
-    radius: float
-    preload: float
-    hardness: float
-    window: float = math.nan
-    count: int = 1
-    range: float = math.nan
-    work: float = math.nan
+    radius: float  #: Of the sphere, in nm.
+    preload: float  #: In N.
+    hardness: float  #: Of the softer body, in Pa.
+    window: float = math.nan  #: Edge in nm of the square about each contact that is analysed.
+    count: int = 1  #: Contacts along an edge of the array; there are count x count.
+    range: float = math.nan  #: Range of adhesion rho in nm.
+    work: float = math.nan  #: Work of adhesion in J/m².
 
     @property
     def load(self) -> str:

@@ -124,31 +124,12 @@ def _inverse(padded: Spectrum) -> Iterator[tuple[slice, NDArray[np.float64]]]:
 def filtered_series(
     master: HeightMap, side: str, cutoffs: Sequence[float | None], pixels: int
 ) -> Iterator[HeightMap]:
-    """Yield a master without the scales beyond each of several cutoffs.
+    """Yield a periodic master without the scales beyond each of several cutoffs, transformed once.
 
-    The master is transformed once for all cutoffs.
-
-    Parameters
-    ----------
-    master : HeightMap
-        Periodic and square.
-    side : str
-        ``"small"`` removes wavelengths below the cutoffs, ``"large"`` those above.
-    cutoffs : sequence of float or None
-        In nm; None removes nothing.
-    pixels : int
-        Along an edge of the surfaces.
-
-    Yields
-    ------
-    HeightMap
-        Heights (pixels, pixels) in nm, in float32 wherever they are not those of the master. All
-        surfaces but that of None share one array, which the next one overwrites.
-
-    Raises
-    ------
-    ValueError
-        If the remaining wavelengths need more pixels, or a cutoff is two pixels or less.
+    The side ``"small"`` removes wavelengths below the cutoffs (nm), ``"large"`` those above; None
+    removes nothing. Heights (pixels, pixels) are in float32 wherever they are not those of the
+    master. All surfaces but that of None share one array, which the next one overwrites. Raises
+    ValueError if the remaining wavelengths need more pixels, or a cutoff is two pixels or less.
     """
     size = master.size
     limits = [None if cutoff is None else _limit(master, cutoff) for cutoff in cutoffs]
