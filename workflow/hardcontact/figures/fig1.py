@@ -40,8 +40,7 @@ NOTE = (
 def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature.
 
-    The table has rms height and height range of each map beside the mean over all scans, in nm;
-    `uncertainty` is the standard deviation over the scans. The maps stay in topography.nc.
+    In the table `uncertainty` is the standard deviation over the scans.
     """
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
@@ -82,19 +81,17 @@ def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:
     name = topography.attrs["sphere_surface"]
     sphere = topography.sel(surface=name)
     substrates = topography.drop_sel(surface=name)
+    panels = [
+        *((of_surface, "", of_surface["example_heights"])
+          for _, of_surface in style.by_surface(substrates)),
+        (sphere, AS_SCANNED, topography["sphere_as_scanned"]),
+        (sphere, SUBTRACTED, sphere["example_heights"]),
+    ]  # fmt: skip
+    # Smaller scans are padded to the largest.
     return [
-        *(
-            (of_surface, "", _heights(of_surface["example_heights"]))
-            for _, of_surface in style.by_surface(substrates)
-        ),
-        (sphere, AS_SCANNED, _heights(topography["sphere_as_scanned"])),
-        (sphere, SUBTRACTED, _heights(sphere["example_heights"])),
+        (of_surface, state, heights.dropna("row", how="all").dropna("column", how="all").values)
+        for of_surface, state, heights in panels
     ]
-
-
-def _heights(heights: xr.DataArray) -> np.ndarray:
-    """Return the heights without the rows and columns that only pad them to the largest scan."""
-    return heights.dropna("row", how="all").dropna("column", how="all").values
 
 
 def _print_over_scans(of_surface: xr.Dataset) -> str:

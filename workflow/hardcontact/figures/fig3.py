@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 import pandas as pd
 import xarray as xr
-from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
@@ -65,98 +64,78 @@ def draw(
     """Draw Fig. 3: above on linear, below on logarithmic axes, one column a substrate.
 
     Forces are taken at the published pair of range and work of adhesion, and at the fitted one: a
-    `pair`. The table has one row a bin, its edges `force_low` and `force_high` in N and its
-    probability density in 1/N (bins of the linear panels "1", of the logarithmic panels "2"), and
-    one row a log-normal shape (1), median (N) and mean (N).
+    `pair`. The table has the probability density of each bin between `force_low` and `force_high`,
+    of the linear panels "1" and of the logarithmic panels "2", and the numbers of the log-normals.
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
-    colours, floor = style.colours(inference["surface"].values), inference.attrs["force_floor"]
-    forces = _forces_at_pairs(adhesion, fit, published_constants)
+    floor, work = inference.attrs["force_floor"], adhesion.attrs["work_of_adhesion"]
+    pairs = {"published": published_constants["value"], "fitted": fit}
+    forces = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
+    forces_of_pairs = {
+        name: at_range(forces, float(pair["range_of_adhesion"]))
+        * (float(pair["work_of_adhesion"]) / work)
+        for name, pair in pairs.items()
+    }
+    colours = style.colours(inference["surface"].values)
     figure = drawing.create(5.0, inference)
     grid = figure.subplots(2, len(colours), squeeze=False)
     frames = []
     for letter, (surface, colour), (linear, logarithmic) in zip(
         ascii_lowercase, colours.items(), grid.T, strict=False
     ):
-        of_pairs = {pair: forces[pair][surface] for pair in forces}
-        numbers = _numbers(published_pull_off, fit.sel(surface=surface))
-        shapes = numbers[numbers["quantity"] == "lognormal_shape"]
-        medians = numbers[numbers["quantity"] == "lognormal_median"]
-        # Of the paper, and of the forces computed at its pair.
+        of_surface = {  # a surface with fewer scans than others has NaN in place of theirs
+            name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
+            for name, values in forces_of_pairs.items()
+        }
+        numbers = _numbers(published_pull_off.loc[surface], fit.sel(surface=surface))
+        value = numbers.pivot(index="pair", columns="quantity", values="value")
         lognormals = [
-            lognorm(shape, scale=median)
-            for shape, median in zip(shapes["value"][:2], medians["value"][:2], strict=True)
+            lognorm(value["lognormal_shape"][pair], scale=value["lognormal_median"][pair])
+            for pair in ("", "published")  # of the paper, and of the forces computed at its pair
         ]
-        of_linear = _draw_linear(linear, of_pairs, lognormals[0], colour)
-        of_logarithmic = _draw_logarithmic(logarithmic, of_pairs, lognormals, floor, colour)
+        rows = [
+            _draw_linear(linear, of_surface, lognormals[0], colour),
+            _draw_logarithmic(logarithmic, of_surface, lognormals, floor, colour),
+            numbers,
+        ]
         label = fit["label"].sel(surface=surface).item()
         style.label_panel(linear, f"{letter}_1", str(label))
         at_published = fit.sel(surface=surface, pair="published")
-        here = tables.value_and_bounds(at_published, "lognormal_shape")
-        shape = (
-            f"published $s$ = {shapes['value'].iloc[0]:.2f}\nhere {print_formatted(here, '.2f')}"
-        )
+        computed = tables.value_and_bounds(at_published, "lognormal_shape")
+        shape = f"published $s$ = {value['lognormal_shape']['']:.2f}"
+        shape += f"\nhere {print_formatted(computed, '.2f')}"
         style.label_panel(logarithmic, f"{letter}_2", shape)
         for axes in (linear, logarithmic):
             axes.axvspan(axes.get_xlim()[0], floor / style.MICRONEWTON, color="0.85", zorder=0)
             axes.set_xlabel("pull-off force (µN)")
-        frames.append(pd.concat([of_linear, of_logarithmic, numbers]).assign(surface=surface))
+        frames.append(pd.concat(rows).assign(surface=surface))
     for axes in grid[:, 0]:
         axes.set_ylabel("probability density (1/µN)")
-    style.legend_above(figure, _legend_handles(published_constants, fit, floor), 3)
-    return tables.labelled(frames, inference, COLUMNS), figure
-
-
-def _forces_at_pairs(
-    adhesion: xr.Dataset, fit: xr.Dataset, published_constants: pd.DataFrame
-) -> dict[str, dict[str, np.ndarray]]:
-    """Return all computed forces (N) by pair and surface."""
-    per_work = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
-    forces = {}
-    for pair, data in (("published", published_constants["value"]), ("fitted", fit)):
-        rho, work = float(data["range_of_adhesion"]), float(data["work_of_adhesion"])
-        scaled = at_range(per_work, rho) * work / adhesion.attrs["work_of_adhesion"]
-        # A surface with fewer scans than others has NaN in place of theirs.
-        forces[pair] = {
-            str(of_surface["surface"].item()): of_surface.values[np.isfinite(of_surface.values)]
-            for of_surface in scaled.transpose("surface", ...)
-        }
-    return forces
-
-
-def _numbers(published_pull_off: pd.DataFrame, of_surface: xr.Dataset) -> pd.DataFrame:
-    """Return the numbers that describe the forces of one surface, published and at each pair."""
-    surface = of_surface["surface"].item()
-    mean, median = (published_pull_off[name][surface] for name in ("mean_force", "median_force"))
-    published = {
-        "lognormal_shape": lognormal_shape(mean, median),
-        "lognormal_median": median,
-        "mean_force": mean,
-        "median_force": median,
-    }
-    frames = [
-        tables.rows_of("", name, unit, "published", pair="", value=published[name])
-        for name, (_, unit) in QUANTITIES.items()
-    ]
-    for pair in ("published", "fitted"):
-        for name, (variable, unit) in QUANTITIES.items():
-            values = tables.value_and_bounds(of_surface.sel(pair=pair), variable)
-            frames.append(tables.rows_of("", name, unit, pair=pair, **values))
-    return pd.concat(frames, ignore_index=True)
-
-
-def _legend_handles(
-    published_constants: pd.DataFrame, fit: xr.Dataset, floor: float
-) -> list[Artist]:
-    """Return one entry for each kind of area and line, with the pairs of range and work."""
-    published, fitted = (style.print_pair(pair) for pair in (published_constants["value"], fit))
-    return [
+    published, fitted = (style.print_pair(pair) for pair in pairs.values())
+    handles = [
         Patch(label=f"computed, published {published}", lw=0, **AT_PUBLISHED),
         Patch(label=f"computed, fitted {fitted}", fill=False, **AT_FIT),
         Line2D([], [], label="published log-normal", **PUBLISHED_LINE),
         Line2D([], [], label="log-normal of the forces at the published pair", **COMPUTED_LINE),
         Patch(color="0.85", label=f"below {floor * 1e9:.0f} nN"),
     ]
+    style.legend_above(figure, handles, 3)
+    return tables.labelled(frames, inference, COLUMNS), figure
+
+
+def _numbers(published: pd.Series, fit: xr.Dataset) -> pd.DataFrame:
+    """Return the numbers that describe the forces of one surface, published and at each pair."""
+    mean, median = published["mean_force"], published["median_force"]
+    values = (lognormal_shape(mean, median), median, mean, median)
+    frames = [
+        tables.rows_of("", name, unit, "published", pair="", value=value)
+        for (name, (_, unit)), value in zip(QUANTITIES.items(), values, strict=True)
+    ]
+    for pair in ("published", "fitted"):
+        for name, (variable, unit) in QUANTITIES.items():
+            computed = tables.value_and_bounds(fit.sel(pair=pair), variable)
+            frames.append(tables.rows_of("", name, unit, pair=pair, **computed))
+    return pd.concat(frames, ignore_index=True)
 
 
 def _draw_linear(axes: Axes, of_pairs: Pairs, published: Any, colour: str) -> pd.DataFrame:

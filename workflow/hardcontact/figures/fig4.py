@@ -60,10 +60,8 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit.
 
-    In the table `x` is the separation (nm, panel a) or the range of adhesion rho (nm, b to e),
-    `value` with `low`, `high` in `unit`: over "scans" the mean and its interval, over "sets" the
-    median and SHARE_OF_SETS. The maps of panels a (adhesive pressure) and e (mean relative error)
-    stay in contact.nc and inference.nc.
+    In the table `x` is the separation (nm, panel a) or the range of adhesion (nm, b to e). Values
+    over "scans" are means with their interval, over "sets" the median and SHARE_OF_SETS.
     """
     fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     figure, ((pressure, separation, key), (ratios, forces), (least, error)) = drawing.create_rows(

@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 
 from hardcontact.figures import drawing, style, tables
 from hardcontact.numbers.printing import print_share
-from hardcontact.scales.critical_band import POOLED
+from hardcontact.scales.critical_band import POOLED, last_cutoff
 
 TITLE = "Fig. 6: the length scales that matter"
 CHAPTER = "6. Scales"
@@ -48,12 +48,9 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 6: pull-off force of filtered surfaces over that of the unfiltered ones.
 
-    Panel a against the short-, b against the long-wavelength cutoff; below, the change of either
-    sign, also of all substrates pooled, and the cutoffs where it exceeds the tolerance.
-
-    The table has `ratio` (1) against `cutoff_wavelength` (nm), its distance from one, `change` (1),
-    and `critical_wavelength` (nm), computed and published. `beyond` names the numbers that lie
-    beyond the last cutoff computed and are empty.
+    The table has `ratio` and its distance from one, `change`, against `cutoff_wavelength` (nm), and
+    the critical wavelengths. `beyond` names the numbers that lie beyond the last cutoff computed
+    and are empty.
     """
     figure = drawing.create(6.2, band)
     grid = figure.subplots(3, 2, sharex="col", sharey="row", height_ratios=(3, 1.8, 1.5))
@@ -61,11 +58,16 @@ def draw(
     edges = {side: tables.published_edge(published_constants, side) for side in style.REMOVED}
     for letter, (side, edge), column in zip("ab", edges.items(), grid.T, strict=True):
         side_band = band.sel(side=side)
-        curves = _curves(side_band)
-        critical = _critical(side_band)
+        curves = {
+            name: tables.bounded(side_band, f"scale_{name}").dropna("cutoff_wavelength", how="all")
+            for name in ("ratio", "change")
+        }
+        last = last_cutoff(side_band["scale_ratio"], side)
+        critical = tables.as_rows(tables.bounded(side_band, "critical_wavelength"))
+        critical["value"] = critical["value"].fillna(last)
         _draw_ratios(column[0], curves["ratio"], band.attrs["scale_tolerance"])
         _draw_changes(column[1], curves["change"], band)
-        _draw_critical(column[2], critical, side_band)
+        _draw_critical(column[2], critical, side_band, last)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "small" else (transition, np.inf)
         for axes in column:
@@ -73,7 +75,12 @@ def draw(
             axes.label_outer()
             style.shade_artificial(axes, [artificial])
         style.label_panel(column[0], letter, style.REMOVED[side])
-        frames.append(_rows(curves, critical, edge).assign(side=side))
+        for name, curve in curves.items():
+            rows = tables.computed_rows(curve, quantity=name, unit="1", side=side)
+            frames.append(rows.rename(columns={"surface": "group"}))
+        published = pd.DataFrame([{"group": POOLED, "origin": "published", "value": edge}])
+        rows = pd.concat([_without_bounds(critical, last), published])
+        frames.append(rows.assign(quantity="critical_wavelength", unit="nm", side=side))
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
         for axes in row:
@@ -84,43 +91,11 @@ def draw(
     return tables.labelled(frames, band, COLUMNS, "group"), figure
 
 
-def _curves(side_band: xr.Dataset) -> dict[str, xr.Dataset]:
-    """Return ratio and change against the cutoffs (nm) of one side, with their intervals."""
-    return {
-        name: tables.bounded(side_band, f"scale_{name}").dropna("cutoff_wavelength", how="all")
-        for name in ("ratio", "change")
-    }
-
-
-def _critical(side_band: xr.Dataset) -> pd.DataFrame:
-    """Return the critical wavelength (nm) of each group, with its interval.
-
-    What lies beyond the last cutoff computed stands at that cutoff and is named in `beyond`.
-    """
-    critical = tables.as_rows(tables.bounded(side_band, "critical_wavelength"))
-    last = _last_cutoff(side_band)
-    critical["value"] = critical["value"].fillna(last)
+def _without_bounds(critical: pd.DataFrame, last: float) -> pd.DataFrame:
+    """Return the rows without the numbers that stand at the last cutoff, which `beyond` names."""
     beyond = np.isclose(critical[ENDS], last)
-    return critical.assign(beyond=[", ".join(np.array(ENDS)[row]) for row in beyond])
-
-
-def _last_cutoff(side_band: xr.Dataset) -> float:
-    """Return the cutoff (nm) of one side that removes most."""
-    cutoffs = _curves(side_band)["ratio"]["cutoff_wavelength"].values
-    return float(cutoffs[-1] if side_band["side"].item() == "small" else cutoffs[0])
-
-
-def _rows(curves: dict[str, xr.Dataset], critical: pd.DataFrame, edge: float) -> pd.DataFrame:
-    """Return ratios and changes against the cutoff, and critical wavelengths (nm), of one side."""
-    of_curves = [
-        tables.computed_rows(curve, quantity=name, unit="1").rename(columns={"surface": "group"})
-        for name, curve in curves.items()
-    ]
-    beyond = [[end in names.split(", ") for end in ENDS] for names in critical["beyond"]]
-    computed = critical.assign(**critical[ENDS].mask(np.array(beyond)), origin="computed")
-    published = pd.DataFrame([{"group": POOLED, "origin": "published", "value": edge}])
-    edges = pd.concat([computed, published]).assign(quantity="critical_wavelength", unit="nm")
-    return pd.concat([*of_curves, edges])
+    names = [", ".join(np.array(ENDS)[row]) for row in beyond]
+    return critical.assign(**critical[ENDS].mask(beyond), beyond=names, origin="computed")
 
 
 def _looks(band: xr.Dataset) -> dict[str, style.Look]:
@@ -150,20 +125,19 @@ def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
     axes.set(yscale="log", ylabel="|ratio − 1| (%)")
 
 
-def _draw_critical(axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset) -> None:
+def _draw_critical(axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, last: float) -> None:
     """Mark the critical wavelength (nm) of each group with its interval, arrows beyond the last."""
     looks = _looks(side_band)
     labels = side_band["label"].to_series().to_dict() | {POOLED: "mean of all"}
     arrow = ">" if side_band["side"].item() == "small" else "<"
-    rows = critical.set_index("group")
+    ends = critical.set_index("group")[ENDS]
     for place, (group, look) in enumerate(looks.items()):
-        row = rows.loc[group]
-        axes.plot([row["low"], row["high"]], [place] * 2, color=look["color"], lw=1.4)
-        if row["beyond"]:
-            end = {"color": look["color"], "ms": 5, "mew": 0, "clip_on": False}
-            axes.plot(_last_cutoff(side_band), place, arrow, **end)
-        if "value" not in row["beyond"]:
-            axes.plot(row["value"], place, **look)
+        value, low, high = ends.loc[group]
+        axes.plot([low, high], [place] * 2, color=look["color"], lw=1.4)
+        if np.isclose([value, low, high], last).any():
+            axes.plot(last, place, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
+        if not np.isclose(value, last):
+            axes.plot(value, place, **look)
     axes.set_yticks(range(len(looks)), [labels[group] for group in looks])
     axes.set(ylim=(len(looks) - 0.4, -0.6), xlabel="cutoff wavelength (nm)")
 

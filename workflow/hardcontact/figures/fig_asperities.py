@@ -45,10 +45,7 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the force on the largest patch, (b) on two, (c) how many there are, (d) how wide.
 
-    The table has, of each surface, the median over contacts with its quartiles `low` and `high`
-    against the range of adhesion `rho` (nm); `extent` is a diameter. Panel d adds, in nm, of a
-    smooth sphere on a plane the radius of interaction and the diameter that holds the same share
-    of the force, and the long critical wavelength, computed with its interval and published.
+    The table has the median over contacts with its quartiles `low` and `high`.
     """
     figure = drawing.create(5.2, asperities)
     grid = figure.subplots(2, 2, sharex=True)

@@ -46,8 +46,7 @@ BETWEEN = ("model", "metrics", "against")  # columns of the table
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) forces at the published work, (b) errors at the best work of each model.
 
-    The table has forces in N and errors (1), with the ends of their intervals; of each model its
-    definition of roughness and what its formula was checked against.
+    The table says of each model what it calls roughness, and what its formula was checked against.
     """
     work = published_constants["value"]["work_of_adhesion"]
     figure, ((forces, errors),) = drawing.create_rows(3.6, classical, (1, (2.6, 1)))

@@ -34,9 +34,7 @@ SOURCES = {
 def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) forces on the largest maps, (b) predicted over computed, (c) the freezing.
 
-    The table has (a) `computed_force` with its interval, `predicted_force` and its first term
-    alone in N, (b) `error`, predicted over computed, (c) `whole_freezing` of all scales, against
-    `rho` and by `map_size`, both in nm; without a panel both edges of the band in nm.
+    Rows without a panel are both edges of the band.
     """
     figure = drawing.create(3.3, closed_form)
     panels = figure.subplots(1, 3)

@@ -41,10 +41,8 @@ SPREAD = 0.6  # of the scans of one surface, in places of surfaces
 def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) the pressure of one contact a surface, (b-d) all contacts, one dot each.
 
-    The table has, of each contact, the share of its area above the hardness (1), its peak pressure
-    (Pa) and its elastic over its rigid pull-off force (1); of each surface their medians; and the
-    levels they are compared with, the published one as `low` to `high`. The maps stay in
-    elastic.nc.
+    The table has a row for each contact, for the median of each surface, and for the levels they
+    are compared with, the published one as `low` to `high`.
     """
     surfaces = elastic.sizes["surface"]
     figure, (maps, (shares, peaks, forces)) = drawing.create_rows(
@@ -52,34 +50,46 @@ def draw(elastic: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     )
     ratio = elastic["elastic_pull_off_force"] / elastic["rigid_pull_off_force"]
     _draw_pressures(maps, elastic)
-    _draw_shares(shares, elastic["hard_share"])
-    _draw_peaks(peaks, elastic)
-    _draw_forces(forces, ratio)
+
+    _draw_contacts(shares, elastic["hard_share"])
+    shares.axhspan(MOST, 1, color="0.88", zorder=0)
+    middle = shares.get_xlim()[1] / 2
+    shares.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
+    shares.set(ylim=(-0.03, 1.12), ylabel="share of contact area")
+    style.label_panel(shares, "b", "pressure above hardness")
+
+    _draw_contacts(peaks, elastic["peak_pressure"] / GIGAPASCAL)
+    for name, (_, label, dashes) in LEVELS.items():
+        level = elastic.attrs[name] / GIGAPASCAL
+        peaks.axhline(level, color="black", lw=0.9, ls=dashes, label=label)
+    peaks.set(yscale="log", ylabel="peak pressure (GPa)")
+    style.label_logarithmic(peaks.yaxis, at=(1,))
+    peaks.legend()
+    style.label_panel(peaks, "c", "highest pressure")
+
+    excess = (ratio - 1) / style.PERCENT
+    _draw_contacts(forces, excess)
+    forces.axhline(0, color="0.7", lw=0.6, zorder=0)
+    forces.set_ylabel("elastic / rigid pull-off − 1 (%)")
+    style.label_panel(forces, "d", f"differs by up to {abs(excess).max().item():.2g} %")
+
     for axes in (shares, peaks, forces):
         axes.set_xticks(range(surfaces), elastic["label"].values, **style.TILTED)
-    frames = [
-        *_contact_rows("b", "hard_share", "1", elastic["hard_share"]),
-        *_contact_rows("c", "peak_pressure", "Pa", elastic["peak_pressure"]),
-        *_contact_rows("d", "elastic_over_rigid", "1", ratio),
-        tables.rows_of("b", "hard_share", "1", "published", low=MOST, high=1.0),
-        *(
-            tables.rows_of("c", name, "Pa", origin, value=elastic.attrs[name])
-            for name, (origin, _, _) in LEVELS.items()
-        ),
-    ]
+    frames = []
+    for panel, name, unit, values in (
+        ("b", "hard_share", "1", elastic["hard_share"]),
+        ("c", "peak_pressure", "Pa", elastic["peak_pressure"]),
+        ("d", "elastic_over_rigid", "1", ratio),
+    ):
+        medians = values.median(["scan", "contact"])
+        frames += [
+            tables.computed_rows(values, panel=panel, quantity=name, unit=unit),
+            tables.computed_rows(medians, panel=panel, quantity=f"{name}_median", unit=unit),
+        ]
+    frames.append(tables.rows_of("b", "hard_share", "1", "published", low=MOST, high=1.0))
+    for name, (origin, _, _) in LEVELS.items():
+        frames.append(tables.rows_of("c", name, "Pa", origin, value=elastic.attrs[name]))
     return tables.tidy(frames, elastic, "scan", "contact"), figure
-
-
-def _contact_rows(
-    panel: str, quantity: str, unit: str, values: xr.DataArray
-) -> tuple[pd.DataFrame, pd.DataFrame]:
-    """Return a row for each contact, and one for the median of each surface."""
-    medians = values.median(["scan", "contact"])
-    columns = {"panel": panel, "unit": unit}
-    return (
-        tables.computed_rows(values, quantity=quantity, **columns),
-        tables.computed_rows(medians, quantity=f"{quantity}_median", **columns),
-    )
 
 
 def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
@@ -117,34 +127,3 @@ def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
         axes.plot(places.ravel(), of_surface.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6)
         axes.hlines(of_surface.median(), place - 0.45, place + 0.45, color=colour, lw=1.6)
     axes.set_xlim(-0.6, values.sizes["surface"] - 0.4)
-
-
-def _draw_shares(axes: Axes, shares: xr.DataArray) -> None:
-    """Draw the share of each contact's area above the hardness, and what is published of it."""
-    _draw_contacts(axes, shares)
-    axes.axhspan(MOST, 1, color="0.88", zorder=0)
-    middle = axes.get_xlim()[1] / 2
-    axes.text(middle, 1.02, "published: most of the area", fontsize=7, ha="center", va="bottom")
-    axes.set(ylim=(-0.03, 1.12), ylabel="share of contact area")
-    style.label_panel(axes, "b", "pressure above hardness")
-
-
-def _draw_peaks(axes: Axes, elastic: xr.Dataset) -> None:
-    """Draw the peak pressure (GPa) of each contact, the hardness and Hertz' peak pressure."""
-    _draw_contacts(axes, elastic["peak_pressure"] / GIGAPASCAL)
-    for name, (_, label, dashes) in LEVELS.items():
-        level = elastic.attrs[name] / GIGAPASCAL
-        axes.axhline(level, color="black", lw=0.9, ls=dashes, label=label)
-    axes.set(yscale="log", ylabel="peak pressure (GPa)")
-    style.label_logarithmic(axes.yaxis, at=(1,))
-    axes.legend()
-    style.label_panel(axes, "c", "highest pressure")
-
-
-def _draw_forces(axes: Axes, ratios: xr.DataArray) -> None:
-    """Draw by how many percent each elastic pull-off force differs from the rigid one."""
-    excess = (ratios - 1) / style.PERCENT
-    _draw_contacts(axes, excess)
-    axes.axhline(0, color="0.7", lw=0.6, zorder=0)
-    axes.set_ylabel("elastic / rigid pull-off − 1 (%)")
-    style.label_panel(axes, "d", f"differs by up to {abs(excess).max().item():.2g} %")

@@ -21,10 +21,7 @@ MIN_INDEX = 0.01  # that is drawn
 
 
 def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw one curve for each surface; from 1 (line) on contacts yield.
-
-    The table has the ``slope_index`` of every surface by the shortest wavelength in nm.
-    """
+    """Draw one curve for each surface; from 1 (line) on contacts yield."""
     figure = drawing.create(3.0, elastic_limit)
     axes = figure.subplots()
     index = elastic_limit["slope_index"]

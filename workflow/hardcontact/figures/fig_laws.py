@@ -1,7 +1,5 @@
 """Other laws of attraction: their pressure, and edges of the critical band by each."""
 
-from typing import Any
-
 import numpy as np
 import pandas as pd
 import xarray as xr
@@ -43,11 +41,7 @@ FITS = {"range_of_law": "nm", "work_of_adhesion": "J/m2"}
 
 
 def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) pressures, (b, c) edges of the band.
-
-    The table has by law and case the range (nm) and the work (J/m2) of (a), and the edges (nm)
-    of each substrate and of all pooled: a `group`.
-    """
+    """Draw (a) pressures, (b, c) edges of the band; a `group` is a substrate or all pooled."""
     figure, ((pressures, *edges),) = drawing.create_rows(3.2, laws, (1, (1, 1.2, 1.2)))
     _draw_pressures(pressures, laws)
     frames = [tables.drawn_rows(laws, *(("a", name, unit) for name, unit in FITS.items()))]
@@ -84,24 +78,21 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
 
 
 def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
-    """Draw where the force leaves its tolerance, of each surface and pooled.
+    """Draw the edges of each surface and of all pooled, the laws side by side.
 
-    Full marks stand at lengths equivalent to Eq. 1, open ones at an atomic spacing.
+    Filled marks stand at ranges equivalent to Eq. 1, open ones at an atomic spacing.
     """
     edges = tables.bounded(laws, "critical_wavelength").sel(side=side)
-    _draw_beside(axes, edges.sel(case="equivalent"))
-    _draw_beside(axes, edges.sel(case="atomic"), 0.07, mfc="white")
+    places = np.arange(edges.sizes["group"])
+    beside = np.linspace(-0.3, 0.3, len(LOOKS))
+    fills: dict[str, style.Look] = {"equivalent": {}, "atomic": {"mfc": "white"}}
+    for (case, fill), shift in zip(fills.items(), (0, 0.07), strict=True):
+        for (law, look), offset in zip(LOOKS.items(), beside, strict=True):
+            of_law = edges.sel(case=case, law=law)
+            marks = look | fill | {"ls": "none", "ms": 3.5, "lw": 0.8}
+            style.draw_bars(axes, places + offset + shift, of_law, **marks)
     labels = laws["label"].to_series()
     groups = [labels.get(group, "mean of all") for group in laws["group"].values]
     axes.set_xticks(range(len(groups)), groups, **style.TILTED)
     axes.set(yscale="log")
     style.label_logarithmic(axes.yaxis)
-
-
-def _draw_beside(axes: Axes, values: xr.Dataset, shift: float = 0.0, **fill: Any) -> None:
-    """Draw values with their intervals of each law, side by side at each place."""
-    beside = np.linspace(-0.3, 0.3, len(LOOKS))
-    for (law, look), offset in zip(LOOKS.items(), beside, strict=True):
-        of_law = values.sel(law=law)
-        places = np.arange(of_law["value"].size) + offset + shift
-        style.draw_bars(axes, places, of_law, ls="none", ms=3.5, lw=0.8, **look, **fill)

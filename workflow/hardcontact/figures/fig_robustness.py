@@ -1,11 +1,6 @@
-"""Robustness: range, work of adhesion and critical band under other assumptions.
-
-The error of the fit has several local minima along the range: beside the fit, which is the least,
-stand the others, so that a step from one to another is told from a shift of both.
-"""
+"""Robustness: range, work of adhesion and critical band under other assumptions."""
 
 from collections.abc import Iterable
-from typing import NamedTuple
 
 import numpy as np
 import pandas as pd
@@ -52,40 +47,15 @@ MINIMUM: style.Look = {"color": "0.15", "marker": "o", "markerfacecolor": "white
 WHITE_BOX = {"facecolor": "white", "edgecolor": "none", "pad": 1}
 MISSING: style.Look = {"fontsize": 7, "ha": "center", "va": "center", "bbox": WHITE_BOX}
 COLUMNS = ["panel", "variant", "label", "group", "origin", "quantity", *tables.VALUE_COLUMNS]
-ENDS = ["value", "low", "high"]
-
-
-class _Quantity(NamedTuple):
-    """The quantity of one panel, and how it is printed."""
-
-    variable: str
-    side: str  # of the band
-    unit: str
-    printed_unit: float  # in `unit`
-    title: str
-    axis: str
-    missing: str  # said of a variant without a value
-    minimum: str = ""  # name of its values at all local minima of the error
-
-
-QUANTITIES = {  # by the name of the published constant
-    "range_of_adhesion": _Quantity(
-        "range_of_adhesion", "", "nm", 1,
-        "range of adhesion", "ρ (nm)", "not affected", "minimum_range",
-    ),
-    "work_of_adhesion": _Quantity(
-        "work_of_adhesion", "", "J/m2", 1e-3,
-        "work of adhesion", "$W$ (mJ/m²)", "not affected", "minimum_work",
-    ),
-    "critical_wavelength_small": _Quantity(
-        "critical_wavelength", "small", "nm", 1,
-        "short cutoff", "$λ_S$ (nm)", "never reached",
-    ),
-    "critical_wavelength_large": _Quantity(
-        "critical_wavelength", "large", "nm", 1000,
-        "long cutoff", "$λ_L$ (µm)", "never reached",
-    ),
-}  # fmt: skip
+#: Published constant: unit, printed unit in it, title, axis.
+QUANTITIES = {
+    "range_of_adhesion": ("nm", 1, "range of adhesion", "ρ (nm)"),
+    "work_of_adhesion": ("J/m2", 1e-3, "work of adhesion", "$W$ (mJ/m²)"),
+    "critical_wavelength_small": ("nm", 1, "short cutoff", "$λ_S$ (nm)"),
+    "critical_wavelength_large": ("nm", 1000, "long cutoff", "$λ_L$ (µm)"),
+}
+#: Values of a quantity at all local minima of the error of the fit.
+MINIMA = {"range_of_adhesion": "minimum_range", "work_of_adhesion": "minimum_work"}
 
 
 def draw(
@@ -96,11 +66,8 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) range, (b) work of adhesion, (c, d) critical wavelengths, one row a variant.
 
-    The study itself, above them, has more contacts, pixels and realizations. The table has a row
-    for each of the four quantities of a variant, of the study and of the paper: ranges and
-    wavelengths in nm, works in J/m2, with their intervals (published: its +-), empty where a
-    variant does not affect a quantity or the force never leaves the band. Of range and work a row
-    each of the other minima of the error of a variant follows. Only variants have a `variant`.
+    In the table only variants have a `variant`. Values are empty where a variant does not affect a
+    quantity or the force never leaves the band.
     """
     # The choices of the study that the variants are computed with and for.
     study = inference.sel(contact_model="plastic").merge(band.sel(group=POOLED), compat="override")
@@ -109,48 +76,53 @@ def draw(
     figure = drawing.create(0.24 * heights[-1] + 1.8, inference)
     panels = figure.subplots(1, len(QUANTITIES), sharey=True)
     frames = []
-    for letter, axes, (name, quantity) in zip("abcd", panels, QUANTITIES.items(), strict=True):
-        variants, minima = _results(robustness, quantity), _other_minima(robustness, quantity)
-        of_study = _results(study, quantity).assign(label=FULL)
-        of_paper = tables.published_rows(published_constants, {name: quantity.unit}, letter)
-        _draw_published(axes, of_paper.iloc[0], quantity.printed_unit)
-        _draw_minima(axes, minima, dict(zip(variants["variant"], heights, strict=True)), quantity)
-        _draw_results(axes, variants, heights, quantity, VARIANT)
-        _draw_results(axes, of_study, [-ABOVE], quantity, STUDY)
+    for letter, axes, (name, (unit, printed_unit, title, axis)) in zip(
+        "abcd", panels, QUANTITIES.items(), strict=True
+    ):
+        variants, of_study = _results(robustness, name), _results(study, name).assign(label=FULL)
+        of_paper = tables.published_rows(published_constants, {name: unit}, letter)
+        computed = [variants.assign(quantity=name), of_study.assign(quantity=name)]
+        _draw_published(axes, of_paper.iloc[0], printed_unit)
+        if name in MINIMA:
+            minima = _other_minima(robustness, MINIMA[name])
+            places = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
+            axes.plot(minima["value"] / printed_unit, places, ls="none", **MINIMUM)
+            computed.append(minima.assign(quantity=MINIMA[name]))
+        missing = "not affected" if name in MINIMA else "never reached"
+        for results, places, look in ((variants, heights, VARIANT), (of_study, [-ABOVE], STUDY)):
+            printed = results[["value", "low", "high"]] / printed_unit
+            _draw_results(axes, printed, places, missing, look)
         baseline = variants["value"][variants["group"] == BASELINE].item()
-        axes.axvline(baseline / quantity.printed_unit, color="0.15", lw=0.6, ls=":")
-        axes.set(xscale="log", xlabel=quantity.axis)
+        axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
+        axes.set(xscale="log", xlabel=axis)
         axes.tick_params(axis="y", length=0)
-        style.label_logarithmic(axes.xaxis, at=(1, 3) if quantity.minimum else (1, 2, 3, 5))
-        style.label_panel(axes, letter, quantity.title)
-        results = pd.concat([variants, of_study]).assign(quantity=name)
-        computed = pd.concat([results, minima.assign(quantity=quantity.minimum)])
-        computed = computed.assign(panel=letter, origin="computed", unit=quantity.unit)
-        frames.extend([computed, of_paper])
+        style.label_logarithmic(axes.xaxis, at=(1, 3) if name in MINIMA else (1, 2, 3, 5))
+        style.label_panel(axes, letter, title)
+        frames += [pd.concat(computed).assign(panel=letter, origin="computed", unit=unit), of_paper]
     panels[0].set_yticks(heights, robustness["variant_label"].values)
     panels[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
     style.legend_above(figure, _legend_handles(robustness), 2)
     return pd.concat(frames).reindex(columns=COLUMNS), figure
 
 
-def _results(data: xr.Dataset, quantity: _Quantity) -> pd.DataFrame:
+def _results(data: xr.Dataset, name: str) -> pd.DataFrame:
     """Return a quantity of the variants, or of the study, with its intervals, a row each."""
-    if quantity.side:
-        data = data.sel(side=quantity.side)
-    values = tables.bounded(data, quantity.variable)
+    if name not in MINIMA:
+        name, _, side = name.rpartition("_")
+        data = data.sel(side=side)
+    values = tables.bounded(data, name)
     if "variant" not in data.dims:
         return pd.DataFrame([{str(end): number.item() for end, number in values.items()}])
     described = data[["variant_label", "group"]].rename(variant_label="label")
     return tables.as_rows(values.merge(described, compat="override"))
 
 
-def _other_minima(robustness: xr.Dataset, quantity: _Quantity) -> pd.DataFrame:
+def _other_minima(robustness: xr.Dataset, name: str) -> pd.DataFrame:
     """Return a quantity at the local minima of the error of each variant but the least."""
-    if not quantity.minimum:
-        return pd.DataFrame({"variant": [], "value": []})
-    minima = robustness[["variant_label", "group", quantity.minimum]].isel(minimum=slice(1, None))
-    named = minima.rename({"variant_label": "label", quantity.minimum: "value"})
-    return tables.as_rows(named).dropna(subset=["value"])
+    minima = robustness[["variant_label", "group", name]].isel(minimum=slice(1, None))
+    return tables.as_rows(minima.rename({"variant_label": "label", name: "value"})).dropna(
+        subset=["value"]
+    )
 
 
 def _draw_published(axes: Axes, published: pd.Series, unit: float) -> None:
@@ -160,29 +132,15 @@ def _draw_published(axes: Axes, published: pd.Series, unit: float) -> None:
     axes.axvline(published["value"] / unit, color="0.4", lw=1.0, ls="--")
 
 
-def _draw_minima(
-    axes: Axes, minima: pd.DataFrame, heights: dict[str, float], quantity: _Quantity
-) -> None:
-    """Mark the other minima in the rows of their variants."""
-    places = minima["variant"].map(heights)
-    axes.plot(minima["value"] / quantity.printed_unit, places, ls="none", **MINIMUM)
-
-
 def _draw_results(
-    axes: Axes,
-    results: pd.DataFrame,
-    heights: Iterable[float],
-    quantity: _Quantity,
-    look: style.Look,
+    axes: Axes, results: pd.DataFrame, heights: Iterable[float], missing: str, look: style.Look
 ) -> None:
     """Draw values and their intervals, or say why there is none."""
-    printed = results[ENDS] / quantity.printed_unit
-    for height, (value, low, high) in zip(heights, printed.itertuples(index=False), strict=True):
+    for height, (value, low, high) in zip(heights, results.itertuples(index=False), strict=True):
         axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
         axes.plot([value], [height], ls="none", **look)
         if not np.isfinite(value):
-            place = axes.get_yaxis_transform()
-            axes.text(0.5, height, quantity.missing, transform=place, **MISSING)
+            axes.text(0.5, height, missing, transform=axes.get_yaxis_transform(), **MISSING)
 
 
 def _legend_handles(robustness: xr.Dataset) -> list[Artist]:

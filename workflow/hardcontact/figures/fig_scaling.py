@@ -48,10 +48,7 @@ BETWEEN = ("side", "radius", "area", "rho", "reach", "designed", "prediction")  
 def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw edges against (a) the range and (b) the reach, (c) errors, (d) a map of the regimes.
 
-    Sections go through the contact area nearest to the paper's. The table has the edges (nm) of
-    all combinations, computed and by the formula, with the published ones (a: short, b: long
-    edges), those computed over those predicted on designed surfaces held out (c), and what places
-    all surfaces on the map (d).
+    Sections go through the contact area nearest to the paper's; the table has all areas.
     """
     figure = drawing.create(5.6, scaling)
     (short, long), (errors, regimes) = figure.subplots(2, 2)

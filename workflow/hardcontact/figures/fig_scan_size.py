@@ -37,11 +37,7 @@ OF_SCAN: style.Look = {"color": style.PUBLISHED, "lw": 0.8, "ls": "--", "zorder"
 
 
 def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
-    """Draw (a) the excess against the scan, (b) sizes needed, (c) long edges.
-
-    The table has computed and predicted excess on windows (a), the sizes needed (b, nm), and long
-    edges (nm) on windows and whole surfaces (c). The value of an edge that is open is its bound.
-    """
+    """Draw (a) the excess against the scan, (b) sizes needed, (c) long edges; open: the bound."""
     figure = drawing.create(3.2, scan_size)
     sizes, needed, edges = figure.subplots(1, 3)
     rho, allowed = scan_size.attrs["rho"], scan_size.attrs["allowed_excess"]

@@ -46,10 +46,8 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw (a, b) the best fits of all sets, (c, d) filtered surfaces.
 
-    The table has (a) the share of the sets (1) whose best range lies between `range_low` and
-    `range_high` (nm), (b) range (nm) and work of adhesion (J/m2) at each minimum of each set, and
-    published, (c, d) median and middle SHARE_OF_SETS of the force ratio (1) against
-    `cutoff_wavelength` (nm), and of the critical wavelength (nm).
+    The table has (a) the share of the sets whose best range lies between `range_low` and
+    `range_high`, and in (c, d) medians over the sets with SHARE_OF_SETS as `low` and `high`.
     """
     fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     figure, ((counts, places), ratios) = drawing.create_rows(

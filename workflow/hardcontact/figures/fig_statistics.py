@@ -72,15 +72,12 @@ def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
     skewed = statistics["designed_skewed"] != 0
     low = (statistics["designed_level"] < LEAST_LEVEL) & ~skewed
     fair, held = ~skewed & ~low, statistics["designed_held_back"] == 1
+    black = {"marker": "o", "color": "black", "ms": 3}
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
         (low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
-        (
-            fair & ~held,
-            "used for the law",
-            {"marker": "o", "color": "black", "mfc": "none", "ms": 3},
-        ),
-        (fair & held, "held out", {"marker": "o", "color": "black", "ms": 3}),
+        (fair & ~held, "used for the law", black | {"mfc": "none"}),
+        (fair & held, "held out", black),
     ]
     for chosen, label, look in groups:
         part = statistics.isel(case=np.flatnonzero(chosen))
@@ -114,12 +111,11 @@ def _draw_coatings(axes: Axes, there: xr.Dataset) -> None:
     highest = ROOM * there[["published_spread", *SPREADS]].to_array().max().item()
     for place, (look, of_surface) in enumerate(style.by_surface(there)):
         for step, (name, (more, _)) in enumerate(SPREADS.items()):
-            curve, x = (
-                tables.bounded(of_surface, name).expand_dims("place"),
-                place + 0.15 * (step - 1.5),
+            curve = tables.bounded(of_surface, name).expand_dims("place")
+            curve = (
+                curve if "low" in curve else curve.assign(low=curve["value"], high=curve["value"])
             )
-            if "low" not in curve:
-                curve = curve.assign(low=curve["value"], high=curve["value"])
+            x = place + 0.15 * (step - 1.5)
             style.draw_bars(axes, [x], curve, ls="none", **look | more)
             if curve["high"].item() > highest:
                 axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)

@@ -1,6 +1,5 @@
 """Style of all figures: fonts, looks of surfaces, axes, legends, marks, maps."""
 
-import math
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from itertools import cycle
@@ -75,7 +74,6 @@ RC: dict[Any, Any] = {
     "svg.hashsalt": "figure",  # the same names of parts in the SVG each time
 }
 
-
 #: Sets the style of print for a block.
 print_style = partial(mpl.rc_context, RC)
 
@@ -88,7 +86,7 @@ def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str
 
 
 def looks(substrates: Iterable[str]) -> dict[str, Look]:
-    """Return colour and marker of each substrate, as plots take them: told also without colour."""
+    """Return colour and marker of each substrate, as plots take them."""
     chosen = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
     return {name: {"color": colour, "marker": marker} for (name, colour), marker in chosen}
 
@@ -156,19 +154,10 @@ def fill_interval(axes: Axes, curve: xr.Dataset, along: str, color: str) -> None
     axes.fill_between(curve[along], curve["low"], curve["high"], color=color, alpha=OPACITY, lw=0)
 
 
-def reach(curve: xr.Dataset) -> np.ndarray:
-    """Return how far `low` and `high` lie from `value`, (2, values), as error bars take it.
-
-    It is zero where an end is not known.
-    """
-    distance = abs(curve[["low", "high"]].to_array() - curve["value"]).values
-    ends: np.ndarray = np.nan_to_num(distance).reshape(2, -1)
-    return ends
-
-
 def draw_bars(axes: Axes, x: Any, curve: xr.Dataset, **look: Any) -> None:
-    """Draw `value` against x, with bars from `low` to `high`."""
-    axes.errorbar(x, curve["value"], reach(curve), **look)
+    """Draw `value` against x, with bars from `low` to `high`, of no length where unknown."""
+    lengths = np.nan_to_num(abs(curve[["low", "high"]].to_array() - curve["value"]).values)
+    axes.errorbar(x, curve["value"], lengths.reshape(2, -1), **look)
 
 
 def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
@@ -213,8 +202,8 @@ def half_width(inside: xr.DataArray) -> float:
 
 def sets_handle() -> Patch:
     """Return the entry in a legend of bands over the sets of substitutes."""
-    share = print_share(SHARE_OF_SETS)
-    return Patch(color="0.3", alpha=OPACITY, lw=0, label=f"{share} of all sets of substitutes")
+    label = f"{print_share(SHARE_OF_SETS)} of all sets of substitutes"
+    return Patch(color="0.3", alpha=OPACITY, lw=0, label=label)
 
 
 def print_pair(pair: pd.Series | xr.Dataset) -> str:
@@ -238,9 +227,9 @@ def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
 
 
 def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
-    """Mark the best fit of the study with a star, and the other minima of its error with rings.
+    """Mark the best fit of the study with a star, the other minima of its error with rings.
 
-    Along x the range of adhesion (nm), along y the `height`, "work" or "error", in `unit`.
+    The `height` over the range of adhesion (nm) is the "work" or the "error", in `unit`.
     """
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
     others = fit["minimum_range"].values != fit["range_of_adhesion"].item()
@@ -252,20 +241,9 @@ def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
 
 
 def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:
-    """Draw heights (nm) of a square scan of the given size (nm), with colour bar and scale bar."""
-    small = rcParams["xtick.labelsize"]
+    """Draw heights (nm) of a square scan of the given size (nm), with a colour bar."""
     image = axes.imshow(heights - heights.mean(), cmap="viridis", extent=(0, size, 0, size))
     bar = axes.figure.colorbar(image, ax=axes, shrink=0.9, pad=0.02)
-    bar.ax.set_title("nm", fontsize=small, loc="left", pad=3)
-    axes.set(xticks=[], yticks=[])
-    # The largest 1, 2 or 5 times a power of ten that is no longer than a quarter of the map.
-    decade = 10.0 ** math.floor(math.log10(size / 4))
-    length = max(step * decade for step in (1, 2, 5) if step * decade <= size / 4)
-    printed = f"{length:g} nm" if length < 1000 else f"{length / 1000:g} µm"
-    start = 0.06 * size
-    # A white bar with a dark edge is visible on every colour of the map.
-    axes.plot([start, start + length], [start, start], color="black", lw=4, solid_capstyle="butt")
-    axes.plot([start, start + length], [start, start], color="white", lw=2, solid_capstyle="butt")
-    box = {"facecolor": "white", "edgecolor": "none", "alpha": 0.7, "pad": 1}
-    look: Look = {"fontsize": small, "ha": "center", "va": "bottom", "bbox": box}
-    axes.text(start + length / 2, start + 0.03 * size, printed, **look)
+    bar.ax.set_title("nm", fontsize=rcParams["xtick.labelsize"], loc="left", pad=3)
+    printed = f"{size:g} nm" if size < 1000 else f"{size / 1000:g} µm"
+    axes.set(xticks=[], yticks=[], xlabel=printed)

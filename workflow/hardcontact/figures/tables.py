@@ -76,18 +76,13 @@ def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
     return {str(end): number.item() for end, number in bounded(data, name).items()}
 
 
-def published_value(constants: pd.DataFrame, name: str) -> dict[str, Any]:
-    """Return `value`, `low` and `high` of a published constant; NaN without an uncertainty."""
-    value, spread = constants["value"][name], constants["uncertainty"][name]
-    return {"value": value, "low": value - spread, "high": value + spread}
-
-
 def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -> pd.DataFrame:
     """Return a row for each of these published constants, with the ends of its uncertainty."""
-    return pd.concat(
-        rows_of(panel, name, unit, "published", **published_value(constants, name))
-        for name, unit in units.items()
-    )
+    rows = constants.loc[list(units)]
+    value, spread = rows["value"].to_numpy(), rows["uncertainty"].to_numpy()
+    ends = {"value": value, "low": value - spread, "high": value + spread}
+    named = {"quantity": list(units), "unit": list(units.values())}
+    return pd.DataFrame(named | ends).assign(panel=panel, origin="published")
 
 
 def published_edge(constants: pd.DataFrame, side: str) -> float:
