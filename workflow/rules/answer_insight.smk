@@ -2,15 +2,6 @@
 
 from hardcontact.figures.listing import OF_INSIGHT, describe
 
-OF_INSIGHT_PAGE = [
-    "base.html",
-    "macros.html",
-    "style.css",
-    "page.js",
-    "verdicts.html",
-    "insight.html",
-    *(f"insight/{name}.html" for name in OF_INSIGHT),
-]
 #: The dataset of each figure, and the band.
 INSIGHT_SOURCES = ["band", *(describe(name).inputs[0] for name in OF_INSIGHT)]
 
@@ -23,7 +14,9 @@ rule answer_insight:
         statements="resources/paper/insight_claims.csv",
         figures=[PATTERNS.figure(name, "svg") for name in OF_INSIGHT],
         captions=[f"workflow/hardcontact/figures/{name}.py" for name in OF_INSIGHT],
-        templates=[f"workflow/report/templates/{name}" for name in OF_INSIGHT_PAGE],
+        templates=template_inputs(
+            "verdicts.html", "insight.html", *(f"insight/{name}.html" for name in OF_INSIGHT)
+        ),
         published_constants=PUBLISHED["published_constants"],
         validation="resources/validation/prediction.csv",
         code=code_inputs("answer_insight.py"),
