@@ -220,7 +220,7 @@ def test_a_scan_of_a_container_is_named_by_its_file_or_an_unambiguous_name(tmp_p
     for name, parts in (
         ("one", ["column dataset", "found 2 of 'one' among one (1.txt), one (2.txt)"]),
         ("three", ["column dataset", "found 0 of 'three'"]),
-        ("two", ["the data file 3.txt"]),
+        ("two", ["found one damaged", "no item named '3.txt'"]),
     ):
         assert_says(refusal(read_scan, path, name), "a.zip", *parts)
     assert read_scan(path, "2.txt").pixel_size == pytest.approx(10.0)

@@ -69,10 +69,6 @@ def measurement_of(
     if entries is not None:
         entry = _entry_named(entries, dataset)
         with zipfile.ZipFile(io.BytesIO(content)) as container:
-            if entry["file"] not in container.namelist():
-                raise RefusedFile(
-                    f"expected the data file {entry['file']} in the container, found none"
-                )
             content = container.read(entry["file"])
     try:
         reader = open_topography(io.BytesIO(content))
