@@ -152,11 +152,11 @@ def test_censored_fit_has_the_greatest_likelihood(floor):
     assert share == below.mean()
     assert (shape, median) == pytest.approx((expected, scale), rel=1e-3)
 
-    def surprise(shape, median):
+    def negative_log_likelihood(shape, median):
         known = stats.lognorm(shape, scale=median)
         return -known.logpdf(forces[~below]).sum() - below.sum() * known.logcdf(floor)
 
-    assert surprise(shape, median) <= surprise(expected, scale) + 1e-7
+    assert negative_log_likelihood(shape, median) <= negative_log_likelihood(expected, scale) + 1e-7
 
 
 def test_censored_fit_recovers_the_distribution_that_was_cut():

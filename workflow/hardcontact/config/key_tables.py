@@ -3,20 +3,18 @@
 ``python -m hardcontact.config.key_tables``, in the top folder, writes both.
 """
 
-import ast
 import inspect
 import textwrap
 from collections.abc import Iterator, Sequence
-from itertools import pairwise
 from pathlib import Path
-from types import ModuleType
 from typing import Any, Literal, get_args, get_origin
 
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from hardcontact.config import model, selection
 from hardcontact.config.key_types import Matching, Quantity
+from hardcontact.config.model import Study
+from hardcontact.config.selection import SurfaceRow
 
 CONFIGURATION, README = Path("config/config.yaml"), Path("config/README.md")
 HEAD = """\
@@ -26,8 +24,6 @@ HEAD = """\
 # few keys that differ, given as  snakemake --configfile my-study.yaml
 """
 COLUMNS = ("key", "meaning", "values", "default", "paper")
-#: The string below a field, by the names of its model and of the field.
-Meanings = dict[tuple[str, str], str]
 #: Lists of more entries are given in tables by their number, first and last entry.
 LIST_LIMIT = 4
 #: Values of keys whose types have no bounds.
@@ -36,7 +32,7 @@ VALUES = {"scans": "`all` or a list: 1 to 9999", "quick": "a mapping"}
 
 def configuration() -> str:
     """Return the YAML of all keys; comments have their meanings and the sections of the paper."""
-    return "\n".join([HEAD, *_yaml(model.Study, "", _meanings(model))]) + "\n"
+    return "\n".join([HEAD, *_yaml(Study, "")]) + "\n"
 
 
 def documented(text: str) -> str:
@@ -46,10 +42,9 @@ def documented(text: str) -> str:
     ``keys`` and ``columns``.
     """
     text = _inserted(text, "keys", "\n\n".join(_sections()))
-    meanings = _meanings(selection)
     rows = [
-        (f"`{name}`", meanings["SurfaceRow", name], _values(field))
-        for name, field in selection.SurfaceRow.model_fields.items()
+        (f"`{name}`", _meaning(field), _values(field))
+        for name, field in SurfaceRow.model_fields.items()
     ]
     return _inserted(text, "columns", _table(("column", "content", "values"), rows))
 
@@ -60,16 +55,9 @@ def _inserted(text: str, name: str, lines: str) -> str:
     return f"{before}{begin}\n{lines}\n\n{end}{after.partition(end)[2]}"
 
 
-def _meanings(module: ModuleType) -> Meanings:
-    """Return the string below each field of the models of a module, by their names."""
-    return {
-        (part.name, field.target.id): " ".join(str(string.value.value).split())
-        for part in ast.parse(inspect.getsource(module)).body
-        if isinstance(part, ast.ClassDef)
-        for field, string in pairwise(part.body)
-        if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name)
-        if isinstance(string, ast.Expr) and isinstance(string.value, ast.Constant)
-    }
+def _meaning(field: FieldInfo) -> str:
+    """Return the string below a field, in one line."""
+    return " ".join(str(field.description).split())
 
 
 def _subsection(field: FieldInfo) -> type[BaseModel] | None:
@@ -84,16 +72,16 @@ def _paper(field: FieldInfo) -> str:
     return str(about.get("paper", ""))
 
 
-def _yaml(section: type[BaseModel], indent: str, meanings: Meanings) -> Iterator[str]:
+def _yaml(section: type[BaseModel], indent: str) -> Iterator[str]:
     """Yield the lines of the keys of a section, and of those within it."""
     for name, field in section.model_fields.items():
         if subsection := _subsection(field):
             yield f"\n{indent}{name}:"
-            yield from _yaml(subsection, f"{indent}  ", meanings)
+            yield from _yaml(subsection, f"{indent}  ")
         else:
             paper = f" ({_paper(field)})" if _paper(field) else ""
             yield textwrap.indent(
-                "\n".join(textwrap.wrap(meanings[section.__name__, name] + paper, 96)),
+                "\n".join(textwrap.wrap(_meaning(field) + paper, 96)),
                 f"{indent}# ",
             )
             yield f"{indent}{name}: {_written(field.default)}"
@@ -101,26 +89,24 @@ def _yaml(section: type[BaseModel], indent: str, meanings: Meanings) -> Iterator
 
 def _sections() -> Iterator[str]:
     """Yield heading, table and text of the keys at the top, and of each section of keys."""
-    meanings = _meanings(model)
-    parts = {name: _subsection(field) for name, field in model.Study.model_fields.items()}
-    for name, section in {"": model.Study, **parts}.items():
+    sections = {name: _subsection(field) for name, field in Study.model_fields.items()}
+    for name, section in {"": Study, **sections}.items():
         if section:
             heading, *texts = inspect.cleandoc(str(section.__doc__)).split("\n\n")
             yield f"### {heading.rstrip('.')}"
-            yield _table(COLUMNS, [*_rows(section, name, meanings)])
+            yield _table(COLUMNS, [*_rows(section, name)])
             yield from (" ".join(text.split()) for text in texts)
 
 
-def _rows(section: type[BaseModel], above: str, meanings: Meanings) -> Iterator[tuple[str, ...]]:
+def _rows(section: type[BaseModel], above: str) -> Iterator[tuple[str, ...]]:
     """Yield the cells of the keys of a section, and of those within it unless it is the top."""
     for name, field in section.model_fields.items():
         key, subsection = f"{above}.{name}".strip("."), _subsection(field)
         if not subsection:
             values = VALUES.get(key) or _values(field)
-            meaning = meanings[section.__name__, name]
-            yield f"`{key}`", meaning, values, _default(field.default), _paper(field)
+            yield f"`{key}`", _meaning(field), values, _default(field.default), _paper(field)
         elif above:
-            yield from _rows(subsection, key, meanings)
+            yield from _rows(subsection, key)
 
 
 def _table(columns: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

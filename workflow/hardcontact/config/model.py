@@ -70,7 +70,13 @@ def key(default: Any, paper: str = "") -> Any:
 class Keys(BaseModel):
     """Keys of the configuration: no others are accepted, and no value of another type."""
 
-    model_config = ConfigDict(extra="forbid", strict=True, validate_default=True, frozen=True)
+    model_config = ConfigDict(
+        extra="forbid",
+        strict=True,
+        validate_default=True,
+        frozen=True,
+        use_attribute_docstrings=True,
+    )
 
 
 class SphereKeys(Keys):
