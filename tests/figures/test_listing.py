@@ -10,8 +10,7 @@ from repository import PAPER, ROOT
 
 from hardcontact import figures
 from hardcontact.answer.captions import caption
-from hardcontact.config.patterns import PUBLISHED
-from hardcontact.figures.listing import FIGURES, OF_INSIGHT, describe
+from hardcontact.figures.listing import FIGURES
 
 #: Modules that are no figure.
 SHARED = {"__init__", "drawing", "listing", "style", "tables"}
@@ -20,16 +19,6 @@ SHARED = {"__init__", "drawing", "listing", "style", "tables"}
 def test_each_module_is_a_figure_or_shared():
     modules = {path.stem for path in Path(figures.__file__).parent.glob("*.py")}
     assert modules - SHARED == set(FIGURES)
-
-
-def test_published_tables_are_there():
-    named = {source for name in FIGURES for source in describe(name).inputs} & set(PUBLISHED)
-    assert named and all((ROOT / PUBLISHED[name]).is_file() for name in named)
-
-
-def test_figures_of_the_chapter_begin_with_their_own_dataset():
-    for name in OF_INSIGHT:
-        assert describe(name).inputs[0] == name.removeprefix("fig_")
 
 
 def test_a_caption_names_the_values_of_the_study():

@@ -30,17 +30,6 @@ def test_values_have_the_ends_of_their_interval():
     }  # fmt: skip
 
 
-def test_rows_are_those_of_known_values():
-    values = xr.Dataset(
-        {"value": ("side", [3.0, np.nan]), "low": ("side", [2.0, 1.0])}, {"side": ["a", "b"]}
-    )
-    (row,) = tables.computed_rows(values, panel="c", quantity="edge").to_dict("records")
-    assert row == {
-        "side": "a", "value": 3.0, "low": 2.0, "origin": "computed", "panel": "c",
-        "quantity": "edge",
-    }  # fmt: skip
-
-
 def test_published_values_have_the_ends_of_their_uncertainty():
     assert tables.published_edge(CONSTANTS, "small") == 43
     (row,) = tables.published_rows(CONSTANTS, {"work_of_adhesion": "J/m2"}, "b").to_dict("records")

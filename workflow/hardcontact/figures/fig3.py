@@ -69,7 +69,10 @@ def draw(
     """
     fit = inference.sel(contact_model=CONTACT_MODEL)
     floor, work = inference.attrs["force_floor"], adhesion.attrs["work_of_adhesion"]
-    pairs = {"published": published_constants["value"], "fitted": fit}
+    pairs: dict[str, pd.Series | xr.Dataset] = {
+        "published": published_constants["value"],
+        "fitted": fit,
+    }
     forces = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
     forces_of_pairs = {
         name: at_range(forces, float(pair["range_of_adhesion"]))
@@ -87,7 +90,7 @@ def draw(
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
             for name, values in forces_of_pairs.items()
         }
-        numbers = _numbers(published_pull_off.loc[surface], fit.sel(surface=surface))
+        numbers = _numbers(published_pull_off, fit.sel(surface=surface))
         value = numbers.pivot(index="pair", columns="quantity", values="value")
         lognormals = [
             lognorm(value["lognormal_shape"][pair], scale=value["lognormal_median"][pair])
@@ -123,9 +126,10 @@ def draw(
     return tables.labelled(frames, inference, COLUMNS), figure
 
 
-def _numbers(published: pd.Series, fit: xr.Dataset) -> pd.DataFrame:
+def _numbers(published: pd.DataFrame, fit: xr.Dataset) -> pd.DataFrame:
     """Return the numbers that describe the forces of one surface, published and at each pair."""
-    mean, median = published["mean_force"], published["median_force"]
+    surface = fit["surface"].item()
+    mean, median = published["mean_force"][surface], published["median_force"][surface]
     values = (lognormal_shape(mean, median), median, mean, median)
     frames = [
         tables.rows_of("", name, unit, "published", pair="", value=value)

@@ -20,20 +20,17 @@ separation. (b) Mean force relative to that on the reference substrate, and (c) 
 the published work of adhesion W, against the range ρ. (d) Mean relative error of the forces at
 the best W for each ρ. (e) The same error over ρ and W.
 
-Contact is plastic, in (d) also rigid. (a) is at the published ρ and W. In (b) and (c) symbols
-are computed, bars their {{ inference.confidence | percent }} interval over scans, and bands
-hold 90 % of many equally good sets of substitute scans; bars that go on for more than a decade
-beyond all values end at the frame. Horizontal lines: published means.
-Cross at the foot of (b): the ρ that fits all published ratios best, with its
-{{ inference.confidence | percent }} interval. Open symbols in (c): at the best fit of ρ and W.
-In (d): star and rings, least and other minima with plastic contact; vertical line, and brackets
-in the title, the {{ inference.confidence | percent }} interval of the least one over scans;
-grey dots, best fit of each set of substitutes, whose spread is the interval that the verdicts
-take. In (e): white dots, fits to samples of what the mean forces may be, given the scatter of
-the scans; black, published result with its uncertainty; white line, where the error is small
-enough anywhere, the region below the paper's threshold. Dashed in (b) to (e): the published
-range. Drawn from contact.nc, inference.nc and sets.nc, published values from parameters.csv and
-pull_off.csv of resources/paper.
+Contact is plastic, in (d) also rigid; (a) is at the published ρ and W. (b, c) Bars:
+{{ inference.confidence | percent }} intervals over scans, at most to a decade beyond all values;
+bands: 90 % of many equally good sets of substitute scans; horizontal lines: published means. Cross
+in (b): the ρ that fits all published ratios best. Open symbols in (c): best fit of ρ and W. (d)
+Star and rings: least and other minima with plastic contact; vertical line, and brackets in the
+title: {{ inference.confidence | percent }} interval of the least over scans; grey dots: best fit
+of each set of substitutes, whose spread is the interval that the verdicts take. (e) White dots:
+fits to samples of what the mean forces may be, given the scatter of the scans; black: published
+result with its uncertainty; white line: where the error is below the paper's threshold, if it is
+anywhere. Dashed in (b) to (e): the published range. Drawn from contact.nc, inference.nc and
+sets.nc, published values from parameters.csv and pull_off.csv of resources/paper.
 """
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on

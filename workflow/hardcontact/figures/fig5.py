@@ -18,12 +18,11 @@ point, root of the largest indent's area, and longer side of that indent do not 
 Dashed: published, 2 nm and 50 nm.
 
 The contact of (a) is that whose depth at the largest preload is the median of all, at the
-published preload of 20 µN or the nearest one computed, around its deepest point. Distributions
-(d-f) are over all contacts, for every computed preload. The paper does not say which of (e) and
-(f) its edge length is, so it stands in both. Preload and hardness alone fix the whole area in
-contact, up to whole pixels, so (e) cannot exceed its square root. The paper's images of a
-sphere, with indents 2 to 10 nm deep and 150 to 300 nm wide, show the sum of 400 contacts and
-are not computed here. Drawn from indent.nc and resources/paper/parameters.csv.
+published preload of 20 µN or the nearest one computed. Distributions (d-f) are over all contacts,
+for every computed preload. The paper does not say which of (e) and (f) its edge length is.
+Preload and hardness alone fix the whole area in contact, so (e) cannot exceed its square root. The
+paper's images of a sphere, with indents 2 to 10 nm deep and 150 to 300 nm wide, show the sum of
+400 contacts and are not computed here. Drawn from indent.nc and resources/paper/parameters.csv.
 """
 
 ALONG = {"x": "#B2182B", "y": "#053061"}  # red and blue as in the paper; no surface has them

@@ -21,16 +21,14 @@ with all. Middle: how far the ratio is from one; black: mean over all substrates
 cutoff at which this exceeds {{ scales.tolerance | percent }}. Dashed: published, 43 nm and
 1.8 µm. Hatched: artificial roughness.
 
-The range of adhesion is that on the axis. Lines and symbols: mean over realizations, bars its
-{{ inference.confidence | percent }} interval; bars that go on for more than a decade beyond all
-values end at the frame. Grey: the change that counts as none. Lower panels: of each substrate
-and of their mean, with the {{ inference.confidence | percent }} interval. Intervals know the
-realizations on one set of scans alone; those of many sets stand in the figure of the sets. The
-cutoff lies between two cutoffs computed or between the first of them and the end of the
-unfiltered spectrum; an arrow says that it lies beyond the last cutoff computed. Hatched, in all
-panels: wavelengths beyond the transitions, {{ scales.small.transition }} and
+Lines and symbols: mean over realizations; bars: its {{ inference.confidence | percent }}
+interval, at most to a decade beyond all values. Intervals know the realizations on one set of
+scans alone; those of many sets stand in the figure of the sets. Grey: the change that counts as
+none. An edge lies between two cutoffs computed, or between the first of them and the end of the
+unfiltered spectrum; an arrow says that it lies beyond the last cutoff computed. Hatched:
+wavelengths beyond the transitions, {{ scales.small.transition }} and
 {{ scales.large.transition }}, where roughness made from the spectrum replaces the scan's, as in
-the paper, also at wavelengths that a scan holds. All long edges above
+the paper, also at wavelengths that a scan holds; all long edges above
 {{ scales.large.transition }} lie there. Drawn from scales.nc, band.nc and
 resources/paper/parameters.csv.
 """
@@ -132,7 +130,7 @@ def _draw_critical(axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, la
     arrow = ">" if side_band["side"].item() == "small" else "<"
     ends = critical.set_index("group")[ENDS]
     for place, (group, look) in enumerate(looks.items()):
-        value, low, high = ends.loc[group]
+        value, low, high = ends.loc[[group]].to_numpy()[0]
         axes.plot([low, high], [place] * 2, color=look["color"], lw=1.4)
         if np.isclose([value, low, high], last).any():
             axes.plot(last, place, arrow, color=look["color"], ms=5, mew=0, clip_on=False)

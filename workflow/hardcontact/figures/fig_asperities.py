@@ -19,15 +19,14 @@ with plastic contact: (a) share of the whole force on the largest patch, (b) on 
 (c) number of patches, (d) diameter of the circle that holds as much of the force. Symbols:
 median over contacts; bands: between quartiles.
 
-"Most" is 90 % by default; pixels that touch at an edge or a corner belong to one patch;
-contacts are a sample on all scans; the circle of (d) is about the centre of force. Dotted: half
-of the force; the paper says that on MCD and NCD most of it comes from just one or two
-asperities. Black lines in (d): the same diameter for a smooth sphere on a smooth plane (solid),
-and the radius √(2Rρ) (dash-dotted) of the disk that the paper compares with the long critical
-wavelength; it is a radius, and the circle of the rough surfaces a diameter. Grey line and band:
-the computed critical wavelength of all substrates, which belongs to the range that Fig. 6 is
-computed at, with its {{ inference.confidence | percent }} interval; dashed: published, 1.8 µm.
-Drawn from asperities.nc, band.nc and resources/paper/parameters.csv.
+Pixels that touch at an edge or a corner belong to one patch; contacts are a sample on all scans;
+the circle of (d) is about the centre of force. Dotted: half of the force; the paper says that on
+MCD and NCD most of it comes from just one or two asperities. Black lines in (d): the same diameter
+for a smooth sphere on a smooth plane (solid), and the radius √(2Rρ) (dash-dotted) of the disk that
+the paper compares with the long critical wavelength. Grey line and band: the computed critical
+wavelength of all substrates at the range of Fig. 6, with its {{ inference.confidence | percent }}
+interval; dashed: published, 1.8 µm. Drawn from asperities.nc, band.nc and
+resources/paper/parameters.csv.
 """
 
 MICROMETRE = 1000  # nm

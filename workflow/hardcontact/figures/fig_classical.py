@@ -22,13 +22,11 @@ Computed forces are of plastic contact at the published range and work of adhesi
 the published work. Bars: of published forces their rounding, of computed ones the
 {{ inference.confidence | percent }} interval over scans, of models the central
 {{ inference.confidence | percent }} of forces that the printed uncertainties of Table 1 allow;
-bars too long for a panel end at its frame. Horizontal lines repeat the published forces;
-symbols in the grey strip of (a): the model has no force, or less than 1 pN. (b) Fitted to the
-published forces of all surfaces (black) or to the computed ones (grey); grey strip: below the
-paper's threshold. What each model calls roughness and what its formula was checked against
-stand in the table beside the figure. classical.nc has effective works of adhesion and tests of
-power laws, too. Drawn from classical.nc and
-resources/paper/parameters.csv.
+bars too long for a panel end at its frame. Horizontal lines repeat the published forces; symbols
+in the grey strip of (a): less than 1 pN. (b) Fitted to the published forces of all surfaces
+(black) or to the computed ones (grey); grey strip: below the paper's threshold. What each model
+calls roughness and what its formula was checked against stand in the table. Drawn from
+classical.nc and resources/paper/parameters.csv.
 """
 
 VANISHED = 1e-6  # µN; a model that predicts less predicts no force at all

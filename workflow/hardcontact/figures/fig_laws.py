@@ -17,13 +17,11 @@ CAPTION = """\
 the work of adhesion that come nearest to the forces of Eq. 1 at the published pair. (b) Short
 and (c) long edge of the critical band by each law.
 
-The force of any law that decays steadily is a mixture of the forces of exponential laws (Eq. 1),
-so each law has the force of every contact without another sum; its range is work of adhesion
-over attraction at contact. Edges are those of each surface and of their mean, at the range that
-comes nearest to Eq. 1 (full) and at an atomic spacing (open); where a symbol is missing, no
-cutoff changes the force by the tolerance of the band, so that the edge lies beyond the last
-cutoff. Bars: {{ inference.confidence | percent }} intervals over scans and their masters.
-laws.nc has the fits of each law and its ratios of forces, too. Drawn from laws.nc.
+The force of any law that decays steadily is a mixture of the forces of exponential laws (Eq. 1);
+its range is work of adhesion over attraction at contact. Edges are those of each surface and of
+their mean, at the range that comes nearest to Eq. 1 (full) and at an atomic spacing (open). Where
+a symbol is missing, the edge lies beyond the last cutoff. Bars:
+{{ inference.confidence | percent }} intervals over scans and their masters. Drawn from laws.nc.
 """
 
 # Of no surface (Tol's muted scheme): Eq. 1 black, as all that is published.

@@ -24,17 +24,15 @@ size. Diamond: the study itself. Dashed: published.
 
 Contact is plastic. The choices: what curvature in Table 1 means to the substitutes; how the
 heights of {{ robustness.heights.surface }} are distributed (the study: Gaussian; skewness
-otherwise, with blunt tops, the rms height of each scan kept); a rough sphere in Fig. 6; the
-preload; the hardness. The skewed heights
-are made by a construction that was fitted to one public AFM scan of UNCD; no skewness is known
-of the other surfaces, and none was chosen by its effect here. Variants have the first scan of
-the sphere alone. Small open circles: the other local minima of the error along the range of
-adhesion, which a fit may jump to. Dots and diamonds with {{ inference.confidence | percent }}
-interval, from Student's t on logarithms over scans (a, b) or over realizations (c, d); an
-interval that ends at the largest or smallest range computed is open there. Grey: the published
-uncertainty where one is given. "Not affected": the choice concerns Fig. 6 alone; "never
-reached": the force stays within the band at all cutoffs. Drawn from robustness.nc (which also
-has the least error), inference.nc, band.nc and resources/paper/parameters.csv.
+otherwise, the rms height of each scan kept, by a construction that was fitted to one public AFM
+scan of UNCD: no skewness is known of the other surfaces); a rough sphere in Fig. 6; the preload;
+the hardness. Variants have the first scan of the sphere alone. Small open circles: other local
+minima of the error along the range of adhesion, to which a fit may jump. Bars:
+{{ inference.confidence | percent }} intervals, from Student's t on logarithms over scans (a, b)
+or realizations (c, d); an interval that ends at the largest or smallest range computed is open
+there. Grey: the published uncertainty. "Not affected": the choice concerns Fig. 6 alone; "never
+reached": the force stays within the band at all cutoffs. Drawn from robustness.nc, inference.nc,
+band.nc and resources/paper/parameters.csv.
 """
 
 BASELINE = "baseline"
@@ -85,13 +83,13 @@ def draw(
         _draw_published(axes, of_paper.iloc[0], printed_unit)
         if name in MINIMA:
             minima = _other_minima(robustness, MINIMA[name])
-            places = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
-            axes.plot(minima["value"] / printed_unit, places, ls="none", **MINIMUM)
+            row = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
+            axes.plot(minima["value"] / printed_unit, row, ls="none", **MINIMUM)
             computed.append(minima.assign(quantity=MINIMA[name]))
         missing = "not affected" if name in MINIMA else "never reached"
-        for results, places, look in ((variants, heights, VARIANT), (of_study, [-ABOVE], STUDY)):
-            printed = results[["value", "low", "high"]] / printed_unit
-            _draw_results(axes, printed, places, missing, look)
+        ends = ["value", "low", "high"]
+        _draw_results(axes, variants[ends] / printed_unit, heights, missing, VARIANT)
+        _draw_results(axes, of_study[ends] / printed_unit, [-ABOVE], missing, STUDY)
         baseline = variants["value"][variants["group"] == BASELINE].item()
         axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
         axes.set(xscale="log", xlabel=axis)

@@ -21,15 +21,14 @@ on random surfaces that were designed for this, (d) all surfaces among the regim
 
 In (a) and (b) symbols are computed edges of spheres of several radii R, with their
 {{ inference.confidence | percent }} intervals over realizations, lines the formulas, one a
-sphere; dashed: the published edges. An edge is the cutoff beyond which the pull-off force, mean
-over contacts and realizations, changes by more than the tolerance of Fig. 6; where no cutoff
-changes it so much, no edge is shown. In (c) are the surfaces that were held out; open: the
-edge is a bound, the last cutoff; grey: within a factor of two. In (d) σ is the rms height, m
-the height of closest approach over the mean plane, ρ the range; line: σ/ρ = m/σ, where many
-points (left) give way to single peaks, with the transition in grey. Marks: the surfaces at the
-sphere, range and load of the paper; crosses: two chromium nitride coatings there, from
-published spectra; pale: the designed surfaces. λ_r is the wavelength whose octave holds most of
-the variance of heights. Drawn from scaling.nc and resources/paper/parameters.csv.
+sphere; dashed: the published edges. Where no cutoff changes the force by more than the tolerance
+of Fig. 6, no edge is shown. In (c) are the surfaces that were held out; open: the edge is a bound,
+the last cutoff; grey: within a factor of two. In (d) σ is the rms height, m the height of closest
+approach over the mean plane, ρ the range; line: σ/ρ = m/σ, where many points (left) give way to
+single peaks, with the transition in grey. Marks: the surfaces at the sphere, range and load of the
+paper; crosses: two chromium nitride coatings there, from published spectra; pale: the designed
+surfaces. λ_r is the wavelength whose octave holds most of the variance of heights. Drawn from
+scaling.nc and resources/paper/parameters.csv.
 """
 
 TITLES = {"small": "short edge (nm)", "large": "long edge (nm)"}

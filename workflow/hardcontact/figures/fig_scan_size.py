@@ -18,17 +18,15 @@ against the side of the window; lines: the rule. (b) Side of a scan on which the
 large by a factor. (c) Long edge of the band, from mirrored windows (filled) and from whole
 surfaces (hollow).
 
-All of it was computed once, with the settings of the paper (resources/validation). Windows are
-cut out of large random surfaces, levelled, mirrored and brought into contact as the paper does
-with its scans. The rule is a power law of 2√(2Rσ) over the side of the scan, of the roll-off
-over it, and of σ/ρ, σ the rms height, R the radius of the sphere and ρ the range of adhesion.
-It was fitted to random self-affine surfaces, not to these; bars in (a): 95 % intervals over
-realizations. The long edge is the wavelength above which removing roughness changes the mean
-force by 10 %; bars, 95 % intervals between the cutoffs that were computed, drawn to the shortest
-cutoff or to the longest wave of the surface where they are open; an open edge stands at its
-bound; grey, the longest wave of a mirrored window. In (a) and (c) the surfaces of one size stand
-beside each other. Dashed: the scans of the paper. scan_size.nc has other ranges, and the rule
-beside the random surfaces that it was fitted to, too. Drawn from scan_size.nc.
+Computed once, with the settings of the paper (resources/validation). Windows are cut out of
+large random surfaces, levelled, mirrored and brought into contact as the paper does with its
+scans. The rule is a power law of 2√(2Rσ) over the side of the scan, of the roll-off over it, and
+of σ/ρ, σ the rms height, R the radius of the sphere and ρ the range of adhesion. It was fitted to
+random self-affine surfaces, not to these; bars in (a): 95 % intervals over realizations. The long
+edge is the wavelength above which removing roughness changes the mean force by 10 %; bars: 95 %
+intervals, where open drawn to the shortest cutoff or to the longest wave of the surface; an open
+edge stands at its bound. Grey: longest wave of a mirrored window. In (a) and (c) surfaces of one
+size stand side by side. Dashed: the scans of the paper. Drawn from scan_size.nc.
 """
 
 BETWEEN = ("scan_size", "rho", "predicted", "mirrored", "status")  # columns

@@ -17,17 +17,16 @@ CAPTION = """\
 against that of the law. (b) Distances of Kolmogorov and Smirnov between computed forces and
 three distributions, by the modulus k = ρm/σ². (c) The four coatings.
 
-Forces in (a) and (b) are those of rigid and plastic contact of a smooth sphere. Nothing is
-fitted but the mean of each surface; the log-normal is fitted to each. Filled: surfaces that
-were not looked at while the law was made; only these are in (b). Crosses: skewed heights
-(skewness ±0.6), on which the law, which is one of Gaussian surfaces, fails. Grey in (a):
-contacts below two rms heights above the mean plane, left out of (b). Dotted in (b): the distance
-that one in twenty samples of 400 from the law itself exceeds. (c) shows the law at the range of
-adhesion ρ of {{ scales.range }} in plastic contact, over places and over places and scans, whose
-rms heights are taken to differ by the uncertainties of Table 1; crosses: what mean and median of
-the latter tell, √(2 ln(mean/median)), as of the published forces; and the computed values of the
-study with {{ inference.confidence | percent }} intervals, an arrow where they leave the frame.
-statistics.nc has quantiles of the computed forces, too. Drawn from statistics.nc.
+Contact in (a) and (b) is rigid and plastic, the sphere smooth. Nothing is fitted but the mean of
+each surface; the log-normal is fitted to each. Filled: surfaces that were not looked at while the
+law was made; only these are in (b). Crosses: skewed heights (skewness ±0.6), on which the law of
+Gaussian surfaces fails. Grey in (a): contacts below two rms heights above the mean plane, left out
+of (b). Dotted in (b): the distance that one in twenty samples of 400 from the law itself exceeds.
+(c) shows the law at the range of adhesion ρ of {{ scales.range }} in plastic contact, over places
+and over places and scans, whose rms heights are taken to differ by the uncertainties of Table 1;
+crosses: what mean and median of the latter tell, √(2 ln(mean/median)), as of the published forces;
+and the computed values of the study with {{ inference.confidence | percent }} intervals, an arrow
+where they leave the frame. Drawn from statistics.nc.
 """
 
 #: Distributions by their names in the dataset, as they are drawn and printed.
