@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import yaml
-from rocrate.model import ContextEntity, Person
+from rocrate.model import ContextEntity
 from rocrate.rocrate import ROCrate
 
 from hardcontact.records import provenance
@@ -110,12 +110,9 @@ def _entity(crate: ROCrate, identifier: str, kind: str, **properties: Any) -> Co
 
 def _author(crate: ROCrate, author: dict[str, str]) -> ContextEntity:
     """Add a person, or the group that a citation file names as an entity."""
-    if "name" in author:
-        identifier = f"#{author['name'].replace(' ', '-')}"
-        return _entity(crate, identifier, "Organization", name=author["name"])
-    name = f"{author['given-names']} {author['family-names']}"
+    name = author.get("name") or f"{author['given-names']} {author['family-names']}"
     identifier = author.get("orcid", f"#{name.replace(' ', '-')}")
-    return crate.add(Person(crate, identifier, properties={"name": name}))
+    return _entity(crate, identifier, "Organization" if "name" in author else "Person", name=name)
 
 
 def _paper(crate: ROCrate, reference: dict[str, Any]) -> ContextEntity:
