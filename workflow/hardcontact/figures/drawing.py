@@ -127,7 +127,7 @@ def create_rows(
 ) -> tuple[Figure, list[np.ndarray]]:
     """Return such a figure and the panels of each row, given by relative height and widths."""
     figure = create(height, surfaces)
-    grid = figure.add_gridspec(len(rows), 1, height_ratios=[of_row for of_row, _ in rows])
+    grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
     return figure, [
         grid[place].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
         for place, (_, widths) in enumerate(rows)

@@ -48,11 +48,11 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     frames = []
-    for axes, letter, (of_surface, state, heights) in zip(
+    for axes, letter, (surface_data, state, heights) in zip(
         grid, ascii_lowercase, panels, strict=False
     ):
-        named = {name: str(of_surface[name].item()) for name in ("surface", "label", "basis")}
-        style.draw_map(axes, heights, float(of_surface["scan_size"]))
+        named = {name: str(surface_data[name].item()) for name in ("surface", "label", "basis")}
+        style.draw_map(axes, heights, float(surface_data["scan_size"]))
         axes.spines[:].set(edgecolor=colours[named["surface"]], linewidth=1.5)
         values = {
             "map_rms_height": float(np.std(heights, dtype=float)),
@@ -60,14 +60,14 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         }
         rms = f"rms {values['map_rms_height']:.3g} nm"
         if state != AS_SCANNED:
-            values["rms_height_mean"] = of_surface["rms_height_mean"].item()
-            rms += f" ({_print_over_scans(of_surface)})"
+            values["rms_height_mean"] = surface_data["rms_height_mean"].item()
+            rms += f" ({_print_over_scans(surface_data)})"
         name = f"{named['label']}, {state}" if state else named["label"]
         style.label_panel(axes, letter, f"{name}\n{rms}")
         for quantity, value in values.items():
             row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **named)
             if quantity == "rms_height_mean":
-                row["uncertainty"] = of_surface["rms_height_std"].item()
+                row["uncertainty"] = surface_data["rms_height_std"].item()
             frames.append(row)
     for axes in grid[len(panels) :]:
         axes.set_axis_off()
@@ -82,22 +82,22 @@ def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:
     sphere = topography.sel(surface=name)
     substrates = topography.drop_sel(surface=name)
     panels = [
-        *((of_surface, "", of_surface["example_heights"])
-          for _, of_surface in style.by_surface(substrates)),
+        *((surface_data, "", surface_data["example_heights"])
+          for _, surface_data in style.by_surface(substrates)),
         (sphere, AS_SCANNED, topography["sphere_as_scanned"]),
         (sphere, SUBTRACTED, sphere["example_heights"]),
     ]  # fmt: skip
     # Smaller scans are padded to the largest.
     return [
-        (of_surface, state, heights.dropna("row", how="all").dropna("column", how="all").values)
-        for of_surface, state, heights in panels
+        (surface_data, state, heights.dropna("row", how="all").dropna("column", how="all").values)
+        for surface_data, state, heights in panels
     ]
 
 
-def _print_over_scans(of_surface: xr.Dataset) -> str:
+def _print_over_scans(surface_data: xr.Dataset) -> str:
     """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
-    mean, deviation = of_surface["rms_height_mean"].item(), of_surface["rms_height_std"].item()
-    met = rows_met(of_surface["calibrated_to_table1"].item())
+    mean, deviation = surface_data["rms_height_mean"].item(), surface_data["rms_height_std"].item()
+    met = rows_met(surface_data["calibrated_to_table1"].item())
     mark = tables.BY_CONSTRUCTION if "afm_rms_height" in met else ""
     scatter = f" ± {deviation:.2g}" if math.isfinite(deviation) else ""
     return f"all: {mean:.3g}{scatter}{mark}"

@@ -74,7 +74,7 @@ def draw(
         "fitted": fit,
     }
     forces = adhesion["pull_off_force"].sel(contact_model=CONTACT_MODEL)
-    forces_of_pairs = {
+    forces_of_all = {
         name: at_range(forces, float(pair["range_of_adhesion"]))
         * (float(pair["work_of_adhesion"]) / work)
         for name, pair in pairs.items()
@@ -86,9 +86,9 @@ def draw(
     for letter, (surface, colour), (linear, logarithmic) in zip(
         ascii_lowercase, colours.items(), grid.T, strict=False
     ):
-        of_surface = {  # a surface with fewer scans than others has NaN in place of theirs
+        surface_forces = {  # a surface with fewer scans than others has NaN in place of theirs
             name: values.sel(surface=surface).stack(force=[...]).dropna("force").values
-            for name, values in forces_of_pairs.items()
+            for name, values in forces_of_all.items()
         }
         numbers = _numbers(published_pull_off, fit.sel(surface=surface))
         value = numbers.pivot(index="pair", columns="quantity", values="value")
@@ -97,8 +97,8 @@ def draw(
             for pair in ("", "published")  # of the paper, and of the forces computed at its pair
         ]
         rows = [
-            _draw_linear(linear, of_surface, lognormals[0], colour),
-            _draw_logarithmic(logarithmic, of_surface, lognormals, floor, colour),
+            _draw_linear(linear, surface_forces, lognormals[0], colour),
+            _draw_logarithmic(logarithmic, surface_forces, lognormals, floor, colour),
             numbers,
         ]
         label = fit["label"].sel(surface=surface).item()
@@ -142,35 +142,35 @@ def _numbers(published: pd.DataFrame, fit: xr.Dataset) -> pd.DataFrame:
     return pd.concat(frames, ignore_index=True)
 
 
-def _draw_linear(axes: Axes, of_pairs: Pairs, published: Any, colour: str) -> pd.DataFrame:
+def _draw_linear(axes: Axes, forces_by_pair: Pairs, published: Any, colour: str) -> pd.DataFrame:
     """Draw the computed histograms and the published log-normal over the same bins, in µN.
 
     The bins reach from zero to a high quantile of each distribution.
     """
-    ends = [np.quantile(forces, 0.97) for forces in of_pairs.values()]
+    ends = [np.quantile(forces, 0.97) for forces in forces_by_pair.values()]
     edges = np.linspace(0, np.nanmax([*ends, published.ppf(0.9)]), LINEAR_BINS + 1)
-    computed = _draw_histograms(axes, of_pairs, edges, colour)
+    computed = _draw_histograms(axes, forces_by_pair, edges, colour)
     density = np.diff(published.cdf(edges)) / np.diff(edges)
     axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **PUBLISHED_LINE)
     axes.set_xlim(0, edges[-1] / style.MICRONEWTON)
     axes.set_ylim(bottom=0)
     axes.locator_params(nbins=4)
-    of_paper = _bin_rows(edges, density).assign(origin="published", pair="")
-    return pd.concat([of_paper, computed]).assign(panel="1")
+    rows = _bin_rows(edges, density).assign(origin="published", pair="")
+    return pd.concat([rows, computed]).assign(panel="1")
 
 
 def _draw_logarithmic(
-    axes: Axes, of_pairs: Pairs, lognormals: Sequence[Any], floor: float, colour: str
+    axes: Axes, forces_by_pair: Pairs, lognormals: Sequence[Any], floor: float, colour: str
 ) -> pd.DataFrame:
     """Draw histograms and log-normals, published and computed, on logarithmic axes, in µN.
 
     The bins, even in the logarithm, hold every force.
     """
-    every = np.concatenate(list(of_pairs.values()))
+    every = np.concatenate(list(forces_by_pair.values()))
     first, last = np.log10(every.min()), np.log10(every.max())
     steps = np.arange(np.floor(first * BINS_PER_DECADE), np.ceil(last * BINS_PER_DECADE) + 2)
     edges = 10 ** (steps / BINS_PER_DECADE)
-    rows = _draw_histograms(axes, of_pairs, edges, colour)
+    rows = _draw_histograms(axes, forces_by_pair, edges, colour)
     exceeded = [lognormal.ppf(0.999) for lognormal in lognormals]
     ends = np.nanmin([edges[0], floor / 3]), np.nanmax([edges[-1], *exceeded])
     line = np.geomspace(*ends, 200)
@@ -184,7 +184,9 @@ def _draw_logarithmic(
     return rows.assign(panel="2")
 
 
-def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str) -> pd.DataFrame:
+def _draw_histograms(
+    axes: Axes, forces_by_pair: Pairs, edges: np.ndarray, colour: str
+) -> pd.DataFrame:
     """Fill the histogram at the published pair, and outline that at the fitted one.
 
     Forces beyond the bins count in the total.
@@ -195,7 +197,7 @@ def _draw_histograms(axes: Axes, of_pairs: Pairs, edges: np.ndarray, colour: str
     }
     frames = []
     for pair, look in looks.items():
-        forces = of_pairs[pair]
+        forces = forces_by_pair[pair]
         density = np.histogram(forces, edges)[0] / (forces.size * np.diff(edges))
         axes.stairs(density * style.MICRONEWTON, edges / style.MICRONEWTON, **look)
         frames.append(_bin_rows(edges, density).assign(origin="computed", pair=pair))

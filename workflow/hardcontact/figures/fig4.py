@@ -60,16 +60,22 @@ def draw(
     In the table `x` is the separation (nm, panel a) or the range of adhesion (nm, b to e). Values
     over "scans" are means with their interval, over "sets" the median and SHARE_OF_SETS.
     """
-    fit, of_sets = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
+    fit, set_fits = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
     figure, ((pressure, separation, key), (ratios, forces), (least, error)) = drawing.create_rows(
         7.6, inference, (1, (1.3, 1, 1)), (1.3, (1, 1)), (1.3, (1, 1))
     )
     _draw_pressure(pressure, contact)
+    distances, contact_forces = contact["separation"].values, contact["force"].values
+    separation.axhline(0, color="0.7", lw=0.6)
+    separation.plot(distances, contact_forces / style.MICRONEWTON, color=style.PUBLISHED)
+    separation.set(xlabel="separation (nm)", ylabel="force (µN)")
+    separation.locator_params(nbins=5)
+    curve = tables.rows_of("a", "force", "N", x=distances, value=contact_forces)
     frames = [
-        _draw_separation(separation, contact),
-        _draw_ratios(ratios, fit, of_sets, published_pull_off["mean_force"]),
-        _draw_forces(forces, fit, of_sets, published_constants, published_pull_off["mean_force"]),
-        _draw_least_error(least, inference, of_sets),
+        curve.assign(surface=contact.attrs["surface"]),
+        _draw_ratios(ratios, fit, set_fits, published_pull_off["mean_force"]),
+        _draw_forces(forces, fit, set_fits, published_constants, published_pull_off["mean_force"]),
+        _draw_least_error(least, inference, set_fits),
         _draw_error_map(error, fit, published_constants),
     ]
     separation.set_title(style.print_pair(published_constants["value"]), loc="left")
@@ -87,7 +93,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
     """Return one entry a surface and one for each kind of line and symbol of panels b and c."""
     confidence = print_share(fit.attrs["confidence"])
     published = published_constants["value"]["range_of_adhesion"]
-    of_fit = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")
+    fit_label = "at the best fit, " + style.print_pair(fit).replace(", ", ",\n")
     grey: style.Look = {"color": "0.3"}
     return [
         *style.surface_handles(fit),
@@ -96,7 +102,7 @@ def _legend_handles(fit: xr.Dataset, published_constants: pd.DataFrame) -> list[
         Line2D([], [], lw=0.9, label="published mean", **grey),
         Line2D([], [], label=f"published range, ρ = {published:g} nm", **style.PUBLISHED_RANGE),
         Line2D([], [], label="ρ that fits the ratios best", **RATIO_FIT),
-        Line2D([], [], marker="o", ls="none", label=of_fit, **grey, **AT_FIT),
+        Line2D([], [], marker="o", ls="none", label=fit_label, **grey, **AT_FIT),
     ]
 
 
@@ -122,26 +128,15 @@ def _draw_pressure(axes: Axes, contact: xr.Dataset) -> None:
     style.label_panel(axes, "a", str(contact.attrs["label"]))
 
 
-def _draw_separation(axes: Axes, contact: xr.Dataset) -> pd.DataFrame:
-    """Draw the force (µN) against the separation (nm)."""
-    separation, force = contact["separation"].values, contact["force"].values
-    axes.axhline(0, color="0.7", lw=0.6)
-    axes.plot(separation, force / style.MICRONEWTON, color=style.PUBLISHED)
-    axes.set(xlabel="separation (nm)", ylabel="force (µN)")
-    axes.locator_params(nbins=5)
-    rows = tables.rows_of("a", "force", "N", x=separation, value=force)
-    return rows.assign(surface=contact.attrs["surface"])
-
-
 def _draw_ratios(
-    axes: Axes, fit: xr.Dataset, of_sets: xr.Dataset, published: pd.Series
+    axes: Axes, fit: xr.Dataset, set_fits: xr.Dataset, published: pd.Series
 ) -> pd.DataFrame:
     """Draw the ratio of mean forces to the reference surface against rho (nm).
 
     The reference is the surface whose own ratio is 1 everywhere.
     """
     reference = abs(fit["ratio"] - 1).max("rho").idxmin("surface").item()
-    scans, over_sets = tables.bounded(fit, "ratio"), tables.over_sets(of_sets["ratio"])
+    scans, over_sets = tables.bounded(fit, "ratio"), tables.over_sets(set_fits["ratio"])
     rows = _draw_curves(axes, scans, over_sets, published / published[reference])
     best = tables.value_and_bounds(fit, "range_from_ratios")
     along = [best[name] for name in ("low", "value", "high")]
@@ -156,14 +151,14 @@ def _draw_ratios(
 def _draw_forces(
     axes: Axes,
     fit: xr.Dataset,
-    of_sets: xr.Dataset,
+    set_fits: xr.Dataset,
     published_constants: pd.DataFrame,
     published: pd.Series,
 ) -> pd.DataFrame:
     """Draw the mean force (µN) at the published work of adhesion against rho (nm)."""
     work = published_constants["value"]["work_of_adhesion"]
     scans = tables.bounded(fit, "mean_force") * work
-    over_sets = tables.over_sets(of_sets["mean_force"]) * work
+    over_sets = tables.over_sets(set_fits["mean_force"]) * work
     rows = _draw_curves(axes, scans, over_sets, published, style.MICRONEWTON)
     fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean")
     for look, force in style.by_surface(fitted / style.MICRONEWTON):
@@ -190,22 +185,24 @@ def _draw_curves(
         axes.axhline(published[surface] / unit, color=look["color"], lw=0.9)
     axes.set(xscale="log", yscale="log")
     style.end_near_values([axes])
-    of_paper = published.reindex(scans["surface"].values).rename("value").rename_axis("surface")
+    published_levels = (
+        published.reindex(scans["surface"].values).rename("value").rename_axis("surface")
+    )
     frames = [
         tables.computed_rows(scans, over="scans"),
         tables.computed_rows(over_sets, over="sets"),
-        of_paper.reset_index().assign(origin="published"),
+        published_levels.reset_index().assign(origin="published"),
     ]
     return pd.concat(frames).rename(columns={"rho": "x"})
 
 
-def _draw_least_error(axes: Axes, inference: xr.Dataset, of_sets: xr.Dataset) -> pd.DataFrame:
+def _draw_least_error(axes: Axes, inference: xr.Dataset, set_fits: xr.Dataset) -> pd.DataFrame:
     """Draw the error, least over W, against rho (nm), and the best fit of each set."""
     fit = inference.sel(contact_model=CONTACT_MODEL)
     threshold = inference.attrs["error_threshold"]
-    of_set: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
-    set_ranges, set_errors = of_sets["range_of_adhesion"].values, of_sets["best_error"].values
-    axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **of_set)
+    set_look: style.Look = {"color": "0.6", "ms": 4, "mew": 0, "alpha": 0.8}
+    set_ranges, set_errors = set_fits["range_of_adhesion"].values, set_fits["best_error"].values
+    axes.plot(set_ranges, set_errors, ".", label="best fit of a set", **set_look)
     frames = [tables.rows_of("d", "best_error_of_set", "1", x=set_ranges, value=set_errors)]
     for model in [name for name in MODELS if name in inference["contact_model"]]:
         curve = inference["error_of_range"].sel(contact_model=model)

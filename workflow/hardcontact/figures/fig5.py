@@ -41,9 +41,8 @@ COLUMNS = [*tables.ROW_COLUMNS, "preload", "position", "share", "value", "unit"]
 def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 5: (a) a contact, (b, c) lines through its deepest point, (d-f) all contacts.
 
-    In the table are, in nm, the height of the sphere before and after against `position` (b, c),
-    and the size that a `share` of all contacts does not exceed, for each `preload` in N (d to f).
-    The map stays in indent.nc.
+    The table has the height of the sphere before and after against `position` (b, c), and the size
+    that a `share` of all contacts does not exceed (d to f).
     """
     published = published_constants["value"]
     shown = indent.sel(preload=published[PRELOAD], method="nearest")
@@ -51,7 +50,9 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
         5.3, indent, (1.2, (1.35, 1, 1)), (1, (1, 1, 1))
     )
     _draw_map(indents, shown)
-    view = _view(shown["indentation"])
+    depths = shown["indentation"]
+    reach = min(2 * style.half_width(depths > 0), depths["x"].values.max())
+    view = -reach, reach
     indents.set(xlim=view, ylim=view)
     frames = []
     for axes, letter, along in zip(lines, "bc", ALONG, strict=True):
@@ -67,14 +68,10 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
     sizes[0].set_ylabel("cumulative share of contacts")
     entries = style.legend_entries(sizes[:1])
     figure.legend(entries.values(), entries.keys(), loc="outside upper center", ncols=len(entries))
-    of_all = {name: indent.attrs[name] for name in ("surface", "label", "basis")} | {"unit": "nm"}
-    return pd.concat(frames, ignore_index=True).assign(**of_all)[COLUMNS], figure
-
-
-def _view(depths: xr.DataArray) -> tuple[float, float]:
-    """Return limits (nm) of x and y about the deepest point, twice as far as the indents."""
-    reach = min(2 * style.half_width(depths > 0), depths["x"].values.max())
-    return -reach, reach
+    constant_columns = {name: indent.attrs[name] for name in ("surface", "label", "basis")} | {
+        "unit": "nm"
+    }
+    return pd.concat(frames, ignore_index=True).assign(**constant_columns)[COLUMNS], figure
 
 
 def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
@@ -105,11 +102,9 @@ def _draw_line(axes: Axes, shown: xr.Dataset, along: str) -> pd.DataFrame:
     axes.set_xlabel(f"{along} (nm)")
     axes.locator_params(nbins=5)
     axes.legend(loc="lower left")
-    rows = [
-        pd.DataFrame({"position": line[along], "value": height, "quantity": quantity})
-        for quantity, height in (("height_before", before), ("height_after", after))
-    ]
-    return pd.concat(rows)
+    heights = {"height_before": before.values, "height_after": after.values}
+    rows = pd.DataFrame(heights | {"position": line[along].values})
+    return rows.melt("position", var_name="quantity")
 
 
 def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series) -> pd.DataFrame:
@@ -126,9 +121,9 @@ def _draw_sizes(axes: Axes, indent: xr.Dataset, name: str, published: pd.Series)
     axes.axvline(published[constant], color=style.PUBLISHED, lw=1.0, ls="--", label=label)
     axes.set(xlabel=quantity, ylim=(0, 1))
     axes.set_xlim(left=0)
-    of_paper = {"preload": published[PRELOAD], "value": published[constant]}
+    published_size = {"preload": published[PRELOAD], "value": published[constant]}
     return pd.concat(
-        [tables.computed_rows(sizes), pd.DataFrame([of_paper | {"origin": "published"}])]
+        [tables.computed_rows(sizes), pd.DataFrame([published_size | {"origin": "published"}])]
     )
 
 

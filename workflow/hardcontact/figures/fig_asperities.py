@@ -106,5 +106,5 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
     look: style.Look = {"color": "0.4", "lw": 1.0, "ls": "--", "label": "published $λ_L$ (d)"}
     axes.axhline(published / MICROMETRE, **look)
     name = "critical_wavelength"
-    of_paper = tables.rows_of("d", name, "nm", "published", value=published)
-    return pd.concat([tables.rows_of("d", name, "nm", **computed), of_paper])
+    published_row = tables.rows_of("d", name, "nm", "published", value=published)
+    return pd.concat([tables.rows_of("d", name, "nm", **computed), published_row])

@@ -52,11 +52,11 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.D
     title = f"models at the published $W$ = {work / style.MILLIJOULE:g} mJ/m²"
     style.label_panel(forces, "a", title)
     _draw_errors(errors, classical)
-    of_metrics = [
+    metric_handles = [
         Line2D([], [], color="0.3", marker="o", mfc=face, ls="none", label=f"from {label}")
         for face, label in zip(("0.3", "white"), METRICS.values(), strict=True)
     ]
-    style.legend_above(figure, [*style.surface_handles(classical, ls="none"), *of_metrics], 6)
+    style.legend_above(figure, [*style.surface_handles(classical, ls="none"), *metric_handles], 6)
     frames = []
     for name, (panel, origin) in QUANTITIES.items():
         rows = tables.as_rows(tables.bounded(classical, name).reset_coords(drop=True))
@@ -83,14 +83,14 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     shown = values[values > VANISHED]
     bottom, top = shown.min() / 12, shown.max() * 6  # the strip above the bottom is for the rest
     beside = np.linspace(-0.3, 0.3, classical.sizes["surface"])
-    for (look, of_surface), offset in zip(style.by_surface(classical), beside, strict=True):
+    for (look, surface_data), offset in zip(style.by_surface(classical), beside, strict=True):
         colour = look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
-            force = tables.bounded(of_surface, variable) / style.MICRONEWTON
+            force = tables.bounded(surface_data, variable) / style.MICRONEWTON
             _draw_point(axes, x + offset, force, **look)
-        published = of_surface["published_mean_force"].item() / style.MICRONEWTON
+        published = surface_data["published_mean_force"].item() / style.MICRONEWTON
         axes.axhline(published, color=colour, lw=0.5, alpha=0.6, zorder=0)
-        forces = tables.bounded(of_surface, "pull_off_force") / style.MICRONEWTON
+        forces = tables.bounded(surface_data, "pull_off_force") / style.MICRONEWTON
         for x, model in enumerate(classical["model"].values, start=2):
             for metrics, aside in zip(METRICS, (-0.04, 0.04), strict=True):
                 force = forces.sel(model=model, metrics=metrics)

@@ -40,16 +40,16 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     panels = figure.subplots(1, 3)
     forces, errors, freezing = panels
     largest = closed_form.isel(map_size=-1)
-    for look, of_surface in style.by_surface(largest):
-        rho = of_surface["rho"]
-        computed = tables.bounded(of_surface, "computed_force") / style.MICRONEWTON
+    for look, surface_data in style.by_surface(largest):
+        rho = surface_data["rho"]
+        computed = tables.bounded(surface_data, "computed_force") / style.MICRONEWTON
         style.draw_bars(forces, rho, computed, ls="none", elinewidth=0.8, **look)
         for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
-            predicted = of_surface[name].sel(source="spectrum") / style.MICRONEWTON
+            predicted = surface_data[name].sel(source="spectrum") / style.MICRONEWTON
             forces.plot(rho, predicted, color=look["color"], lw=0.9, ls=dashes)
         for source, (dashes, _) in SOURCES.items():
-            errors.plot(rho, of_surface["error"].sel(source=source), ls=dashes, **look)
-        freezing.plot(rho, of_surface["whole_freezing"], **look)
+            errors.plot(rho, surface_data["error"].sel(source=source), ls=dashes, **look)
+        freezing.plot(rho, surface_data["whole_freezing"], **look)
     forces.set(ylabel="pull-off force (µN)", yscale="log", ylim=(1e-3, None))
     errors.set(ylabel="closed form / computed", yscale="log", ylim=(0.3, 3))
     freezing.set(ylabel="(σ/ρ) / (m/σ)", yscale="log")

@@ -65,8 +65,8 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
     """Draw the pressure of every law at the length and work equivalent to Eq. 1."""
     case = laws.sel(case="equivalent")
     for law, colour, dashes in zip(LAWS, COLOURS, DASHES, strict=True):
-        of_law = case.sel(law=law.name)
-        rho, work = of_law["range_of_law"].item(), of_law["work_of_adhesion"].item()
+        law_data = case.sel(law=law.name)
+        rho, work = law_data["range_of_law"].item(), law_data["work_of_adhesion"].item()
         values = PRESSURE * work / rho * pressure(law, GAPS, rho)
         axes.plot(GAPS, values, color=colour, ls=dashes)
     axes.set(xscale="log", yscale="log", xlabel="gap (nm)", ylabel="attraction (MPa)")
@@ -86,9 +86,9 @@ def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
     fills: dict[str, style.Look] = {"equivalent": {}, "atomic": {"mfc": "white"}}
     for (case, fill), shift in zip(fills.items(), (0, 0.07), strict=True):
         for (law, look), offset in zip(LOOKS.items(), beside, strict=True):
-            of_law = edges.sel(case=case, law=law)
+            law_data = edges.sel(case=case, law=law)
             marks = look | fill | {"ls": "none", "ms": 3.5, "lw": 0.8}
-            style.draw_bars(axes, places + offset + shift, of_law, **marks)
+            style.draw_bars(axes, places + offset + shift, law_data, **marks)
     labels = laws["label"].to_series()
     groups = [labels.get(group, "mean of all") for group in laws["group"].values]
     axes.set_xticks(range(len(groups)), groups, **style.TILTED)

@@ -77,10 +77,11 @@ def draw(
     for letter, axes, (name, (unit, printed_unit, title, axis)) in zip(
         "abcd", panels, QUANTITIES.items(), strict=True
     ):
-        variants, of_study = _results(robustness, name), _results(study, name).assign(label=FULL)
-        of_paper = tables.published_rows(published_constants, {name: unit}, letter)
-        computed = [variants.assign(quantity=name), of_study.assign(quantity=name)]
-        _draw_published(axes, of_paper.iloc[0], printed_unit)
+        variants = _results(robustness, name)
+        study_results = _results(study, name).assign(label=FULL)
+        published = tables.published_rows(published_constants, {name: unit}, letter)
+        computed = [variants.assign(quantity=name), study_results.assign(quantity=name)]
+        _draw_published(axes, published.iloc[0], printed_unit)
         if name in MINIMA:
             minima = _other_minima(robustness, MINIMA[name])
             row = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
@@ -89,14 +90,15 @@ def draw(
         missing = "not affected" if name in MINIMA else "never reached"
         ends = ["value", "low", "high"]
         _draw_results(axes, variants[ends] / printed_unit, heights, missing, VARIANT)
-        _draw_results(axes, of_study[ends] / printed_unit, [-ABOVE], missing, STUDY)
+        _draw_results(axes, study_results[ends] / printed_unit, [-ABOVE], missing, STUDY)
         baseline = variants["value"][variants["group"] == BASELINE].item()
         axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
         axes.set(xscale="log", xlabel=axis)
         axes.tick_params(axis="y", length=0)
         style.label_logarithmic(axes.xaxis, at=(1, 3) if name in MINIMA else (1, 2, 3, 5))
         style.label_panel(axes, letter, title)
-        frames += [pd.concat(computed).assign(panel=letter, origin="computed", unit=unit), of_paper]
+        frames.append(pd.concat(computed).assign(panel=letter, origin="computed", unit=unit))
+        frames.append(published)
     panels[0].set_yticks(heights, robustness["variant_label"].values)
     panels[0].set_ylim(heights[-1] + 0.5, -ABOVE - 0.5)
     style.legend_above(figure, _legend_handles(robustness), 2)

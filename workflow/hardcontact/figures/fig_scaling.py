@@ -83,11 +83,11 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
 def _draw_edges(axes: Axes, cases: xr.Dataset, along: str) -> None:
     """Draw the edges of one side, all surfaces, with intervals, and a line a sphere by formula."""
     edges = tables.bounded(cases, "edge").assign(along=cases[along], formula=cases["formula_edge"])
-    for look, of_surface in style.by_surface(edges):
-        stacked = of_surface.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
+    for look, surface_data in style.by_surface(edges):
+        stacked = surface_data.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
         style.draw_bars(axes, stacked["along"], stacked, ls="none", ms=3, elinewidth=0.4, **look)
-        for radius in of_surface["radius"]:
-            line = of_surface.sel(radius=radius)
+        for radius in surface_data["radius"]:
+            line = surface_data.sel(radius=radius)
             axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
     axes.set(xscale="log", yscale="log")
     style.label_logarithmic(axes.xaxis)
@@ -98,8 +98,8 @@ def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
     """Draw computed edges over those of the formula against t rho/sigma, designed surfaces."""
     modulus = held_out["designed_level"] / held_out["designed_over_range"]
     for side, (colour, marker, label) in SIDES.items():
-        of_side = held_out.sel(side=side)
-        errors, bound = of_side["designed_error"], of_side["designed_bound"] != 0
+        side_data = held_out.sel(side=side)
+        errors, bound = side_data["designed_error"], side_data["designed_bound"] != 0
         look: style.Look = {"color": colour, "marker": marker, "ls": "none", "ms": 3.5}
         axes.plot(modulus[~bound], errors[~bound], **look, label=label)
         axes.plot(modulus[bound], errors[bound], **look, mfc="white")
@@ -125,8 +125,8 @@ def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
         designed = scaling.sel(designed=~named & ((modulus > 1) == many))
         x, y, contact = (designed[name] for name in DESIGNED)
         axes.scatter(x, y, s=8 + 600 * contact, c=colour, lw=0, alpha=0.8)
-    for look, of_surface in style.by_surface(scaling):
-        x, y, contact = (of_surface[name] for name in OWN)
+    for look, surface_data in style.by_surface(scaling):
+        x, y, contact = (surface_data[name] for name in OWN)
         axes.scatter(x, y, s=8 + 600 * contact, **look, edgecolors="black", lw=0.5, zorder=3)
     for name, label in NITRIDES.items():
         coating = scaling.sel(designed=name)

@@ -44,8 +44,10 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         tables.drawn_rows(scan_size, ("b", "size_needed", "nm")),
         _draw_edges(edges, scan_size),
     ]
-    for look, of_surface in style.by_surface(scan_size):
-        needed.plot(scan_size["rho"], of_surface["size_needed"] / MICROMETRE, ms=3, lw=0.6, **look)
+    for look, surface_data in style.by_surface(scan_size):
+        needed.plot(
+            scan_size["rho"], surface_data["size_needed"] / MICROMETRE, ms=3, lw=0.6, **look
+        )
     needed.axhline(scan_size.attrs["scan_size"] / MICROMETRE, **OF_SCAN)
     needed.set(xlabel="range of adhesion ρ (nm)", ylabel="scan needed (µm)")
     style.label_panel(needed, "b", f"for {allowed:g} times the force")
@@ -64,9 +66,9 @@ def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> pd.DataFrame:
     """Draw the excess of all surfaces, with intervals, and that of the rule as lines."""
     excess = tables.bounded(at_range, "excess").assign(predicted=at_range["predicted_excess"])
     sizes = at_range["scan_size"] / MICROMETRE
-    for look, of_surface, factor in _beside(excess):
-        style.draw_bars(axes, factor * sizes, of_surface, ls="none", ms=3, elinewidth=0.6, **look)
-        axes.plot(sizes, of_surface["predicted"], color=look["color"], lw=0.7)
+    for look, surface_data, factor in _beside(excess):
+        style.draw_bars(axes, factor * sizes, surface_data, ls="none", ms=3, elinewidth=0.6, **look)
+        axes.plot(sizes, surface_data["predicted"], color=look["color"], lw=0.7)
     axes.set_ylabel("force over that on a large surface")
     style.label_panel(axes, "a", f"windows, ρ = {at_range['rho']:g} nm")
     return tables.computed_rows(excess, panel="a", quantity="excess", unit="1")
@@ -75,8 +77,8 @@ def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> pd.DataFrame:
 def _beside(data: xr.Dataset) -> Iterator[tuple[style.Look, xr.Dataset, float]]:
     """Yield each surface's look and data, and the factor that puts its places beside others'."""
     factors = np.geomspace(0.88, 1 / 0.88, data.sizes["surface"])
-    for (look, of_surface), factor in zip(style.by_surface(data), factors, strict=True):
-        yield look, of_surface, float(factor)
+    for (look, surface_data), factor in zip(style.by_surface(data), factors, strict=True):
+        yield look, surface_data, float(factor)
 
 
 def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
@@ -91,9 +93,9 @@ def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
     shortest, period = scan_size["cutoff_wavelength"].min(), scan_size["period"]
     drawn = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
     drawn = drawn.assign(drawn[["value", "low", "high"]] / MICROMETRE)
-    for look, of_surface, factor in _beside(drawn):
+    for look, surface_data, factor in _beside(drawn):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
-            kind = of_surface.sel(edge_size=drawn["mirrored"] == mirrored)
+            kind = surface_data.sel(edge_size=drawn["mirrored"] == mirrored)
             places = factor * kind["edge_size"] / MICROMETRE
             marks = look | {"mfc": fill, "ls": "none", "ms": 3.5, "elinewidth": 0.7}
             style.draw_bars(axes, places, kind, **marks)

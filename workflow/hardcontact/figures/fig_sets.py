@@ -9,6 +9,7 @@ from matplotlib.lines import Line2D
 
 from hardcontact.figures import drawing, style, tables
 from hardcontact.numbers.printing import print_share
+from hardcontact.scales.critical_band import last_cutoff
 
 TITLE = "Many sets of substitutes"
 CHAPTER = "3. Adhesion"
@@ -49,13 +50,13 @@ def draw(
     The table has (a) the share of the sets whose best range lies between `range_low` and
     `range_high`, and in (c, d) medians over the sets with SHARE_OF_SETS as `low` and `high`.
     """
-    fit, of_sets = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
+    fit, set_fits = (data.sel(contact_model=PLASTIC) for data in (inference, sets))
     figure, ((counts, places), ratios) = drawing.create_rows(
         5.6, inference, (1, (1, 1)), (1, (1, 1))
     )
     frames = [
         _draw_histograms(counts, sets, inference["rho"].values[[0, -1]]),
-        _draw_places(places, of_sets),
+        _draw_places(places, set_fits),
         tables.published_rows(published_constants, FITTED_UNITS, "b"),
     ]
     style.draw_fit(places, fit, "work", style.MILLIJOULE)
@@ -100,21 +101,21 @@ def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataF
         )
         frames.append(bins.assign(contact_model=model))
     spread = tables.over_sets(sets["range_of_adhesion"].sel(contact_model=PLASTIC))
-    low, middle, high = (spread[name].item() for name in ("low", "value", "high"))
+    middle, low, high = (spread[name].item() for name in ("value", "low", "high"))
     axes.set_ylabel("share of sets (%)")
     axes.set_ylim(top=1.3 * axes.get_ylim()[1])
     axes.legend(loc="upper left")
-    title = f"{sets.sizes['set']} sets: median {middle:.3g} nm,\n"
-    share = print_share(tables.SHARE_OF_SETS)
-    style.label_panel(axes, "a", f"{title}{share} in {low:.2g} to {high:.3g} nm")
+    interval = f"{print_share(tables.SHARE_OF_SETS)} in {low:.2g} to {high:.3g} nm"
+    title = f"{sets.sizes['set']} sets: median {middle:.3g} nm,\n{interval}"
+    style.label_panel(axes, "a", title)
     return pd.concat(frames)
 
 
-def _draw_places(axes: Axes, of_sets: xr.Dataset) -> pd.DataFrame:
+def _draw_places(axes: Axes, set_fits: xr.Dataset) -> pd.DataFrame:
     """Mark the best range (nm) and work of adhesion (mJ/m2) of each set, and its other minima."""
-    best = of_sets["range_of_adhesion"]
-    others = of_sets["minimum_range"].where(of_sets["minimum_range"] != best)
-    works = of_sets[["minimum_work", "work_of_adhesion"]] / style.MILLIJOULE
+    best = set_fits["range_of_adhesion"]
+    others = set_fits["minimum_range"].where(set_fits["minimum_range"] != best)
+    works = set_fits[["minimum_work", "work_of_adhesion"]] / style.MILLIJOULE
     minima = others.values.ravel(), works["minimum_work"].values.ravel()
     ring: style.Look = {"mfc": "none", "mec": "0.6", "mew": 0.5, "ms": 3.5}
     axes.plot(*minima, "o", zorder=1, label="other minimum of a set", **ring)
@@ -122,7 +123,7 @@ def _draw_places(axes: Axes, of_sets: xr.Dataset) -> pd.DataFrame:
     axes.set(yscale="log", ylabel="work of adhesion $W$ (mJ/m²)")
     style.label_logarithmic(axes.yaxis)
     style.label_panel(axes, "b", "best fits, plastic contact")
-    return tables.drawn_rows(of_sets, *(("b", name, unit) for name, unit in UNITS.items()))
+    return tables.drawn_rows(set_fits, *(("b", name, unit) for name, unit in UNITS.items()))
 
 
 def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
@@ -137,8 +138,7 @@ def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
     axes.axhline(1, color="0.6", lw=0.6, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="cutoff wavelength (nm)")
     style.label_logarithmic(axes.xaxis, axes.yaxis)
-    cutoffs = ratio["cutoff_wavelength"].values
-    last = cutoffs[-1] if side_sets["side"].item() == "small" else cutoffs[0]
+    last = last_cutoff(side_sets["scale_ratio"], side_sets["side"].item())
     edges = tables.over_sets(side_sets["critical_wavelength"].fillna(last))
     by_group = tables.computed_rows(ratio, quantity="ratio", unit="1")
     edge_rows = tables.computed_rows(edges, quantity="critical_wavelength", unit="nm")

@@ -108,9 +108,9 @@ def _draw_coatings(axes: Axes, there: xr.Dataset) -> None:
     """Draw the spreads of the coatings, by the law, of the study and published."""
     # Intervals of two scans may reach far beyond all values: an arrow marks those that do.
     highest = ROOM * there[["published_spread", *SPREADS]].to_array().max().item()
-    for place, (look, of_surface) in enumerate(style.by_surface(there)):
+    for place, (look, surface_data) in enumerate(style.by_surface(there)):
         for step, (name, (more, _)) in enumerate(SPREADS.items()):
-            curve = tables.bounded(of_surface, name).expand_dims("place")
+            curve = tables.bounded(surface_data, name).expand_dims("place")
             curve = (
                 curve if "low" in curve else curve.assign(low=curve["value"], high=curve["value"])
             )
@@ -118,7 +118,7 @@ def _draw_coatings(axes: Axes, there: xr.Dataset) -> None:
             style.draw_bars(axes, [x], curve, ls="none", **look | more)
             if curve["high"].item() > highest:
                 axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)
-        published = of_surface["published_spread"].item()
+        published = surface_data["published_spread"].item()
         axes.plot([place - 0.3, place + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
     axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
     axes.set_xticks(range(there.sizes["surface"]), there["label"].values)

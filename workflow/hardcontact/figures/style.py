@@ -172,8 +172,8 @@ def shade_artificial(axes: Axes, bands: Iterable[tuple[float, float]]) -> None:
 def surface_handles(dataset: xr.Dataset, **look: Any) -> list[Line2D | Patch]:
     """Return one entry of a legend for each substrate of a dataset with `label(surface)`."""
     return [
-        Line2D([], [], **of_surface | look, label=str(data["label"].item()))
-        for of_surface, data in by_surface(dataset)
+        Line2D([], [], **surface_look | look, label=str(data["label"].item()))
+        for surface_look, data in by_surface(dataset)
     ]
 
 
@@ -219,10 +219,10 @@ def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
 
 def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
     """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
-    of_range = published_constants.loc["range_of_adhesion"]
+    rho = published_constants.loc["range_of_adhesion"]
     work = published_constants.loc["work_of_adhesion"]
-    place = of_range["value"], work["value"] / MILLIJOULE
-    half = work["uncertainty"] / MILLIJOULE, of_range["uncertainty"]
+    place = rho["value"], work["value"] / MILLIJOULE
+    half = work["uncertainty"] / MILLIJOULE, rho["uncertainty"]
     axes.errorbar(*place, *half, zorder=5, label="published fit", **PUBLISHED_FIT)
 
 
@@ -234,10 +234,10 @@ def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:
     best = fit[{"work": "work_of_adhesion", "error": "best_error"}[height]] / unit
     others = fit["minimum_range"].values != fit["range_of_adhesion"].item()
     ranges, heights = (fit[f"minimum_{name}"][others] for name in ("range", height))
-    of_study: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
-    of_others: Look = of_study | {"label": "other minimum of it"}
-    axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **of_study)
-    axes.plot(ranges, heights / unit, **FIT_RING, **of_others)
+    best_look: Look = {"ls": "none", "zorder": 6, "label": "best fit of the study"}
+    other_look: Look = best_look | {"label": "other minimum of it"}
+    axes.plot(fit["range_of_adhesion"], best, **FIT_STAR, **best_look)
+    axes.plot(ranges, heights / unit, **FIT_RING, **other_look)
 
 
 def draw_map(axes: Axes, heights: np.ndarray, size: float) -> None:

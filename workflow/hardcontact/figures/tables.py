@@ -31,8 +31,8 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
 
 def as_rows(values: xr.Dataset | xr.DataArray) -> pd.DataFrame:
     """Return a row for each number of `value`: its dimensions and variables."""
-    of_array = isinstance(values, xr.DataArray)
-    frame = values.to_dataframe("value") if of_array else values.to_dataframe()
+    is_array = isinstance(values, xr.DataArray)
+    frame = values.to_dataframe("value") if is_array else values.to_dataframe()
     return frame.reset_index()
 
 
