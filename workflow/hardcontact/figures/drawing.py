@@ -89,7 +89,7 @@ def svg_bytes(figure: Figure, title: str, resolution: float = SVG_RESOLUTION) ->
 
 
 def _has_many_points(artist: Artist) -> bool:
-    """Return whether a line or a collection has too many points for an SVG."""
+    """Test if a line or a collection has too many points for an SVG."""
     if isinstance(artist, Line2D):
         return bool(np.size(artist.get_xdata()) > MAX_VECTOR_POINTS)
     if isinstance(artist, Collection):
@@ -102,9 +102,8 @@ def _has_many_points(artist: Artist) -> bool:
 def create(height: float, surfaces: xr.Dataset) -> Figure:
     """Return an empty figure of print width and the given height (inch).
 
-    At its foot a line says which surfaces are substitutes, or that all are measured. The dataset
-    has `label(surface)` and `basis(surface)`, "substitute" or "measured", or both of one surface
-    as attributes.
+    A line at its foot names the surfaces that are substitutes. The dataset has `label(surface)` and
+    `basis(surface)`, "substitute" or "measured", or both as attributes for a single surface.
     """
     footer = FOOTER / height
     layout = ConstrainedLayoutEngine(rect=(0, footer, 1, 1 - footer))
@@ -129,6 +128,6 @@ def create_rows(
     figure = create(height, surfaces)
     grid = figure.add_gridspec(len(rows), 1, height_ratios=[ratio for ratio, _ in rows])
     return figure, [
-        grid[place].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
-        for place, (_, widths) in enumerate(rows)
+        grid[row].subgridspec(1, len(widths), width_ratios=widths).subplots(squeeze=False)[0]
+        for row, (_, widths) in enumerate(rows)
     ]

@@ -40,7 +40,7 @@ NOTE = (
 def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 1: a levelled scan of each substrate, the sphere with and without its curvature.
 
-    In the table `uncertainty` is the standard deviation over the scans.
+    The column `uncertainty` has the standard deviation over the scans.
     """
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
@@ -51,9 +51,11 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     for axes, letter, (surface_data, state, heights) in zip(
         grid, ascii_lowercase, panels, strict=False
     ):
-        named = {name: str(surface_data[name].item()) for name in ("surface", "label", "basis")}
+        description = {
+            name: str(surface_data[name].item()) for name in ("surface", "label", "basis")
+        }
         style.draw_map(axes, heights, float(surface_data["scan_size"]))
-        axes.spines[:].set(edgecolor=colours[named["surface"]], linewidth=1.5)
+        axes.spines[:].set(edgecolor=colours[description["surface"]], linewidth=1.5)
         values = {
             "map_rms_height": float(np.std(heights, dtype=float)),
             "map_peak_to_valley": np.ptp(heights),
@@ -62,10 +64,10 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         if state != AS_SCANNED:
             values["rms_height_mean"] = surface_data["rms_height_mean"].item()
             rms += f" ({_print_over_scans(surface_data)})"
-        name = f"{named['label']}, {state}" if state else named["label"]
+        name = f"{description['label']}, {state}" if state else description["label"]
         style.label_panel(axes, letter, f"{name}\n{rms}")
         for quantity, value in values.items():
-            row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **named)
+            row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **description)
             if quantity == "rms_height_mean":
                 row["uncertainty"] = surface_data["rms_height_std"].item()
             frames.append(row)

@@ -103,8 +103,8 @@ def draw(
         ]
         label = fit["label"].sel(surface=surface).item()
         style.label_panel(linear, f"{letter}_1", str(label))
-        at_published = fit.sel(surface=surface, pair="published")
-        computed = tables.value_and_bounds(at_published, "lognormal_shape")
+        published_pair = fit.sel(surface=surface, pair="published")
+        computed = tables.value_and_bounds(published_pair, "lognormal_shape")
         shape = f"published $s$ = {value['lognormal_shape']['']:.2f}"
         shape += f"\nhere {print_formatted(computed, '.2f')}"
         style.label_panel(logarithmic, f"{letter}_2", shape)

@@ -57,12 +57,12 @@ def draw(
 ) -> tuple[pd.DataFrame, Figure]:
     """Draw Fig. 4: (a) one contact, (b) force ratios, (c) forces, (d, e) errors of the fit.
 
-    In the table `x` is the separation (nm, panel a) or the range of adhesion (nm, b to e). Values
-    over "scans" are means with their interval, over "sets" the median and SHARE_OF_SETS.
+    The column `x` has the separation (nm, panel a) or the range of adhesion (nm, b to e). Values
+    over "scans" are means with their interval; values over "sets" are the median and SHARE_OF_SETS.
     """
     fit, set_fits = (data.sel(contact_model=CONTACT_MODEL) for data in (inference, sets))
-    figure, ((pressure, separation, key), (ratios, forces), (least, error)) = drawing.create_rows(
-        7.6, inference, (1, (1.3, 1, 1)), (1.3, (1, 1)), (1.3, (1, 1))
+    figure, ((pressure, separation, key), (ratios, forces), (error_curves, error)) = (
+        drawing.create_rows(7.6, inference, (1, (1.3, 1, 1)), (1.3, (1, 1)), (1.3, (1, 1)))
     )
     _draw_pressure(pressure, contact)
     distances, contact_forces = contact["separation"].values, contact["force"].values
@@ -75,11 +75,11 @@ def draw(
         curve.assign(surface=contact.attrs["surface"]),
         _draw_ratios(ratios, fit, set_fits, published_pull_off["mean_force"]),
         _draw_forces(forces, fit, set_fits, published_constants, published_pull_off["mean_force"]),
-        _draw_least_error(least, inference, set_fits),
+        _draw_least_error(error_curves, inference, set_fits),
         _draw_error_map(error, fit, published_constants),
     ]
     separation.set_title(style.print_pair(published_constants["value"]), loc="left")
-    for axes in (ratios, forces, least, error):
+    for axes in (ratios, forces, error_curves, error):
         style.draw_published_range(axes, published_constants)
         axes.set_xlim(fit["rho"].values[[0, -1]])
         axes.set_xlabel("range of adhesion ρ (nm)")
@@ -136,8 +136,8 @@ def _draw_ratios(
     The reference is the surface whose own ratio is 1 everywhere.
     """
     reference = abs(fit["ratio"] - 1).max("rho").idxmin("surface").item()
-    scans, over_sets = tables.bounded(fit, "ratio"), tables.over_sets(set_fits["ratio"])
-    rows = _draw_curves(axes, scans, over_sets, published / published[reference])
+    scans, set_spread = tables.bounded(fit, "ratio"), tables.over_sets(set_fits["ratio"])
+    rows = _draw_curves(axes, scans, set_spread, published / published[reference])
     best = tables.value_and_bounds(fit, "range_from_ratios")
     along = [best[name] for name in ("low", "value", "high")]
     axes.plot(along, [0.05] * 3, transform=axes.get_xaxis_transform(), markevery=[1], **RATIO_FIT)
@@ -158,8 +158,8 @@ def _draw_forces(
     """Draw the mean force (µN) at the published work of adhesion against rho (nm)."""
     work = published_constants["value"]["work_of_adhesion"]
     scans = tables.bounded(fit, "mean_force") * work
-    over_sets = tables.over_sets(set_fits["mean_force"]) * work
-    rows = _draw_curves(axes, scans, over_sets, published, style.MICRONEWTON)
+    set_spread = tables.over_sets(set_fits["mean_force"]) * work
+    rows = _draw_curves(axes, scans, set_spread, published, style.MICRONEWTON)
     fitted = tables.bounded(fit.sel(pair="fitted"), "force_mean")
     for look, force in style.by_surface(fitted / style.MICRONEWTON):
         look = look | AT_FIT
@@ -167,20 +167,20 @@ def _draw_forces(
     axes.set_ylabel("mean pull-off force (µN)")
     title = rf"curves: at the published $W$ = {work / style.MILLIJOULE:.3g} mJ/m²"
     style.label_panel(axes, "c", title)
-    at_fit = tables.computed_rows(fitted.assign(x=fit["range_of_adhesion"]), over="scans")
+    fit_rows = tables.computed_rows(fitted.assign(x=fit["range_of_adhesion"]), over="scans")
     rows = pd.concat(
-        [rows.assign(quantity="mean_force"), at_fit.assign(quantity="mean_force_at_fit")]
+        [rows.assign(quantity="mean_force"), fit_rows.assign(quantity="mean_force_at_fit")]
     )
     return rows.assign(panel="c", unit="N")
 
 
 def _draw_curves(
-    axes: Axes, scans: xr.Dataset, over_sets: xr.Dataset, published: pd.Series, unit: float = 1
+    axes: Axes, scans: xr.Dataset, set_spread: xr.Dataset, published: pd.Series, unit: float = 1
 ) -> pd.DataFrame:
     """Draw values with intervals, bands of the sets and published levels, in a printed unit."""
     for look, curve in style.by_surface(scans / unit):
         surface = curve["surface"].item()
-        style.fill_interval(axes, over_sets.sel(surface=surface) / unit, "rho", look["color"])
+        style.fill_interval(axes, set_spread.sel(surface=surface) / unit, "rho", look["color"])
         style.draw_bars(axes, curve["rho"], curve, elinewidth=0.7, ms=2.5, **look)
         axes.axhline(published[surface] / unit, color=look["color"], lw=0.9)
     axes.set(xscale="log", yscale="log")
@@ -190,7 +190,7 @@ def _draw_curves(
     )
     frames = [
         tables.computed_rows(scans, over="scans"),
-        tables.computed_rows(over_sets, over="sets"),
+        tables.computed_rows(set_spread, over="sets"),
         published_levels.reset_index().assign(origin="published"),
     ]
     return pd.concat(frames).rename(columns={"rho": "x"})

@@ -75,7 +75,7 @@ def draw(indent: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Data
 
 
 def _draw_map(axes: Axes, shown: xr.Dataset) -> None:
-    """Map how deep (nm) one contact presses the sphere in, with the two lines drawn beside."""
+    """Map the depth (nm) of one contact in the sphere, with the two lines of panels b and c."""
     depths = shown["indentation"].transpose("y", "x")
     image = axes.pcolormesh(depths["x"], depths["y"], depths, cmap=DEPTHS, **style.PIXELS)
     axes.figure.colorbar(image, ax=axes, pad=0.02, shrink=0.8, label="indentation (nm)")
@@ -92,17 +92,19 @@ def _draw_line(axes: Axes, shown: xr.Dataset, along: str) -> pd.DataFrame:
 
     Heights point out of the sphere, as under a microscope: indents point downwards.
     """
-    across = "y" if along == "x" else "x"
-    line = shown.sel({across: 0})
-    before = -line["sphere_height"]
-    after = before - line["indentation"]
-    axes.fill_between(line[along], after, before, color=ALONG[along], alpha=0.25, lw=0)
-    axes.plot(line[along], before, color=BEFORE, lw=0.8, label="before")
-    axes.plot(line[along], after, color=ALONG[along], label="after")
+    other_axis = "y" if along == "x" else "x"
+    line = shown.sel({other_axis: 0})
+    height_before = -line["sphere_height"]
+    height_after = height_before - line["indentation"]
+    axes.fill_between(
+        line[along], height_after, height_before, color=ALONG[along], alpha=0.25, lw=0
+    )
+    axes.plot(line[along], height_before, color=BEFORE, lw=0.8, label="before")
+    axes.plot(line[along], height_after, color=ALONG[along], label="after")
     axes.set_xlabel(f"{along} (nm)")
     axes.locator_params(nbins=5)
     axes.legend(loc="lower left")
-    heights = {"height_before": before.values, "height_after": after.values}
+    heights = {"height_before": height_before.values, "height_after": height_after.values}
     rows = pd.DataFrame(heights | {"position": line[along].values})
     return rows.melt("position", var_name="quantity")
 

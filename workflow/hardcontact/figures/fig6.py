@@ -44,7 +44,7 @@ ENDS = ["value", "low", "high"]
 def draw(
     band: xr.Dataset, scales: xr.Dataset, published_constants: pd.DataFrame
 ) -> tuple[pd.DataFrame, Figure]:
-    """Draw Fig. 6: pull-off force of filtered surfaces over that of the unfiltered ones.
+    """Draw Fig. 6: pull-off force of filtered relative to unfiltered surfaces.
 
     The table has `ratio` and its distance from one, `change`, against `cutoff_wavelength` (nm), and
     the critical wavelengths. `beyond` names the numbers that lie beyond the last cutoff computed
@@ -60,12 +60,12 @@ def draw(
             name: tables.bounded(side_band, f"scale_{name}").dropna("cutoff_wavelength", how="all")
             for name in ("ratio", "change")
         }
-        last = last_cutoff(side_band["scale_ratio"], side)
+        end_cutoff = last_cutoff(side_band["scale_ratio"], side)
         critical = tables.as_rows(tables.bounded(side_band, "critical_wavelength"))
-        critical["value"] = critical["value"].fillna(last)
+        critical["value"] = critical["value"].fillna(end_cutoff)
         _draw_ratios(column[0], curves["ratio"], band.attrs["scale_tolerance"])
         _draw_changes(column[1], curves["change"], band)
-        _draw_critical(column[2], critical, side_band, last)
+        _draw_critical(column[2], critical, side_band, end_cutoff)
         transition = float(scales["transition"].sel(side=side))
         artificial = (0.0, transition) if side == "small" else (transition, np.inf)
         for axes in column:
@@ -77,7 +77,7 @@ def draw(
             rows = tables.computed_rows(curve, quantity=name, unit="1", side=side)
             frames.append(rows.rename(columns={"surface": "group"}))
         published = pd.DataFrame([{"group": POOLED, "origin": "published", "value": edge}])
-        rows = pd.concat([_without_bounds(critical, last), published])
+        rows = pd.concat([_edge_rows(critical, end_cutoff), published])
         frames.append(rows.assign(quantity="critical_wavelength", unit="nm", side=side))
     for row, digits in ((grid[0], (1, 2, 3, 5)), (grid[1], (1,))):
         style.end_near_values(row)
@@ -89,9 +89,9 @@ def draw(
     return tables.labelled(frames, band, COLUMNS, "group"), figure
 
 
-def _without_bounds(critical: pd.DataFrame, last: float) -> pd.DataFrame:
-    """Return the rows without the numbers that stand at the last cutoff, which `beyond` names."""
-    beyond = np.isclose(critical[ENDS], last)
+def _edge_rows(critical: pd.DataFrame, end_cutoff: float) -> pd.DataFrame:
+    """Return the rows without numbers at the last cutoff; the column `beyond` names them."""
+    beyond = np.isclose(critical[ENDS], end_cutoff)
     names = [", ".join(np.array(ENDS)[row]) for row in beyond]
     return critical.assign(**critical[ENDS].mask(beyond), beyond=names, origin="computed")
 
@@ -115,27 +115,31 @@ def _draw_changes(axes: Axes, change: xr.Dataset, band: xr.Dataset) -> None:
     percent = change / style.PERCENT
     cutoffs = percent["cutoff_wavelength"]
     looks = _looks(band)
-    pooled = looks.pop(POOLED)
+    pooled_look = looks.pop(POOLED)
     for surface, look in looks.items():
         axes.plot(cutoffs, percent["value"].sel(group=surface), color=look["color"], lw=0.8)
-    style.draw_bars(axes, cutoffs, percent.sel(group=POOLED), elinewidth=0.9, lw=1.8, **pooled)
+    style.draw_bars(axes, cutoffs, percent.sel(group=POOLED), elinewidth=0.9, lw=1.8, **pooled_look)
     axes.axhline(band.attrs["scale_tolerance"] / style.PERCENT, color="0.6", lw=0.8, zorder=0)
     axes.set(yscale="log", ylabel="|ratio − 1| (%)")
 
 
-def _draw_critical(axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, last: float) -> None:
+def _draw_critical(
+    axes: Axes, critical: pd.DataFrame, side_band: xr.Dataset, end_cutoff: float
+) -> None:
     """Mark the critical wavelength (nm) of each group with its interval, arrows beyond the last."""
     looks = _looks(side_band)
     labels = side_band["label"].to_series().to_dict() | {POOLED: "mean of all"}
     arrow = ">" if side_band["side"].item() == "small" else "<"
     ends = critical.set_index("group")[ENDS]
-    for place, (group, look) in enumerate(looks.items()):
+    for row_number, (group, look) in enumerate(looks.items()):
         value, low, high = ends.loc[[group]].to_numpy()[0]
-        axes.plot([low, high], [place] * 2, color=look["color"], lw=1.4)
-        if np.isclose([value, low, high], last).any():
-            axes.plot(last, place, arrow, color=look["color"], ms=5, mew=0, clip_on=False)
-        if not np.isclose(value, last):
-            axes.plot(value, place, **look)
+        axes.plot([low, high], [row_number] * 2, color=look["color"], lw=1.4)
+        if np.isclose([value, low, high], end_cutoff).any():
+            axes.plot(
+                end_cutoff, row_number, arrow, color=look["color"], ms=5, mew=0, clip_on=False
+            )
+        if not np.isclose(value, end_cutoff):
+            axes.plot(value, row_number, **look)
     axes.set_yticks(range(len(looks)), [labels[group] for group in looks])
     axes.set(ylim=(len(looks) - 0.4, -0.6), xlabel="cutoff wavelength (nm)")
 

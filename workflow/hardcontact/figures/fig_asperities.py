@@ -95,9 +95,9 @@ def _draw_smooth(axes: Axes, asperities: xr.Dataset) -> pd.DataFrame:
 
 def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFrame) -> pd.DataFrame:
     """Draw the long critical wavelength (µm) of all, computed with its interval, and published."""
-    pooled = band.sel(side="large", group=POOLED)
-    computed = tables.value_and_bounds(pooled, "critical_wavelength")
-    value, low, high = (length / MICROMETRE for length in computed.values())
+    pooled_band = band.sel(side="large", group=POOLED)
+    edge = tables.value_and_bounds(pooled_band, "critical_wavelength")
+    value, low, high = (length / MICROMETRE for length in edge.values())
     published = tables.published_edge(published_constants, "large")
     confidence = print_share(band.attrs["confidence"])
     axes.axhline(value, color="0.4", lw=1.0, label="critical wavelength $λ_L$ (d)")
@@ -107,4 +107,4 @@ def _draw_critical(axes: Axes, band: xr.Dataset, published_constants: pd.DataFra
     axes.axhline(published / MICROMETRE, **look)
     name = "critical_wavelength"
     published_row = tables.rows_of("d", name, "nm", "published", value=published)
-    return pd.concat([tables.rows_of("d", name, "nm", **computed), published_row])
+    return pd.concat([tables.rows_of("d", name, "nm", **edge), published_row])

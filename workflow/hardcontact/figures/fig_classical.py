@@ -44,7 +44,7 @@ BETWEEN = ("model", "metrics", "against")  # columns of the table
 def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.DataFrame, Figure]:
     """Draw (a) forces at the published work, (b) errors at the best work of each model.
 
-    The table says of each model what it calls roughness, and what its formula was checked against.
+    The table has the definition of roughness and the check of the formula for each model.
     """
     work = published_constants["value"]["work_of_adhesion"]
     figure, ((forces, errors),) = drawing.create_rows(3.6, classical, (1, (2.6, 1)))
@@ -63,9 +63,9 @@ def draw(classical: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.D
         unit = classical[name].attrs["units"]
         frames.append(rows.assign(panel=panel, origin=origin, quantity=name, unit=unit))
     rows = pd.concat(frames).dropna(subset=["value", "low", "high"], how="all")
-    described = classical[["model_roughness", "model_verified"]].to_dataframe()
-    columns = [*tables.ROW_COLUMNS, *BETWEEN, *tables.VALUE_COLUMNS, *described.columns]
-    return tables.labelled([rows.join(described, on="model")], classical, columns), figure
+    descriptions = classical[["model_roughness", "model_verified"]].to_dataframe()
+    columns = [*tables.ROW_COLUMNS, *BETWEEN, *tables.VALUE_COLUMNS, *descriptions.columns]
+    return tables.labelled([rows.join(descriptions, on="model")], classical, columns), figure
 
 
 def _draw_point(axes: Axes, x: float, point: xr.Dataset, **look: Any) -> None:
@@ -82,8 +82,8 @@ def _draw_forces(axes: Axes, classical: xr.Dataset) -> None:
     values = np.concatenate([classical[name].values.ravel() for name in names]) / style.MICRONEWTON
     shown = values[values > VANISHED]
     bottom, top = shown.min() / 12, shown.max() * 6  # the strip above the bottom is for the rest
-    beside = np.linspace(-0.3, 0.3, classical.sizes["surface"])
-    for (look, surface_data), offset in zip(style.by_surface(classical), beside, strict=True):
+    offsets = np.linspace(-0.3, 0.3, classical.sizes["surface"])
+    for (look, surface_data), offset in zip(style.by_surface(classical), offsets, strict=True):
         colour = look["color"]
         for x, variable in enumerate(("published_mean_force", "computed_mean_force")):
             force = tables.bounded(surface_data, variable) / style.MICRONEWTON

@@ -1,4 +1,4 @@
-"""The closed form of the pull-off force beside computed forces, and where single peaks decide."""
+"""Closed form of the pull-off force compared with computed forces, and the role of single peaks."""
 
 import pandas as pd
 import xarray as xr
@@ -42,8 +42,8 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     largest = closed_form.isel(map_size=-1)
     for look, surface_data in style.by_surface(largest):
         rho = surface_data["rho"]
-        computed = tables.bounded(surface_data, "computed_force") / style.MICRONEWTON
-        style.draw_bars(forces, rho, computed, ls="none", elinewidth=0.8, **look)
+        force = tables.bounded(surface_data, "computed_force") / style.MICRONEWTON
+        style.draw_bars(forces, rho, force, ls="none", elinewidth=0.8, **look)
         for name, dashes in (("predicted_force", "-"), ("first_term_force", ":")):
             predicted = surface_data[name].sel(source="spectrum") / style.MICRONEWTON
             forces.plot(rho, predicted, color=look["color"], lw=0.9, ls=dashes)
@@ -72,8 +72,8 @@ def draw(closed_form: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     ]
     style.legend_above(figure, handles)
     forces_drawn = (("a", f"{name}_force", "N") for name in ("computed", "predicted", "first_term"))
-    drawn = [*forces_drawn, ("b", "error", "1"), ("c", "whole_freezing", "1")]
+    columns = [*forces_drawn, ("b", "error", "1"), ("c", "whole_freezing", "1")]
     edges = tables.computed_rows(closed_form["edge"], panel="", unit="nm")
     edges["quantity"] = "edge_" + edges.pop("side")
-    frames = [tables.drawn_rows(closed_form, *drawn), edges]
+    frames = [tables.drawn_rows(closed_form, *columns), edges]
     return tables.tidy(frames, closed_form, "map_size", "source", "rho"), figure

@@ -98,7 +98,7 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
     ticks = hardness * TICKS
     pressure = elastic.set_coords("label")["pressure"].transpose("surface", "y", "x") / GIGAPASCAL
     reach = 1.1 * style.half_width((pressure > 0).any("surface"))
-    for place, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
+    for position, (axes, surface_data) in enumerate(zip(row, pressure, strict=True), start=1):
         # Positions that belong to the pixels of other surfaces alone hold no value here.
         surface_data = surface_data.dropna("y", how="all").dropna("x", how="all")
         shown, norm = surface_data.where(surface_data > 0), LogNorm(ticks[0], ticks[-1])
@@ -109,7 +109,7 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
         axes.set(xlim=(-reach, reach), ylim=(-reach, reach))
         axes.locator_params(nbins=4)
         axes.label_outer()
-        style.label_panel(axes, f"a_{place}", str(surface_data["label"].item()))
+        style.label_panel(axes, f"a_{position}", str(surface_data["label"].item()))
     row[0].set_ylabel("y (nm)")
     bar = row[0].figure.colorbar(image, ax=row, pad=0.01, extend="both")
     bar.set_label("pressure (GPa)\nline: hardness")
@@ -120,10 +120,10 @@ def _draw_pressures(row: np.ndarray, elastic: xr.Dataset) -> None:
 
 def _draw_contacts(axes: Axes, values: xr.DataArray) -> None:
     """Draw one dot a contact, the scans of a surface side by side, and a bar at the median."""
-    beside = np.linspace(-SPREAD / 2, SPREAD / 2, values.sizes["scan"])[:, None]
-    for place, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
+    offsets = np.linspace(-SPREAD / 2, SPREAD / 2, values.sizes["scan"])[:, None]
+    for position, (surface, colour) in enumerate(style.colours(values["surface"].values).items()):
         surface_data = values.sel(surface=surface).transpose("scan", "contact")
-        places = np.broadcast_to(place + beside, surface_data.shape)
+        places = np.broadcast_to(position + offsets, surface_data.shape)
         axes.plot(places.ravel(), surface_data.values.ravel(), "o", color=colour, ms=2.5, alpha=0.6)
-        axes.hlines(surface_data.median(), place - 0.45, place + 0.45, color=colour, lw=1.6)
+        axes.hlines(surface_data.median(), position - 0.45, position + 0.45, color=colour, lw=1.6)
     axes.set_xlim(-0.6, values.sizes["surface"] - 0.4)

@@ -25,8 +25,8 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     figure = drawing.create(3.0, elastic_limit)
     axes = figure.subplots()
     index = elastic_limit["slope_index"]
-    drawn = elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
-    for look, surface in style.by_surface(drawn):
+    visible = elastic_limit.assign(slope_index=index.where(index > MIN_INDEX))
+    for look, surface in style.by_surface(visible):
         label, index = str(surface["label"].item()), surface["slope_index"]
         axes.plot(index["shortest_wavelength"], index, color=look["color"], label=label)
     axes.axhline(1, color="black", lw=0.9)
@@ -34,5 +34,5 @@ def draw(elastic_limit: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     axes.set_ylabel("elastic pressure / hardness, E*h'/(1.67 H)")
     axes.legend(loc="lower left")
     style.label_logarithmic(axes.xaxis, axes.yaxis, at=(1,))
-    rows = tables.drawn_rows(drawn, ("", "slope_index", "1"))
+    rows = tables.drawn_rows(visible, ("", "slope_index", "1"))
     return tables.tidy([rows], elastic_limit, "shortest_wavelength"), figure

@@ -46,8 +46,8 @@ def draw(laws: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     for axes, (side, (panel, title)) in zip(edges, PANELS.items(), strict=True):
         _draw_edges(axes, laws, side)
         style.label_panel(axes, panel, title)
-        drawn = (panel, "critical_wavelength", "nm")
-        frames.append(tables.drawn_rows(laws.sel(side=[side]), drawn))
+        column = (panel, "critical_wavelength", "nm")
+        frames.append(tables.drawn_rows(laws.sel(side=[side]), column))
     handles = [
         Line2D([], [], ls=dashes, label=law.label, **LOOKS[law.name])
         for law, dashes in zip(LAWS, DASHES, strict=True)
@@ -78,14 +78,14 @@ def _draw_pressures(axes: Axes, laws: xr.Dataset) -> None:
 def _draw_edges(axes: Axes, laws: xr.Dataset, side: str) -> None:
     """Draw the edges of each surface and of all pooled, the laws side by side.
 
-    Filled marks stand at ranges equivalent to Eq. 1, open ones at an atomic spacing.
+    Filled marks are for ranges equivalent to Eq. 1, open marks for an atomic spacing.
     """
     edges = tables.bounded(laws, "critical_wavelength").sel(side=side)
     places = np.arange(edges.sizes["group"])
-    beside = np.linspace(-0.3, 0.3, len(LOOKS))
+    offsets = np.linspace(-0.3, 0.3, len(LOOKS))
     fills: dict[str, style.Look] = {"equivalent": {}, "atomic": {"mfc": "white"}}
     for (case, fill), shift in zip(fills.items(), (0, 0.07), strict=True):
-        for (law, look), offset in zip(LOOKS.items(), beside, strict=True):
+        for (law, look), offset in zip(LOOKS.items(), offsets, strict=True):
             law_data = edges.sel(case=case, law=law)
             marks = look | fill | {"ls": "none", "ms": 3.5, "lw": 0.8}
             style.draw_bars(axes, places + offset + shift, law_data, **marks)

@@ -87,10 +87,10 @@ def draw(
             row = minima["variant"].map(dict(zip(variants["variant"], heights, strict=True)))
             axes.plot(minima["value"] / printed_unit, row, ls="none", **MINIMUM)
             computed.append(minima.assign(quantity=MINIMA[name]))
-        missing = "not affected" if name in MINIMA else "never reached"
+        note = "not affected" if name in MINIMA else "never reached"
         ends = ["value", "low", "high"]
-        _draw_results(axes, variants[ends] / printed_unit, heights, missing, VARIANT)
-        _draw_results(axes, study_results[ends] / printed_unit, [-ABOVE], missing, STUDY)
+        _draw_results(axes, variants[ends] / printed_unit, heights, note, VARIANT)
+        _draw_results(axes, study_results[ends] / printed_unit, [-ABOVE], note, STUDY)
         baseline = variants["value"][variants["group"] == BASELINE].item()
         axes.axvline(baseline / printed_unit, color="0.15", lw=0.6, ls=":")
         axes.set(xscale="log", xlabel=axis)
@@ -113,8 +113,8 @@ def _results(data: xr.Dataset, name: str) -> pd.DataFrame:
     values = tables.bounded(data, name)
     if "variant" not in data.dims:
         return pd.DataFrame([{str(end): number.item() for end, number in values.items()}])
-    described = data[["variant_label", "group"]].rename(variant_label="label")
-    return tables.as_rows(values.merge(described, compat="override"))
+    labels = data[["variant_label", "group"]].rename(variant_label="label")
+    return tables.as_rows(values.merge(labels, compat="override"))
 
 
 def _other_minima(robustness: xr.Dataset, name: str) -> pd.DataFrame:
@@ -133,14 +133,14 @@ def _draw_published(axes: Axes, published: pd.Series, unit: float) -> None:
 
 
 def _draw_results(
-    axes: Axes, results: pd.DataFrame, heights: Iterable[float], missing: str, look: style.Look
+    axes: Axes, results: pd.DataFrame, heights: Iterable[float], note: str, look: style.Look
 ) -> None:
-    """Draw values and their intervals, or say why there is none."""
+    """Draw values and their intervals, or a note if there is no value."""
     for height, (value, low, high) in zip(heights, results.itertuples(index=False), strict=True):
         axes.plot([low, high], [height, height], color=look["color"], lw=1.2)
         axes.plot([value], [height], ls="none", **look)
         if not np.isfinite(value):
-            axes.text(0.5, height, missing, transform=axes.get_yaxis_transform(), **MISSING)
+            axes.text(0.5, height, note, transform=axes.get_yaxis_transform(), **MISSING)
 
 
 def _legend_handles(robustness: xr.Dataset) -> list[Artist]:

@@ -1,4 +1,4 @@
-"""Scaling of the band: edges beside their formulas, the errors of these, a map of the regimes."""
+"""Scaling of the band: edges and their formulas, errors of the formulas, map of the regimes."""
 
 import numpy as np
 import pandas as pd
@@ -52,14 +52,14 @@ def draw(scaling: xr.Dataset, published_constants: pd.DataFrame) -> tuple[pd.Dat
     figure = drawing.create(5.6, scaling)
     (short, long), (errors, regimes) = figure.subplots(2, 2)
     scaling = scaling.set_coords("reach")
-    at_area = scaling.sel(area=scaling.attrs["area"], method="nearest")
+    section = scaling.sel(area=scaling.attrs["area"], method="nearest")
     frames = []
     for axes, side, along, letter in ((short, "small", "rho", "a"), (long, "large", "reach", "b")):
-        _draw_edges(axes, at_area.sel(side=side), along)
+        _draw_edges(axes, section.sel(side=side), along)
         published = tables.published_edge(published_constants, side)
         axes.axhline(published, **PUBLISHED)
         axes.set_ylabel(TITLES[side])
-        style.label_panel(axes, letter, f"F/H = {at_area['area']:g} nm²; lines: formula")
+        style.label_panel(axes, letter, f"F/H = {section['area']:g} nm²; lines: formula")
         drawn = ((letter, name, "nm") for name in ("edge", "formula_edge"))
         frames.append(tables.drawn_rows(scaling.sel(side=[side]), *drawn))
         frames.append(tables.rows_of(letter, "edge", "nm", "published", side=side, value=published))
@@ -84,8 +84,10 @@ def _draw_edges(axes: Axes, cases: xr.Dataset, along: str) -> None:
     """Draw the edges of one side, all surfaces, with intervals, and a line a sphere by formula."""
     edges = tables.bounded(cases, "edge").assign(along=cases[along], formula=cases["formula_edge"])
     for look, surface_data in style.by_surface(edges):
-        stacked = surface_data.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
-        style.draw_bars(axes, stacked["along"], stacked, ls="none", ms=3, elinewidth=0.4, **look)
+        surface_cases = surface_data.stack(case=["radius", "rho"]).dropna("case", subset=["value"])
+        style.draw_bars(
+            axes, surface_cases["along"], surface_cases, ls="none", ms=3, elinewidth=0.4, **look
+        )
         for radius in surface_data["radius"]:
             line = surface_data.sel(radius=radius)
             axes.plot(line["along"], line["formula"], color=look["color"], lw=0.7, alpha=0.7)
@@ -95,7 +97,7 @@ def _draw_edges(axes: Axes, cases: xr.Dataset, along: str) -> None:
 
 
 def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
-    """Draw computed edges over those of the formula against t rho/sigma, designed surfaces."""
+    """Draw the ratio of computed edges to the formula against t rho/sigma for designed surfaces."""
     modulus = held_out["designed_level"] / held_out["designed_over_range"]
     for side, (colour, marker, label) in SIDES.items():
         side_data = held_out.sel(side=side)
@@ -115,14 +117,16 @@ def _draw_errors(axes: Axes, held_out: xr.Dataset) -> None:
 
 def _draw_regimes(axes: Axes, scaling: xr.Dataset) -> None:
     """Draw all surfaces over sigma/rho and t; the area of a mark is sqrt(F/H) over the roll-off."""
-    place = np.geomspace(0.1, 300, 200)
-    axes.plot(place, place, color="0.4", lw=0.8)
-    axes.fill_between(place, place - TRANSITION, place + TRANSITION, color="0.92", lw=0, zorder=0)
+    levels = np.geomspace(0.1, 300, 200)
+    axes.plot(levels, levels, color="0.4", lw=0.8)
+    axes.fill_between(
+        levels, levels - TRANSITION, levels + TRANSITION, color="0.92", lw=0, zorder=0
+    )
 
-    named = scaling["designed"].isin(list(NITRIDES))
+    is_nitride = scaling["designed"].isin(list(NITRIDES))
     modulus = scaling["designed_level"] / scaling["designed_over_range"]
-    for many, colour in ((True, "0.75"), (False, "#DDCC77")):
-        designed = scaling.sel(designed=~named & ((modulus > 1) == many))
+    for many_points, colour in ((True, "0.75"), (False, "#DDCC77")):
+        designed = scaling.sel(designed=~is_nitride & ((modulus > 1) == many_points))
         x, y, contact = (designed[name] for name in DESIGNED)
         axes.scatter(x, y, s=8 + 600 * contact, c=colour, lw=0, alpha=0.8)
     for look, surface_data in style.by_surface(scaling):

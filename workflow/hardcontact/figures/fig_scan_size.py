@@ -62,40 +62,37 @@ def draw(scan_size: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     return tables.tidy(frames, scan_size, *BETWEEN), figure
 
 
-def _draw_sizes(axes: Axes, at_range: xr.Dataset) -> pd.DataFrame:
-    """Draw the excess of all surfaces, with intervals, and that of the rule as lines."""
-    excess = tables.bounded(at_range, "excess").assign(predicted=at_range["predicted_excess"])
-    sizes = at_range["scan_size"] / MICROMETRE
-    for look, surface_data, factor in _beside(excess):
+def _draw_sizes(axes: Axes, section: xr.Dataset) -> pd.DataFrame:
+    """Draw the excess of all surfaces with intervals, and the rule as lines."""
+    excess = tables.bounded(section, "excess").assign(predicted=section["predicted_excess"])
+    sizes = section["scan_size"] / MICROMETRE
+    for look, surface_data, factor in _side_by_side(excess):
         style.draw_bars(axes, factor * sizes, surface_data, ls="none", ms=3, elinewidth=0.6, **look)
         axes.plot(sizes, surface_data["predicted"], color=look["color"], lw=0.7)
     axes.set_ylabel("force over that on a large surface")
-    style.label_panel(axes, "a", f"windows, ρ = {at_range['rho']:g} nm")
+    style.label_panel(axes, "a", f"windows, ρ = {section['rho']:g} nm")
     return tables.computed_rows(excess, panel="a", quantity="excess", unit="1")
 
 
-def _beside(data: xr.Dataset) -> Iterator[tuple[style.Look, xr.Dataset, float]]:
-    """Yield each surface's look and data, and the factor that puts its places beside others'."""
+def _side_by_side(data: xr.Dataset) -> Iterator[tuple[style.Look, xr.Dataset, float]]:
+    """Yield look and data of each surface, and a factor that shifts its symbols along x."""
     factors = np.geomspace(0.88, 1 / 0.88, data.sizes["surface"])
     for (look, surface_data), factor in zip(style.by_surface(data), factors, strict=True):
         yield look, surface_data, float(factor)
 
 
 def _draw_edges(axes: Axes, scan_size: xr.Dataset) -> pd.DataFrame:
-    """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits.
-
-    The grey line is the longest wave of a mirrored window. Surfaces stand beside each other.
-    """
+    """Draw long edges on windows and, hollow, on whole surfaces; open ends reach to the limits."""
     edges = tables.bounded(scan_size, "long_edge").assign(
         mirrored=scan_size["mirrored"], status=scan_size["long_edge_status"]
     )
     edges["value"] = edges["value"].fillna(scan_size["long_edge_bound"])
     shortest, period = scan_size["cutoff_wavelength"].min(), scan_size["period"]
-    drawn = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
-    drawn = drawn.assign(drawn[["value", "low", "high"]] / MICROMETRE)
-    for look, surface_data, factor in _beside(drawn):
+    ends = edges.assign(low=edges["low"].fillna(shortest), high=edges["high"].fillna(period))
+    ends = ends.assign(ends[["value", "low", "high"]] / MICROMETRE)
+    for look, surface_data, factor in _side_by_side(ends):
         for mirrored, fill in ((1, look["color"]), (0, "white")):
-            kind = surface_data.sel(edge_size=drawn["mirrored"] == mirrored)
+            kind = surface_data.sel(edge_size=ends["mirrored"] == mirrored)
             places = factor * kind["edge_size"] / MICROMETRE
             marks = look | {"mfc": fill, "ls": "none", "ms": 3.5, "elinewidth": 0.7}
             style.draw_bars(axes, places, kind, **marks)

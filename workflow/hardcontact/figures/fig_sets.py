@@ -93,8 +93,8 @@ def _draw_histograms(axes: Axes, sets: xr.Dataset, ends: np.ndarray) -> pd.DataF
     frames = []
     for model, look in MODELS.items():
         ranges = sets["range_of_adhesion"].sel(contact_model=model)
-        inside = ranges.clip(edges[0], edges[-1])  # the ends of a sweep belong to it
-        shares = np.histogram(inside, edges)[0] / ranges.size
+        clipped = ranges.clip(edges[0], edges[-1])  # the ends of a sweep belong to it
+        shares = np.histogram(clipped, edges)[0] / ranges.size
         axes.stairs(shares / style.PERCENT, edges, label=f"{model} contact", **look)
         bins = tables.rows_of(
             "a", "share_of_sets", "1", range_low=edges[:-1], range_high=edges[1:], value=shares
@@ -129,7 +129,7 @@ def _draw_places(axes: Axes, set_fits: xr.Dataset) -> pd.DataFrame:
 def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
     """Draw median and band of the force ratio of each surface against cutoff (nm).
 
-    Where a set has no critical wavelength, it lies beyond the last cutoff, which stands for it.
+    The last cutoff replaces a missing critical wavelength, which lies beyond it.
     """
     ratio = tables.over_sets(side_sets["scale_ratio"]).dropna("cutoff_wavelength", how="all")
     for look, curve in style.by_surface(ratio):
@@ -138,8 +138,8 @@ def _draw_ratios(axes: Axes, side_sets: xr.Dataset) -> pd.DataFrame:
     axes.axhline(1, color="0.6", lw=0.6, zorder=0)
     axes.set(xscale="log", yscale="log", xlabel="cutoff wavelength (nm)")
     style.label_logarithmic(axes.xaxis, axes.yaxis)
-    last = last_cutoff(side_sets["scale_ratio"], side_sets["side"].item())
-    edges = tables.over_sets(side_sets["critical_wavelength"].fillna(last))
-    by_group = tables.computed_rows(ratio, quantity="ratio", unit="1")
+    end_cutoff = last_cutoff(side_sets["scale_ratio"], side_sets["side"].item())
+    edges = tables.over_sets(side_sets["critical_wavelength"].fillna(end_cutoff))
+    ratio_rows = tables.computed_rows(ratio, quantity="ratio", unit="1")
     edge_rows = tables.computed_rows(edges, quantity="critical_wavelength", unit="nm")
-    return pd.concat([by_group.rename(columns={"surface": "group"}), edge_rows])
+    return pd.concat([ratio_rows.rename(columns={"surface": "group"}), edge_rows])

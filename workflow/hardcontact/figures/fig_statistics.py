@@ -1,4 +1,4 @@
-"""The scatter of pull-off forces: the law beside designed surfaces, the study and the paper."""
+"""Scatter of pull-off forces: the law compared with designed surfaces, the study and the paper."""
 
 import numpy as np
 import pandas as pd
@@ -52,35 +52,35 @@ def draw(statistics: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
         5.2, statistics, (1.2, (1, 1)), (1, (1,))
     )
     tested = held_back(statistics)
-    at_range = statistics.sel(rho=statistics.attrs["reference_rho"])
+    section = statistics.sel(rho=statistics.attrs["reference_rho"])
     _draw_spreads(spreads, statistics)
     _draw_distances(distances, tested)
-    _draw_coatings(coatings, at_range)
+    _draw_coatings(coatings, section)
     drawn = ("designed_spread", "designed_predicted_spread")
     frames = [
         tables.drawn_rows(statistics, *(("a", name, "1") for name in drawn)),
         tables.drawn_rows(tested, *(("b", f"designed_distance_{name}", "1") for name in DISTANCES)),
-        tables.drawn_rows(at_range, *(("c", name, "1") for name in SPREADS)),
-        tables.drawn_rows(at_range, ("c", "published_spread", "1")).assign(origin="published"),
+        tables.drawn_rows(section, *(("c", name, "1") for name in SPREADS)),
+        tables.drawn_rows(section, ("c", "published_spread", "1")).assign(origin="published"),
     ]
     return tables.tidy(frames, statistics, "case"), figure
 
 
 def _draw_spreads(axes: Axes, statistics: xr.Dataset) -> None:
-    """Draw computed against predicted spreads of ln F, by what is known of each surface."""
+    """Draw computed against predicted spreads of ln F, by kind of surface."""
     skewed = statistics["designed_skewed"] != 0
     low = (statistics["designed_level"] < LEAST_LEVEL) & ~skewed
-    fair, held = ~skewed & ~low, statistics["designed_held_back"] == 1
+    fair, held_out = ~skewed & ~low, statistics["designed_held_back"] == 1
     black = {"marker": "o", "color": "black", "ms": 3}
     groups: list[tuple[xr.DataArray, str, style.Look]] = [
         (skewed, "skewed heights", {"marker": "x", "color": "0.55", "ms": 3}),
         (low, f"below {LEAST_LEVEL:g} rms heights", {"marker": ".", "color": "0.75"}),
-        (fair & ~held, "used for the law", black | {"mfc": "none"}),
-        (fair & held, "held out", black),
+        (fair & ~held_out, "used for the law", black | {"mfc": "none"}),
+        (fair & held_out, "held out", black),
     ]
-    for chosen, label, look in groups:
-        part = statistics.isel(case=np.flatnonzero(chosen))
-        x, y = part["designed_predicted_spread"], part["designed_spread"]
+    for group, label, look in groups:
+        cases = statistics.isel(case=np.flatnonzero(group))
+        x, y = cases["designed_predicted_spread"], cases["designed_spread"]
         axes.plot(x, y, ls="none", mew=0.7, label=label, **look)
     ends = [0.05, 1.5]
     axes.plot(ends, ends, color="0.4", lw=0.8, ls=":")
@@ -104,26 +104,26 @@ def _draw_distances(axes: Axes, tested: xr.Dataset) -> None:
     style.label_panel(axes, "b", "distance of distributions")
 
 
-def _draw_coatings(axes: Axes, there: xr.Dataset) -> None:
+def _draw_coatings(axes: Axes, section: xr.Dataset) -> None:
     """Draw the spreads of the coatings, by the law, of the study and published."""
     # Intervals of two scans may reach far beyond all values: an arrow marks those that do.
-    highest = ROOM * there[["published_spread", *SPREADS]].to_array().max().item()
-    for place, (look, surface_data) in enumerate(style.by_surface(there)):
-        for step, (name, (more, _)) in enumerate(SPREADS.items()):
+    highest = ROOM * section[["published_spread", *SPREADS]].to_array().max().item()
+    for position, (look, surface_data) in enumerate(style.by_surface(section)):
+        for step, (name, (marker, _)) in enumerate(SPREADS.items()):
             curve = tables.bounded(surface_data, name).expand_dims("place")
             curve = (
                 curve if "low" in curve else curve.assign(low=curve["value"], high=curve["value"])
             )
-            x = place + 0.15 * (step - 1.5)
-            style.draw_bars(axes, [x], curve, ls="none", **look | more)
+            x = position + 0.15 * (step - 1.5)
+            style.draw_bars(axes, [x], curve, ls="none", **look | marker)
             if curve["high"].item() > highest:
                 axes.plot(x, 0.98 * highest, "^", color=look["color"], ms=3)
         published = surface_data["published_spread"].item()
-        axes.plot([place - 0.3, place + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
+        axes.plot([position - 0.3, position + 0.3], [published] * 2, color=style.PUBLISHED, lw=1.6)
     axes.set(ylim=(0, highest), ylabel="standard deviation of ln F")
-    axes.set_xticks(range(there.sizes["surface"]), there["label"].values)
+    axes.set_xticks(range(section.sizes["surface"]), section["label"].values)
     handles = [Line2D([], [], color=style.PUBLISHED, lw=1.6, label="published, mean and median")]
     marks: style.Look = {"color": "0.3", "marker": "o", "ls": "none"}
-    handles += [Line2D([], [], **marks | more, label=label) for more, label in SPREADS.values()]
+    handles += [Line2D([], [], **marks | marker, label=label) for marker, label in SPREADS.values()]
     axes.legend(handles=handles, loc="center left", bbox_to_anchor=(1, 0.5))
-    style.label_panel(axes, "c", f"coatings at ρ = {there['rho'].item():g} nm")
+    style.label_panel(axes, "c", f"coatings at ρ = {section['rho'].item():g} nm")

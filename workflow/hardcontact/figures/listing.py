@@ -1,4 +1,4 @@
-"""The figures in the order of the report, and what the module of each says of itself.
+"""The figures in the order of the report, and their descriptions.
 
 A figure is a module of its name. It has a `TITLE`, the `CHAPTER` of the report, a `CAPTION` and a
 function `draw`, which returns the table of the figure and the drawing. The arguments of `draw` are
@@ -35,7 +35,7 @@ FIGURES = OF_PAPER + OF_INSIGHT
 
 
 class Description(NamedTuple):
-    """What the module of a figure says of itself."""
+    """Title, chapter of the report, caption and inputs of a figure."""
 
     title: str
     chapter: str
@@ -44,10 +44,9 @@ class Description(NamedTuple):
 
 
 def describe(name: str) -> Description:
-    """Return what the module of a figure says of itself.
+    """Return the description of a figure, read from the source of its module.
 
-    It is read from the source: to import the module would import matplotlib, for which there is
-    no time before the first job of a run.
+    An import of the module would import matplotlib, which takes too long before the first job.
     """
     source = Path(__file__).with_name(f"{name}.py").read_text("utf-8")
     constants: dict[str, str] = {}

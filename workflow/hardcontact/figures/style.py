@@ -81,14 +81,14 @@ print_style = partial(mpl.rc_context, RC)
 def colours(surfaces: Iterable[str], sphere: str | None = None) -> dict[str, str]:
     """Return the colour of each surface: by its place among the substrates, grey for the sphere."""
     substrates = [str(name) for name in surfaces if str(name) != sphere]
-    chosen = dict(zip(substrates, cycle(SUBSTRATES), strict=False))
-    return chosen if sphere is None else {**chosen, sphere: SPHERE}
+    pairs = dict(zip(substrates, cycle(SUBSTRATES), strict=False))
+    return pairs if sphere is None else {**pairs, sphere: SPHERE}
 
 
 def looks(substrates: Iterable[str]) -> dict[str, Look]:
     """Return colour and marker of each substrate, as plots take them."""
-    chosen = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
-    return {name: {"color": colour, "marker": marker} for (name, colour), marker in chosen}
+    pairs = zip(colours(substrates).items(), cycle(MARKERS), strict=False)
+    return {name: {"color": colour, "marker": marker} for (name, colour), marker in pairs}
 
 
 def by_surface(data: xr.Dataset) -> Iterator[tuple[Look, xr.Dataset]]:
@@ -119,7 +119,7 @@ def label_panel(axes: Axes, letter: str, title: str = "") -> None:
 def label_logarithmic(*axes: Axis, at: tuple[int, ...] = (1, 2, 3, 5)) -> None:
     """Label logarithmic axes by plain numbers: at these digits of each decade, or at decades.
 
-    Over more than three decades there is room for one label a decade at most.
+    Axes of more than three decades have at most one label a decade.
     """
     for axis in axes:
         low, high = axis.get_view_interval()
@@ -135,7 +135,7 @@ def end_near_values(panels: Sequence[Axes]) -> None:
     """End the logarithmic y axes of panels a decade beyond the values drawn as lines, at most.
 
     The panels share their y axis. Error bars and bands do not count: an interval of two scans may
-    span twenty decades, and all values would lie in one line. What is longer leaves the frame.
+    span twenty decades, and all values would lie in one line. Longer bars leave the frame.
     """
     heights = [
         np.asarray(line.get_ydata(), float)
@@ -196,7 +196,7 @@ def legend_entries(panels: Iterable[Axes]) -> dict[str, Artist]:
 
 
 def half_width(inside: xr.DataArray) -> float:
-    """Return how far from zero, along x or y, a map is true."""
+    """Return the largest distance from zero, along x or y, at which a map is true."""
     return max(float(abs(inside[along]).where(inside).max()) for along in "xy")
 
 
@@ -213,7 +213,7 @@ def print_pair(pair: pd.Series | xr.Dataset) -> str:
 
 
 def draw_published_range(axes: Axes, published_constants: pd.DataFrame) -> None:
-    """Draw the published range of adhesion (nm), which the study's numbers stand at, as a line."""
+    """Draw the published range of adhesion (nm) as a line."""
     axes.axvline(published_constants["value"]["range_of_adhesion"], **PUBLISHED_RANGE, zorder=1)
 
 
@@ -221,9 +221,9 @@ def draw_published_fit(axes: Axes, published_constants: pd.DataFrame) -> None:
     """Mark the published range (nm) and work of adhesion (mJ/m2) with their uncertainties."""
     rho = published_constants.loc["range_of_adhesion"]
     work = published_constants.loc["work_of_adhesion"]
-    place = rho["value"], work["value"] / MILLIJOULE
+    values = rho["value"], work["value"] / MILLIJOULE
     half = work["uncertainty"] / MILLIJOULE, rho["uncertainty"]
-    axes.errorbar(*place, *half, zorder=5, label="published fit", **PUBLISHED_FIT)
+    axes.errorbar(*values, *half, zorder=5, label="published fit", **PUBLISHED_FIT)
 
 
 def draw_fit(axes: Axes, fit: xr.Dataset, height: str, unit: float = 1) -> None:

@@ -1,4 +1,4 @@
-"""Columns of the tables of figures: what a row is, values with their interval, labels."""
+"""Rows and columns of the tables of figures."""
 
 from collections.abc import Iterable
 from typing import Any
@@ -30,24 +30,21 @@ def bounded(data: xr.Dataset, name: str) -> xr.Dataset:
 
 
 def as_rows(values: xr.Dataset | xr.DataArray) -> pd.DataFrame:
-    """Return a row for each number of `value`: its dimensions and variables."""
+    """Return a row for each number, with its dimensions and variables."""
     is_array = isinstance(values, xr.DataArray)
     frame = values.to_dataframe("value") if is_array else values.to_dataframe()
     return frame.reset_index()
 
 
 def computed_rows(values: xr.Dataset | xr.DataArray, **columns: Any) -> pd.DataFrame:
-    """Return a row for each known `value` of computed quantities.
-
-    The columns, as `pandas.DataFrame.assign` takes them, say what the rows are.
-    """
+    """Return a row for each known `value` of computed quantities, with these further columns."""
     return as_rows(values).dropna(subset=["value"]).assign(origin="computed", **columns)
 
 
 def rows_of(
     panel: str, quantity: str, unit: str, origin: str = "computed", **columns: Any
 ) -> pd.DataFrame:
-    """Return a row for each number of these columns, in which single numbers are allowed."""
+    """Return a row for each number of these columns, which may be single numbers."""
     frame = pd.DataFrame({name: np.atleast_1d(values) for name, values in columns.items()})
     return frame.assign(panel=panel, quantity=quantity, unit=unit, origin=origin)
 
@@ -61,14 +58,14 @@ def drawn_rows(data: xr.Dataset, *drawn: tuple[str, str, str]) -> pd.DataFrame:
 
 
 def over_sets(values: xr.DataArray) -> xr.Dataset:
-    """Return the median over the dimension `set` as `value`, and SHARE_OF_SETS as `low`, `high`.
+    """Return the median over the sets as `value`, and SHARE_OF_SETS as `low` and `high`.
 
-    Each is the value of one of the sets.
+    Each number is the value of a set.
     """
     tail = (1 - SHARE_OF_SETS) / 2
-    parts = values.quantile([0.5, tail, 1 - tail], "set", method="inverted_cdf", skipna=False)
-    ends = zip(("value", "low", "high"), parts, strict=True)
-    return xr.Dataset({name: part.drop_vars("quantile") for name, part in ends})
+    quantiles = values.quantile([0.5, tail, 1 - tail], "set", method="inverted_cdf", skipna=False)
+    ends = zip(("value", "low", "high"), quantiles, strict=True)
+    return xr.Dataset({name: quantile.drop_vars("quantile") for name, quantile in ends})
 
 
 def value_and_bounds(data: xr.Dataset, name: str) -> dict[str, Any]:
@@ -81,8 +78,8 @@ def published_rows(constants: pd.DataFrame, units: dict[str, str], panel: str) -
     rows = constants.loc[list(units)]
     value, spread = rows["value"].to_numpy(), rows["uncertainty"].to_numpy()
     ends = {"value": value, "low": value - spread, "high": value + spread}
-    named = {"quantity": list(units), "unit": list(units.values())}
-    return pd.DataFrame(named | ends).assign(panel=panel, origin="published")
+    labels = {"quantity": list(units), "unit": list(units.values())}
+    return pd.DataFrame(labels | ends).assign(panel=panel, origin="published")
 
 
 def published_edge(constants: pd.DataFrame, side: str) -> float:
@@ -94,8 +91,8 @@ def tidy(
     frames: Iterable[pd.DataFrame], data: xr.Dataset, *between: str, surfaces: str = "surface"
 ) -> pd.DataFrame:
     """Return a table of ROW_COLUMNS, those between and VALUE_COLUMNS, as `labelled` does."""
-    first = (surfaces if column == "surface" else column for column in ROW_COLUMNS)
-    return labelled(frames, data, [*first, *between, *VALUE_COLUMNS], surfaces)
+    row_columns = (surfaces if column == "surface" else column for column in ROW_COLUMNS)
+    return labelled(frames, data, [*row_columns, *between, *VALUE_COLUMNS], surfaces)
 
 
 def labelled(
@@ -105,6 +102,6 @@ def labelled(
 
     Names in the column `surfaces` that the dataset does not have get none.
     """
-    named = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
-    rows = pd.concat(frames, ignore_index=True).join(named, on=surfaces)
+    labels = data[["label", "basis"]].to_dataframe()[["label", "basis"]]
+    rows = pd.concat(frames, ignore_index=True).join(labels, on=surfaces)
     return rows.reindex(columns=columns)
