@@ -61,3 +61,14 @@ def test_pull_off_of_stiff_bodies_is_the_rigid_one():
 def test_bodies_too_soft_are_refused():
     with pytest.raises(ValueError, match="found bodies stretched by"):
         elastic_solvers.adhesive_pull_off(sphere_gap(64, 12.0), 12.0, 1e6, 46.3e-3, 5.6)
+
+
+def test_a_solver_that_gives_up_is_an_error(monkeypatch):
+    from scipy.optimize import OptimizeResult
+
+    def gives_up(self, **_):
+        return OptimizeResult(success=False, message="gave up", nit=7)
+
+    monkeypatch.setattr(elastic_solvers.NonSmoothContactSystem, "minimize_proxy", gives_up)
+    with pytest.raises(ValueError, match="gave up"):
+        elastic_solvers.contact_at_load(sphere_gap(32, 12.0), 12.0, MODULUS, 10e-6)

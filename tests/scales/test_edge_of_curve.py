@@ -84,3 +84,13 @@ def test_an_open_edge_may_have_a_known_end():
     found = edge("large", [0.2, 0.3, 0.4], [0.0, 0.2, 0.2], [0.3, 0.4, 0.5], cell=1e3)
     assert found["edge_bound"] == 1000 and np.isnan(found["edge"])
     np.testing.assert_allclose(found["edge_interval"], [100, np.nan])
+
+
+def test_an_open_edge_has_no_interval_that_is_open_on_both_sides():
+    found = edge("small", [0.2, 0.3, 0.4], [0.15, 0.2, 0.3], [0.3, 0.4, 0.5])
+    assert found["edge_bound"] == 10 and np.isnan(found["edge_interval"]).all()
+
+
+def test_a_curve_that_is_known_exactly_has_its_edge_between_two_cutoffs():
+    changes = [0.05, 0.15, 0.4]
+    assert edge("small", changes, changes, changes)["edge_interval"].tolist() == [10, 100]

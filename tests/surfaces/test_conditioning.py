@@ -167,3 +167,11 @@ def test_rows_that_no_smooth_gain_meets_are_not_called_met(spectrum):
     found = measured(spectrum, group, GRID)
     assert found.rms_height.mean() == pytest.approx(height, rel=1e-6)
     assert found.rms_height.std(ddof=1) == pytest.approx(1.0, rel=1e-6)
+
+
+def test_on_another_size_nothing_of_table_1_is_met(spectrum):
+    grid = ScanGrid(128, 2 * GRID.size, 256)
+    targets = conditioning.scan_targets(spectrum, TABLE1, CONSTANTS, DEFINITIONS, grid)
+    expected = expected_moments(UNCD, transfer_weights(512, PIXEL, 128))
+    np.testing.assert_allclose(list(targets.means.values()), expected)
+    assert targets.rows == ()

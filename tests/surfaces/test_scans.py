@@ -279,3 +279,11 @@ def test_radius_in_a_stylus_file(tmp_path):
     assert (measured.kind, measured.tip_radius) == ("profile", pytest.approx(2500.0))
     assert measured.pixel_size == pytest.approx(100.0)
     np.testing.assert_allclose(measured.heights, 10 * heights(40), atol=1e-3)
+
+
+def test_scan_without_physical_size(tmp_path):
+    np.save(tmp_path / "a.npy", heights())
+    np.savetxt(tmp_path / "a.txt", heights())
+    for name in ("a.npy", "a.txt"):
+        message = refusal(read_scan, tmp_path / name)
+        assert_says(message, name, "expected", "physical size", "found none")
