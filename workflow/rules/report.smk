@@ -17,7 +17,6 @@ rule describe_study:
         **{
             page: report(
                 PATTERNS.page(page),
-                caption=f"../report/{page}.rst",
                 category=category,
                 labels={"page": title},
             )
