@@ -7,21 +7,18 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 from matplotlib.figure import Figure
-from matplotlib.lines import Line2D
 
 from hardcontact.figures import drawing, style, tables
-from hardcontact.records.published import rows_met
 
 TITLE = "Fig. 1: surface topography"
 CHAPTER = "1. Surfaces"
 CAPTION = """\
 One levelled scan of each substrate, in the order of the study, then the sphere as scanned and
 with its spherical shape subtracted. Colours: height in nm about the mean of each map, each on
-its own scale. Above: rms height of the map shown and, in brackets, mean ± standard deviation
-over all scans of the surface.
+its own scale. Above: rms height of the map shown; below: side of the scan.
 
-The frame has the colour of the surface in all figures. A dagger marks rms heights that
-substitutes are made to have, equal to Table 1: they test nothing. Drawn from topography.nc.
+The frame has the colour of the surface in all figures. Table 1 has means over all scans of a
+surface. Drawn from topography.nc.
 """
 
 MAPS_IN_A_ROW = 3
@@ -31,10 +28,6 @@ COLUMNS = [
     "panel", "surface", "label", "basis", "state", "origin", "quantity",
     "value", "uncertainty", "unit",
 ]  # fmt: skip
-NOTE = (
-    "all: mean ± standard deviation over the scans of the surface; "
-    f"{tables.BY_CONSTRUCTION} by construction those of Table 1"
-)
 
 
 def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
@@ -44,7 +37,7 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
     """
     panels = _panels(topography)
     rows = math.ceil(len(panels) / MAPS_IN_A_ROW)
-    figure = drawing.create(2.15 * rows + 2 * drawing.FOOTER, topography)
+    figure = drawing.create(2.4 * rows + drawing.FOOTER, topography)
     grid = figure.subplots(rows, MAPS_IN_A_ROW, squeeze=False).ravel()
     colours = style.colours(topography["surface"].values, topography.attrs["sphere_surface"])
     frames = []
@@ -60,12 +53,10 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             "map_rms_height": float(np.std(heights, dtype=float)),
             "map_peak_to_valley": np.ptp(heights),
         }
-        rms = f"rms {values['map_rms_height']:.3g} nm"
         if state != AS_SCANNED:
             values["rms_height_mean"] = surface_data["rms_height_mean"].item()
-            rms += f" ({_print_over_scans(surface_data)})"
         name = f"{description['label']}, {state}" if state else description["label"]
-        style.label_panel(axes, letter, f"{name}\n{rms}")
+        style.label_panel(axes, letter, f"{name}\nrms {values['map_rms_height']:.3g} nm")
         for quantity, value in values.items():
             row = tables.rows_of(letter, quantity, "nm", value=value, state=state, **description)
             if quantity == "rms_height_mean":
@@ -73,8 +64,6 @@ def draw(topography: xr.Dataset) -> tuple[pd.DataFrame, Figure]:
             frames.append(row)
     for axes in grid[len(panels) :]:
         axes.set_axis_off()
-    note = Line2D([], [], ls="none", label=NOTE)
-    figure.legend(handles=[note], loc="outside upper left", handlelength=0, handletextpad=0)
     return pd.concat(frames).reindex(columns=COLUMNS), figure
 
 
@@ -94,12 +83,3 @@ def _panels(topography: xr.Dataset) -> list[tuple[xr.Dataset, str, np.ndarray]]:
         (surface_data, state, heights.dropna("row", how="all").dropna("column", how="all").values)
         for surface_data, state, heights in panels
     ]
-
-
-def _print_over_scans(surface_data: xr.Dataset) -> str:
-    """Return mean and standard deviation (nm) over the scans, marked if they are so by design."""
-    mean, deviation = surface_data["rms_height_mean"].item(), surface_data["rms_height_std"].item()
-    met = rows_met(surface_data["calibrated_to_table1"].item())
-    mark = tables.BY_CONSTRUCTION if "afm_rms_height" in met else ""
-    scatter = f" ± {deviation:.2g}" if math.isfinite(deviation) else ""
-    return f"all: {mean:.3g}{scatter}{mark}"
