@@ -8,7 +8,6 @@ from typing import NamedTuple
 import pandas as pd
 import xarray as xr
 
-from hardcontact.figures.tables import BY_CONSTRUCTION
 from hardcontact.records.published import rows_met
 
 #: Variables that the paper's quantities may be computed as, with their definitions.
@@ -82,7 +81,7 @@ def _computed(surface: xr.Dataset, variable: str, quantity: _Quantity) -> str:
     )
     met = quantity.name in rows_met(surface["calibrated_to_table1"].item())
     taken = json.loads(surface.attrs["table1_variables"])[quantity.name].removesuffix("_mean")
-    mark = f" {BY_CONSTRUCTION}" if met and variable == taken else ""
+    mark = " †" if met and variable == taken else ""
     return _printed(value, spread, decimals_of(value, spread)) + mark
 
 

@@ -13,9 +13,6 @@ from hardcontact.numbers.statistics import bounds
 ROW_COLUMNS = ("panel", "surface", "label", "basis", "origin", "quantity")
 VALUE_COLUMNS = ("value", "low", "high", "unit")
 
-#: Mark of a number that substitutes are made to have.
-BY_CONSTRUCTION = "†"
-
 #: Share of the sets of substitutes between `low` and `high`, in the middle of all.
 SHARE_OF_SETS = 0.9
 
