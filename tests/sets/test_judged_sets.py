@@ -68,7 +68,8 @@ def test_a_set_depends_on_its_number_and_the_seed_alone(sets):
     assert len(np.unique(sets["range_of_adhesion"])) > 2
 
 
-def test_the_band_is_kept(sets):
+def test_fits_and_the_band_are_kept_for_figures(sets):
+    assert {"best_error", "mean_force", "ratio"} <= set(sets)
     assert sets["scale_ratio"].sizes == {"set": 3, "side": 2, "surface": 4, "cutoff_wavelength": 6}
     assert sets["critical_wavelength"].sel(group="pooled").dims == ("set", "side")
 

@@ -33,7 +33,8 @@ TRIES = 1000
 SHAPES = ("skewness", "kurtosis")
 #: Variables of the inference of a set that are kept.
 INFERRED = [
-    "range_of_adhesion", "work_of_adhesion", "minimum_range", "minimum_work", "minimum_error",
+    "range_of_adhesion", "work_of_adhesion", "best_error", "minimum_range", "minimum_work",
+    "minimum_error", "mean_force", "ratio",
 ]  # fmt: skip
 #: Variables of the critical band of a set that are kept.
 BAND = ["scale_ratio", "scale_change", "critical_wavelength"]
