@@ -80,7 +80,48 @@ rule judge_sets:
         "../scripts/judge_sets.py"
 
 
+rule fit_without_surfaces:
+    """Fit range and work of adhesion to all surfaces but one: leave_one_out.nc."""
+    input:
+        inference=rules.infer.output[0],
+        sets=rules.judge_sets.output[0],
+        published_pull_off=PUBLISHED["published_pull_off"],
+        code=code_inputs("fit_without_surfaces.py"),
+    output:
+        PATTERNS.dataset("leave_one_out"),
+    log:
+        PATTERNS.log("fit_without_surfaces"),
+    benchmark:
+        PATTERNS.benchmark("fit_without_surfaces")
+    params:
+        canonical=canonical({}),
+    script:
+        "../scripts/fit_without_surfaces.py"
+
+
+rule measure_standoff:
+    """Compute how high published and computed forces put the apex of the sphere: standoff.nc."""
+    input:
+        topography=rules.aggregate_topography.output[0],
+        adhesion=rules.aggregate_adhesion.output[0],
+        published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("measure_standoff.py"),
+    output:
+        PATTERNS.dataset("standoff"),
+    log:
+        PATTERNS.log("measure_standoff"),
+    benchmark:
+        PATTERNS.benchmark("measure_standoff")
+    params:
+        canonical=canonical({}),
+    script:
+        "../scripts/measure_standoff.py"
+
+
 rule sets:
-    """Make the numbers of many equally good sets of substitute scans."""
+    """Make the numbers of many sets of substitutes, and what decides range and work of adhesion."""
     input:
         rules.judge_sets.output,
+        rules.fit_without_surfaces.output,
+        rules.measure_standoff.output,

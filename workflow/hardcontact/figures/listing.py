@@ -17,6 +17,8 @@ OF_PAPER = (
     "fig3",
     "fig4",
     "fig_sets",
+    "fig_leave_one_out",
+    "fig_standoff",
     "fig_classical",
     "fig_asperities",
     "fig6",

@@ -1,0 +1,18 @@
+"""Range and work of adhesion fitted without one surface, of the study and of all sets."""
+
+import xarray as xr
+
+from hardcontact.inference.leave_one_out import leave_one_out_fits
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
+
+with job(snakemake) as this:
+    measured = published.pull_off(this.input.published_pull_off)["mean_force"]
+    inference = dataset.read(this.input.inference)
+    fits = leave_one_out_fits(inference["mean_force"], measured)
+    set_fits = leave_one_out_fits(dataset.read(this.input.sets)["mean_force"], measured)
+    set_fits = set_fits.rename({name: f"set_{name}" for name in set_fits.data_vars})
+    this.write(
+        xr.merge([fits, set_fits, inference[["label", "basis"]]], combine_attrs="drop"),
+        title="range and work of adhesion fitted without one surface",
+    )
