@@ -1,4 +1,4 @@
-"""Fits without one surface: a surface that does not follow the law of the others decides nothing."""
+"""Fits without one surface: one that does not follow the law of the others decides them."""
 
 import numpy as np
 import pandas as pd
