@@ -6,7 +6,7 @@ from random_scans import uncd
 
 from hardcontact.contact.contact import Contact
 from hardcontact.numbers.random import generator
-from hardcontact.sets.pool import PoolSettings, compute_pool, pool_heights
+from hardcontact.sets.pool import PoolSettings, PoolSources, compute_pool, pool_heights
 from hardcontact.surfaces.conditioning import Targets
 from hardcontact.surfaces.height_map import level
 from hardcontact.surfaces.substitute_scans import ScanGrid, substitute_scan
@@ -17,6 +17,8 @@ CONTACT = Contact(radius=250e3, preload=10e-6, hardness=25e9, window=1600.0, cou
 TARGETS = Targets({"rms_height": 10.0}, 4.0, ())
 HEIGHTS = pool_heights(TARGETS, 5, 7)
 SETTINGS = PoolSettings(seed=7, surface="uncd", scan=GRID, contact=CONTACT, ranges=[0.05, 1.0, 5.6])
+
+SOURCES = PoolSources(uncd, TARGETS, HEIGHTS, SETTINGS)
 
 
 def raw_scan(number):
@@ -29,4 +31,4 @@ def raw_scan(number):
 @cache
 def pool_of(*numbers):
     """Return the pool of some scans."""
-    return compute_pool(numbers, uncd, TARGETS, HEIGHTS, SETTINGS)
+    return compute_pool(numbers, SOURCES)

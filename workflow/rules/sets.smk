@@ -1,6 +1,24 @@
 # Sets: many equally good sets of substitute scans, drawn from pools, and the numbers of each.
 
 from hardcontact.claims.evaluation import replicated_statements
+from hardcontact.config.patterns import STUDY_VARIANT
+
+
+def pool_parameters(surface, variant, first, last):
+    """Return the parameters of the forces on scans or surfaces with these numbers."""
+    return {
+        "surface": surface,
+        "first": int(first),
+        "last": int(last),
+        "scans": len(SELECTION.scans(surface)),
+        "scan": SCAN_GRID,
+        "table1": FILES.surface_variants[variant].table1,
+        "amplitudes": STUDY["sets"]["amplitudes"],
+        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
+        "ranges": RANGES,
+        "radius": STUDY["sphere"]["radius"],
+        "seed": STUDY["seed"],
+    }
 
 
 rule compute_pool:
@@ -19,21 +37,7 @@ rule compute_pool:
     resources:
         mem_mb=1000,
     params:
-        canonical=lambda w: canonical(
-            {
-                "surface": w.surface,
-                "first": int(w.first),
-                "last": int(w.last),
-                "scans": len(SELECTION.scans(w.surface)),
-                "scan": SCAN_GRID,
-                "table1": FILES.surface_variants[w.variant].table1,
-                "amplitudes": STUDY["sets"]["amplitudes"],
-                "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-                "ranges": RANGES,
-                "radius": STUDY["sphere"]["radius"],
-                "seed": STUDY["seed"],
-            }
-        ),
+        canonical=lambda w: canonical(pool_parameters(w.surface, w.variant, w.first, w.last)),
     script:
         "../scripts/compute_pool.py"
 
@@ -80,6 +84,53 @@ rule judge_sets:
         "../scripts/judge_sets.py"
 
 
+rule compute_protruded:
+    """Compute the forces on some surfaces with rare protrusions."""
+    input:
+        spectrum=lambda w: FILES.spectrum(w.surface),
+        published_table1=PUBLISHED["published_table1"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("compute_protruded.py"),
+    output:
+        PATTERNS.protruded,
+    log:
+        PATTERNS.log("compute_protruded", PATTERNS.protruded),
+    benchmark:
+        PATTERNS.benchmark("compute_protruded", PATTERNS.protruded)
+    resources:
+        mem_mb=1000,
+    params:
+        canonical=lambda w: canonical(pool_parameters(w.surface, STUDY_VARIANT, w.first, w.last)),
+    script:
+        "../scripts/compute_protruded.py"
+
+
+rule judge_protruded:
+    """Fit range and work of adhesion if one surface had rare protrusions: protruded.nc."""
+    input:
+        protruded=FILES.paths(PATTERNS.protruded, FILES.protruded_chunks),
+        sets=rules.judge_sets.output[0],
+        published_pull_off=PUBLISHED["published_pull_off"],
+        published_constants=PUBLISHED["published_constants"],
+        code=code_inputs("judge_protruded.py"),
+    output:
+        PATTERNS.dataset("protruded"),
+    log:
+        PATTERNS.log("judge_protruded"),
+    benchmark:
+        PATTERNS.benchmark("judge_protruded")
+    params:
+        canonical=canonical(
+            {
+                "surface": FILES.protruded_surface,
+                "label": SELECTION.labels[FILES.protruded_surface],
+                "basis": SELECTION.basis[FILES.protruded_surface],
+            }
+        ),
+    script:
+        "../scripts/judge_protruded.py"
+
+
 rule fit_without_surfaces:
     """Fit range and work of adhesion to all surfaces but one: leave_one_out.nc."""
     input:
@@ -124,4 +175,5 @@ rule sets:
     input:
         rules.judge_sets.output,
         rules.fit_without_surfaces.output,
+        rules.judge_protruded.output,
         rules.measure_standoff.output,

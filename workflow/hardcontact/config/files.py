@@ -14,9 +14,9 @@ from hardcontact.config.variants import Variant, study_contact, surface_variants
 from hardcontact.numbers.units import token
 from hardcontact.surfaces.synthesis import SIDES
 
-#: Scans of a pool, and realizations of masters of the sets and the chapter, in one job: more of
-#: them leave the jobs there are as they are.
-CHUNK, MASTERS_CHUNK = 15, 5
+#: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
+#: protrusions in one job: more of them leave the jobs there are as they are.
+CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 6
 #: Sections with realizations of their own of the masters of variants.
 VARIED = ("sets", "robustness")
 
@@ -207,6 +207,19 @@ class Files:
         """The scans of all pools, from the first to the last of those computed together."""
         chunks = _chunks(self._configuration["sets"]["pool"], CHUNK)
         return [Chunk(surface, *chunk) for surface in self._selection.pooled for chunk in chunks]
+
+    @property
+    def protruded_surface(self) -> str:
+        """The surface that has protrusions in some sets: a substitute with a pool."""
+        surface: str = self._configuration["robustness"]["heights"]["surface"]
+        pooled = self._selection.pooled
+        return surface if surface in pooled else pooled[0]
+
+    @property
+    def protruded_chunks(self) -> list[Chunk]:
+        """The surfaces with protrusions, from the first to the last of those computed together."""
+        chunks = _chunks(self._configuration["sets"]["protruded"], PROTRUDED_CHUNK)
+        return [Chunk(self.protruded_surface, *chunk) for chunk in chunks]
 
     # Masters
 

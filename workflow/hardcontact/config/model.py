@@ -264,6 +264,9 @@ class SetsKeys(Keys):
     amplitudes: Annotated[int, Field(ge=4, le=50)] = 7
     """Heights that forces of each scan of the pool are computed at; between them forces are
     interpolated."""
+    protruded: Annotated[int, Field(ge=2, le=1000)] = 24
+    """Surfaces with rare protrusions that take the place of `robustness.heights.surface` in the
+    sets, each with other protrusions; a quarter of them have none."""
     count: Count = 10
     """Contacts along an edge of the array."""
     realizations: Realizations = 20

@@ -52,6 +52,7 @@ class Patterns:
 
         at_range = "{radius}/{load}/{range}/{surface}/{variant}"
         self.pool = f"{store}/pool/{at_range}/scans-{{first}}-{{last}}.nc"
+        self.protruded = f"{store}/protruded/{at_range}/{{first}}-{{last}}.nc"
         self.pull_off = f"{store}/pull_off/{sphere}/{at_range}/scan-{{scan}}.nc"
         of_scan = f"{store}/laws/{sphere}/{at_range}/scan-{{scan}}"
         self.law_scan, self.law_small, self.law_large = (

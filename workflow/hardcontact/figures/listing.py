@@ -19,6 +19,7 @@ OF_PAPER = (
     "fig_sets",
     "fig_leave_one_out",
     "fig_standoff",
+    "fig_protruded",
     "fig_classical",
     "fig_asperities",
     "fig6",

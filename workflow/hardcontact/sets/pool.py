@@ -4,9 +4,9 @@ A set multiplies the heights of each of its scans by a factor. Forces on a smoot
 computed at a few rms heights that span what a set may ask for, and interpolated between them.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import TypedDict
+from typing import Any, NamedTuple, TypedDict
 
 import numpy as np
 import pandas as pd
@@ -18,10 +18,11 @@ from hardcontact.contact.contact import Contact
 from hardcontact.contact.geometry import bodies
 from hardcontact.numbers.random import generator
 from hardcontact.records.job import progress
-from hardcontact.surfaces.conditioning import Targets
-from hardcontact.surfaces.height_map import METRICS, level, metrics, mirror_stitch
-from hardcontact.surfaces.spectrum import Density, Floats
+from hardcontact.surfaces.conditioning import Targets, scan_targets
+from hardcontact.surfaces.height_map import METRICS, HeightMap, level, metrics, mirror_stitch
+from hardcontact.surfaces.spectrum import Floats, Spectrum, spectrum_from
 from hardcontact.surfaces.substitute_scans import ScanGrid, drawn_scan
+from hardcontact.surfaces.substitute_spectra import rows_of_surface
 
 #: Least height of a pool, over the mean height: no set of a few scans has a smoother one.
 LEAST = 0.05
@@ -35,6 +36,45 @@ class PoolSettings(TypedDict):
     scan: ScanGrid
     contact: Contact  #: With a smooth sphere.
     ranges: list[float]  #: Of adhesion, in nm.
+
+
+class PoolSources(NamedTuple):
+    """What forces of scans of a pool are computed from."""
+
+    density: Spectrum  #: C_iso of the substrate.
+    targets: Targets
+    heights: Floats  #: Of `pool_heights`.
+    settings: PoolSettings
+
+
+def pool_sources(
+    spectrum: xr.Dataset,
+    table1: pd.DataFrame,
+    constants: pd.DataFrame,
+    parameters: Mapping[str, Any],
+) -> PoolSources:
+    """Return what forces of scans of a pool are computed from.
+
+    The spectrum is that of a substrate, Table 1 and constants are those of `published`, the
+    parameters those of the rule.
+    """
+    surface, definitions = parameters["surface"], parameters["table1"]
+    grid, rows = ScanGrid(**parameters["scan"]), rows_of_surface(table1, surface, **definitions)
+    targets = scan_targets(spectrum, rows, constants, definitions, grid)
+    if targets is None:
+        raise ValueError(f"{surface}: expected a published rms height, found none")
+    return PoolSources(
+        spectrum_from(spectrum),
+        targets,
+        pool_heights(targets, parameters["scans"], parameters["amplitudes"]),
+        PoolSettings(
+            seed=parameters["seed"],
+            surface=surface,
+            scan=grid,
+            contact=Contact(radius=parameters["radius"], **parameters["contact"]),
+            ranges=parameters["ranges"],
+        ),
+    )
 
 
 def pool_heights(targets: Targets, scans: int, amplitudes: int) -> Floats:
@@ -61,27 +101,15 @@ def height_weights(heights: Floats, at: Floats) -> Floats:
     return np.asarray(spline(np.sqrt(at)))
 
 
-def compute_pool(
-    numbers: Sequence[int],
-    density: Density,
-    targets: Targets,
-    heights: Floats,
-    settings: PoolSettings,
-) -> xr.Dataset:
+def compute_pool(numbers: Sequence[int], sources: PoolSources) -> xr.Dataset:
     """Return the forces of some scans of a pool on a smooth sphere, and their roughness.
 
     Parameters
     ----------
     numbers : sequence of int
         Of the scans in the pool.
-    density : callable
-        C_iso in nm⁴ as a function of the wavevector in rad/nm.
-    targets : Targets
-        Its mean and deviation of the rms height become attributes.
-    heights : numpy.ndarray
-        Rms heights (amplitude,) of `pool_heights` in nm.
-    settings : PoolSettings
-        What the scans and their contacts are made with.
+    sources : PoolSources
+        Mean and deviation of its targets become attributes.
 
     Returns
     -------
@@ -90,26 +118,37 @@ def compute_pool(
         the logarithm of forces in N, and METRICS of the scan as it was drawn.
     """
     parts = [
-        _pool_scan(number, density, heights, settings)
+        _pool_scan(number, sources)
         for number in progress(numbers, len(numbers), "scans of the pool")
     ]
+    targets = sources.targets
     return xr.concat(parts, pd.Index(list(numbers), name="scan")).assign_attrs(
         mean_rms_height=targets.means["rms_height"], rms_height_deviation=targets.deviation
     )
 
 
-def _pool_scan(
-    number: int, density: Density, heights: Floats, settings: PoolSettings
-) -> xr.Dataset:
+def _pool_scan(number: int, sources: PoolSources) -> xr.Dataset:
     """Return the forces and the roughness of one scan."""
+    density, _, heights, settings = sources
     rng = generator(settings["seed"], settings["surface"], number, "pool")
     scan = level(drawn_scan(rng, density, settings["scan"]))
-    roughness, contact = metrics(scan), settings["contact"]
+    return forces_at_heights(scan, heights, settings["contact"], settings["ranges"])
+
+
+def forces_at_heights(
+    scan: HeightMap, heights: Floats, contact: Contact, ranges: Sequence[float]
+) -> xr.Dataset:
+    """Return the forces on a levelled scan at several rms heights, and its roughness.
+
+    Returns METRICS of the scan as it is, and ``log_force`` (rms_height_of_force, contact_model,
+    rho, contact_y, contact_x), the logarithm of forces in N on a smooth sphere.
+    """
+    roughness = metrics(scan)
     forces = []
     for height in heights:
         scaled = replace(scan, heights=height / roughness["rms_height"] * scan.heights)
         pair = bodies(mirror_stitch(scaled), None, contact)
-        forces.append(pull_off_of_pair(pair, contact, settings["ranges"])["pull_off_force"])
+        forces.append(pull_off_of_pair(pair, contact, ranges)["pull_off_force"])
     axis = xr.DataArray(heights, dims="rms_height_of_force", name="rms_height_of_force")
     computed = xr.concat(forces, axis).drop_vars(["contact_y", "contact_x"])
     log_force: xr.DataArray = xr.apply_ufunc(np.log, computed).astype("float32")

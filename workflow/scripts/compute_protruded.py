@@ -1,0 +1,20 @@
+"""Pull-off forces on some surfaces with rare protrusions."""
+
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
+from hardcontact.sets.pool import pool_sources
+from hardcontact.sets.protruded_sets import compute_protruded
+
+with job(snakemake) as this:
+    params = this.parameters
+    sources = pool_sources(
+        dataset.read(this.input.spectrum),
+        published.table1(this.input.published_table1),
+        published.constants(this.input.published_constants),
+        params,
+    )
+    numbers = range(params["first"], params["last"] + 1)
+    this.write(
+        compute_protruded(numbers, params["scans"], sources),
+        title=f"pull-off forces on {params['surface']} with protrusions",
+    )

@@ -1,0 +1,23 @@
+"""Range and work of adhesion of all sets if one surface had rare protrusions."""
+
+import xarray as xr
+
+from hardcontact.inference.inference import Pair, Published
+from hardcontact.records import dataset, published
+from hardcontact.records.job import job
+from hardcontact.sets.protruded_sets import CONTACT_MODEL, judge_protruded
+
+with job(snakemake) as this:
+    constants = published.constants(this.input.published_constants)
+    pair = Pair(*constants.loc[["range_of_adhesion", "work_of_adhesion"], "value"])
+    protruded = xr.concat(map(dataset.read, this.input.protruded), "variant")
+    fits = judge_protruded(
+        protruded,
+        this.parameters["surface"],
+        dataset.read(this.input.sets).sel(contact_model=CONTACT_MODEL),
+        Published(published.pull_off(this.input.published_pull_off), pair),
+    )
+    this.write(
+        fits.assign_attrs(this.parameters),
+        title="range and work of adhesion if one surface had protrusions",
+    )
