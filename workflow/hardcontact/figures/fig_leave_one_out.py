@@ -44,9 +44,10 @@ def draw(
     frames = []
     for letter, axes, name in zip("abc", panels, PANELS, strict=True):
         title, printed_unit, unit, table_unit, constant = PANELS[name]
-        published = tables.published_value(published_constants, constant)
-        axes.axvspan(published["low"] / unit, published["high"] / unit, color="0.85", lw=0)
-        axes.axvline(published["value"] / unit, **style.PUBLISHED_RANGE)
+        published = tables.published_rows(published_constants, {constant: table_unit}, letter)
+        value, low, high = published[["value", "low", "high"]].iloc[0] / unit
+        axes.axvspan(low, high, color="0.85", lw=0)
+        axes.axvline(value, **style.PUBLISHED_RANGE)
         over_sets = tables.over_sets(fits[f"set_{name}"])
         _draw_rows(axes, over_sets / unit, fits[name] / unit)
         axes.set(xscale="log", xlabel=title if printed_unit == "1" else f"{title} ({printed_unit})")
@@ -54,6 +55,7 @@ def draw(
         style.label_panel(axes, letter, title)
         columns = {"panel": letter, "quantity": name, "unit": table_unit}
         frames += [
+            published,
             tables.as_rows(over_sets).assign(origin="sets", **columns),
             tables.computed_rows(fits[[name]].rename({name: "value"}), **columns),
         ]

@@ -80,7 +80,8 @@ def agreement(protruded: xr.Dataset, measured: "pd.Series[float]") -> xr.DataArr
     """Return whether both forces (variant, set) are within FACTOR of the measured ones."""
     ratios = [protruded[name] / measured[name] for name in ("mean_force", "median_force")]
     within = [abs(np.log(ratio)) <= np.log(FACTOR) for ratio in ratios]
-    return within[0] & within[1]
+    both: xr.DataArray = within[0] & within[1]
+    return both
 
 
 def _draw_forces(

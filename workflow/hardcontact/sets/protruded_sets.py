@@ -61,17 +61,18 @@ def _protruded_surface(number: int, scans: int, sources: PoolSources) -> xr.Data
         rng = generator(seed, surface, number, scan_number, "protruded scan")
         scan = level(drawn_scan(rng, density, settings["scan"]))
         protruded = with_protrusions(rng, scan, protrusions)
-        forces = forces_at_heights(protruded, heights, settings["contact"], settings["ranges"])
-        log_forces.append(forces["log_force"].sel(contact_model=CONTACT_MODEL, drop=True))
-        rms_heights.append(forces["rms_height"].item())
+        computed = forces_at_heights(protruded, heights, settings["contact"], settings["ranges"])
+        log_forces.append(computed["log_force"].sel(contact_model=CONTACT_MODEL, drop=True))
+        rms_heights.append(computed["rms_height"].item())
     # With more scans than five a height of a group may lie below those computed.
     wanted = group_heights(np.array(rms_heights), targets.means["rms_height"], targets.deviation)
     weights = height_weights(heights, np.maximum(wanted, heights[0]))
     by_scan = [
-        np.exp(log_force.dot(xr.DataArray(weight, dims="rms_height_of_force")))
+        log_force.dot(xr.DataArray(weight, dims="rms_height_of_force"))
         for log_force, weight in zip(log_forces, weights, strict=True)
     ]
-    forces = xr.concat(by_scan, "scan").stack(contact=["scan", "contact_y", "contact_x"])
+    forces: xr.DataArray = xr.apply_ufunc(np.exp, xr.concat(by_scan, "scan"))
+    forces = forces.stack(contact=["scan", "contact_y", "contact_x"])
     values = {name: ((), getattr(protrusions, name), {"units": unit})
               for name, unit in OF_PROTRUSIONS.items()}  # fmt: skip
     force = forces.transpose("rho", "contact").drop_vars(
@@ -115,8 +116,7 @@ def judge_protruded(
     fits = []
     for variant in forces["variant"].values:
         own = forces.sel(variant=variant)
-        replaced = xr.where(curves["surface"] == surface, own.mean("contact"), curves)
-        replaced = replaced.transpose("set", "surface", "rho")
+        replaced = curves.where(curves["surface"] != surface, own.mean("contact"))
         best, work, error = error_map.fit(on_fine_grid(replaced.values, ranges, fine), target)
         at_fits = on_fine_grid(own.values, ranges, fine[best]) * work  # (contact, set)
         of_set = {
