@@ -70,8 +70,37 @@ rule repeat_contact:
         "../scripts/repeat_contact.py"
 
 
+rule compare_enhancement:
+    """Find the short edges of plastic and rigid contact at two ranges: enhancement.nc."""
+    input:
+        masters=FILES.paths(PATTERNS.filtered, FILES.masters("enhancement")),
+        code=code_inputs("compare_enhancement.py"),
+    output:
+        PATTERNS.dataset("enhancement"),
+    log:
+        PATTERNS.log("compare_enhancement"),
+    benchmark:
+        PATTERNS.benchmark("compare_enhancement")
+    params:
+        canonical=canonical(
+            {
+                "masters": [row.surface for row in FILES.masters("enhancement")],
+                "realizations": STUDY["robustness"]["realizations"],
+                "tolerance": STUDY["scales"]["tolerance"],
+                "samples": STUDY["inference"]["samples"],
+                "confidence": STUDY["inference"]["confidence"],
+                "seed": STUDY["seed"],
+                "labels": SELECTION.labels,
+                "basis": SELECTION.basis,
+            }
+        ),
+    script:
+        "../scripts/compare_enhancement.py"
+
+
 rule plasticity:
     """Make the indents in the sphere."""
     input:
         rules.measure_indents.output,
         rules.repeat_contact.output,
+        rules.compare_enhancement.output,

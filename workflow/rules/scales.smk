@@ -4,7 +4,7 @@ from hardcontact.config.grids import master_megabytes
 from hardcontact.surfaces.synthesis import SIDES
 
 #: What random numbers of masters are for.
-PURPOSE_NAMES = {"sets": "variant", "scaling": "scaling"}
+PURPOSE_NAMES = {"sets": "variant", "enhancement": "variant", "scaling": "scaling"}
 DRAWN = [] if COMPARED else FILES.masters("drawn")
 
 

@@ -17,6 +17,10 @@ from hardcontact.surfaces.synthesis import SIDES
 #: Scans of a pool, realizations of masters of the sets and the chapter, and surfaces with
 #: protrusions in one job: more of them leave the jobs there are as they are.
 CHUNK, MASTERS_CHUNK, PROTRUDED_CHUNK = 15, 5, 6
+#: Hardness (Pa) at which a single pixel carries any load: the contact is rigid.
+RIGID = 1e15
+#: A range of adhesion (nm) as short as covalent bonds are: the short one of the paper's argument.
+SHORT_RANGE = 1.0
 #: Sections with realizations of their own of the masters of variants.
 VARIED = ("sets", "robustness")
 
@@ -232,6 +236,9 @@ class Files:
             lengths = {name: scaling[name] for name in ("radii", "ranges")}
         elif purpose == "sets":
             contacts = [variant.contact for variant in self.variants if variant.probe == probe]
+        elif purpose == "enhancement":
+            contacts = [contact, replace(contact, hardness=RIGID)]
+            lengths["ranges"] = [SHORT_RANGE, contact.range]
         different = {contact.load: contact for contact in contacts}.values()
         loads = [{"preload": load.preload, "hardness": load.hardness} for load in different]
         return {**lengths, "loads": loads}
@@ -239,8 +246,11 @@ class Files:
     def filters(self, purpose: str) -> dict[str, Any]:
         """Return the settings of masters and filters on both sides, and contacts along an edge."""
         configuration = self._configuration
-        section = {"sets": "sets", "scaling": "insight.scaling"}.get(purpose, "scales")
-        count = {"sets": "sets.count", "scaling": "insight.count"}.get(purpose, "contact.count")
+        section, count = {
+            "sets": ("sets", "sets.count"),
+            "enhancement": ("sets", "sets.count"),
+            "scaling": ("insight.scaling", "insight.count"),
+        }.get(purpose, ("scales", "contact.count"))
         return {
             "count": get_key(configuration, count),
             "sides": {
@@ -248,7 +258,7 @@ class Files:
                     name: get_key(configuration, key)
                     for name, key in master_keys(configuration, section, side).items()
                 }
-                for side in SIDES
+                for side in (SIDES[:1] if purpose == "enhancement" else SIDES)
             },
         }
 
@@ -280,6 +290,8 @@ class Files:
             surfaces = [name for name in surfaces if self._selection.basis[name] == "measured"]
         if purpose == "scaling":
             count, probe = self._configuration["insight"]["realizations"], "smooth"
+        if purpose == "enhancement":
+            count = self._configuration["robustness"]["realizations"]
         return [
             row
             for surface in surfaces
@@ -319,7 +331,9 @@ class Files:
             spectra = [self.path(pattern, surface, realization=number) for number in realizations]
         return {
             "scans": [
-                self.stitched_of_realization(surface, number, variant, row.purpose == "sets")
+                self.stitched_of_realization(
+                    surface, number, variant, row.purpose in ("sets", "enhancement")
+                )
                 for number in realizations
             ],
             "spectra": spectra,

@@ -14,9 +14,9 @@ PUBLISHED = {
 #: Name of the variant of a surface that the study itself is about.
 STUDY_VARIANT = "study"
 
-#: What masters are filtered for: the study, with spectra that are drawn, sets and robustness, and
-#: how the edges of the band scale.
-PURPOSES = ("scales", "drawn", "sets", "scaling")
+#: What masters are filtered for: the study, with spectra that are drawn, sets and robustness, how
+#: the edges of the band scale, and how plasticity and range enhance each other.
+PURPOSES = ("scales", "drawn", "sets", "scaling", "enhancement")
 
 _SCAN = "{surface}/{variant}/scan-{scan}-{shape}.nc"
 _REALIZATION = "{surface}/{variant}/realization-{realization}"

@@ -23,6 +23,7 @@ OF_PAPER = (
     "fig_classical",
     "fig_asperities",
     "fig6",
+    "fig_enhancement",
     "fig_robustness",
 )
 #: Figures of the chapter on what decides the band. The first input of each is its own dataset.

@@ -1,0 +1,24 @@
+"""The short edge of the critical band for plastic and rigid contact at two ranges of adhesion."""
+
+from hardcontact.adhesion.all_surfaces import Described, single_masters, stacked_forces, with_names
+from hardcontact.numbers.statistics import Sampling
+from hardcontact.records import dataset
+from hardcontact.records.job import job
+from hardcontact.scales.enhancement import bands_by_contact
+
+with job(snakemake) as this:
+    params = this.parameters
+    keys = [[surface] for surface in params["masters"]]
+    files = zip(keys, map(dataset.read, this.input.masters), strict=True)
+    forces = stacked_forces(single_masters(files, params["realizations"]))
+    bands = bands_by_contact(
+        forces,
+        params["tolerance"],
+        Sampling(params["seed"], params["samples"], params["confidence"]),
+    )
+    this.write(
+        with_names(bands, Described(labels=params["labels"], basis=params["basis"])).assign_attrs(
+            tolerance=params["tolerance"], confidence=params["confidence"]
+        ),
+        title="short edges of plastic and rigid contact at two ranges of adhesion",
+    )
