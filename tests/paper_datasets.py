@@ -93,6 +93,7 @@ def sets() -> xr.Dataset:
             "scale_change": band()["scale_change"].isel(cutoff_wavelength=slice(1, -1)),
         },
         {"contact_model": ["rigid", "plastic"]},
+        {"confidence": 0.9},
     )
 
 
@@ -112,4 +113,31 @@ def scan_size() -> xr.Dataset:
         forces | {"mirrored": ("edge_size", [1, 1, 1, 0, 0])},
         {"surface": SUBSTRATES, "edge_size": [1250.0, 2500.0, 5000.0, 20e3, 40e3]},
         {"scan_size": 2500.0},
+    )
+
+
+def leave_one_out() -> xr.Dataset:
+    """Return fits of all sets without each surface, near the published pair."""
+    scatter = np.random.default_rng(2).lognormal(0, 0.3, (len(SUBSTRATES) + 1, SETS, 2))
+    axes = ("left_out", "set", "contact_model")
+    return xr.Dataset(
+        {
+            "set_range_of_adhesion": (axes, 5.6 * scatter),
+            "set_work_of_adhesion": (axes, 0.046 / scatter),
+        },
+        {"left_out": ["none", *SUBSTRATES], "contact_model": ["rigid", "plastic"]},
+    )
+
+
+def protruded() -> xr.Dataset:
+    """Return fits of sets with two protruded surfaces, of which one has the published forces."""
+    scatter = np.random.default_rng(3).lognormal(0, 0.2, (2, SETS))
+    axes = ("variant", "set")
+    return xr.Dataset(
+        {
+            "range_of_adhesion": (axes, 5.0 * scatter),
+            "work_of_adhesion": (axes, 0.05 / scatter),
+            "agrees": (axes, np.repeat([[0], [1]], SETS, axis=1)),
+        },
+        attrs={"surface": SUBSTRATES[0], "label": LABELS[0]},
     )

@@ -5,7 +5,16 @@ from functools import cache
 import numpy as np
 import yaml
 from paper_claims import CONSTANTS, STATEMENTS
-from paper_datasets import band, published_table1, scales, scan_size, sets, topography
+from paper_datasets import (
+    band,
+    leave_one_out,
+    protruded,
+    published_table1,
+    scales,
+    scan_size,
+    sets,
+    topography,
+)
 from repository import ROOT
 
 from hardcontact.answer.captions import Caption
@@ -39,6 +48,8 @@ def datasets(contacts=20, pixels=512):
         "scales": scales(contacts),
         "band": band(),
         "sets": sets(),
+        "leave_one_out": leave_one_out(),
+        "protruded": protruded(),
         "scan_size": scan_size(),
     }
 

@@ -133,3 +133,17 @@ def test_table_1_holds_published_and_computed_values_and_marks_what_is_by_constr
 )
 def test_computed_values_keep_two_digits_of_their_uncertainty(value, uncertainty, decimals):
     assert decimals_of(value, uncertainty) == decimals
+
+
+def test_the_fits_with_protrusions_are_of_the_sets_that_agree():
+    data = datasets()
+    numbers = answer().numbers
+    agreeing = data["protruded"]["range_of_adhesion"].values[1]
+    number = numbers["protruded_range_of_adhesion"]
+    assert (number.value, number.low) == (np.median(agreeing), np.quantile(agreeing, 0.05))
+    assert numbers["protruded_sets_that_agree"].value == 0.5
+    without = data["leave_one_out"].sel(left_out=SUBSTRATES[0], contact_model="plastic")
+    expected = without["set_work_of_adhesion"].quantile(0.95).item()
+    assert numbers["without_decisive_work_of_adhesion"].high == pytest.approx(expected)
+    none = data["protruded"].assign(agrees=0 * data["protruded"]["agrees"])
+    assert "protruded_range_of_adhesion" not in answer(protruded=none).numbers

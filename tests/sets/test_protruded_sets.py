@@ -27,7 +27,7 @@ def test_the_pair_is_that_of_forces_that_agree():
     measured = {
         name: PAIR[1] * 1e-3 * np.exp(-height / PAIR[0]) for name, height in heights.items()
     }
-    forces = pd.DataFrame({"mean_force": measured})
+    forces = pd.DataFrame({"mean_force": measured, "median_force": measured})
     curves["smooth"] = curves["smooth"] * 3  # what the protruded surface replaces
     sets = xr.Dataset(
         {
@@ -54,5 +54,9 @@ def test_the_pair_is_that_of_forces_that_agree():
     np.testing.assert_allclose(judged["range_of_adhesion"], PAIR[0], rtol=0.01)
     np.testing.assert_allclose(judged["work_of_adhesion"], PAIR[1], rtol=0.03)
     np.testing.assert_allclose(judged["mean_force"], measured["smooth"], rtol=0.03)
+    assert judged["agrees"].values.tolist() == [1, 1]
+    forces.loc["smooth", "median_force"] /= 3  # the two contacts have a median that is the mean
+    other = judge_protruded(protruded, "smooth", sets, Published(forces, PAIR))
+    assert other["agrees"].values.tolist() == [[0, 0]]
     assert judged["mean_at_published"].item() == pytest.approx(measured["smooth"], rel=1e-3)
     assert judged["spread_at_published"].item() == pytest.approx(np.log(3) / 2)

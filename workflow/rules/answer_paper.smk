@@ -6,7 +6,15 @@ rule answer_paper:
     input:
         **{
             name: PATTERNS.dataset(name)
-            for name in ("topography", "scales", "band", "sets", "scan_size")
+            for name in (
+                "topography",
+                "scales",
+                "band",
+                "sets",
+                "leave_one_out",
+                "protruded",
+                "scan_size",
+            )
         },
         claims=PATTERNS.result("claims.csv"),
         published_constants=PUBLISHED["published_constants"],

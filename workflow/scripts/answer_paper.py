@@ -17,7 +17,7 @@ from hardcontact.records import published
 from hardcontact.records.dataset import read
 from hardcontact.records.job import job
 
-DATASETS = ("topography", "scales", "band", "sets", "scan_size")
+DATASETS = ("topography", "scales", "band", "sets", "leave_one_out", "protruded", "scan_size")
 
 with job(snakemake) as this:
     answer = paper_answer(

@@ -62,6 +62,7 @@ class PaperAnswer(NamedTuple):
     #: Of each substrate: label, basis, both edges and the force on scans over that on large ones.
     surfaces: dict[str, dict[str, Any]]
     sphere: dict[str, Any]  #: Label and basis.
+    decisive: str  #: Label of the surface that decides range and work of adhesion.
     table1: list[list[str]]
 
     @property
@@ -81,7 +82,8 @@ def paper_answer(
     """Gather what the page shows, in the units of the claims.
 
     Claims are as from `verdicts.read_verdicts`, constants and Table 1 as from `published`; datasets
-    are `topography`, `scales`, `band`, `sets` and `scan_size`, as in the final netCDF files.
+    are `topography`, `scales`, `band`, `sets`, `leave_one_out`, `protruded` and `scan_size`, as in
+    the final netCDF files.
     """
     topography, band, sets = (datasets[name] for name in ("topography", "band", "sets"))
     claims = with_open_ends(claims, [band, sets])
@@ -91,6 +93,7 @@ def paper_answer(
         if claim in rows:
             numbers += _numbers_of_claim(name, rows[claim], band)
     numbers += _fit_numbers(sets, rows.get(ANSWERS["range_exceeds"]))
+    numbers += _decisive_numbers(datasets["leave_one_out"], datasets["protruded"], sets)
     numbers += _settings(datasets, constants)
     for row in summary(claims).to_dict("records"):
         name = "verdicts_" + row["verdict"].replace(" ", "_")
@@ -107,6 +110,7 @@ def paper_answer(
             for name in map(str, band["surface"].values)
         },
         known[sphere],
+        datasets["protruded"].attrs["label"],
         table1_rows(topography, published_table1),
     )
 
@@ -155,6 +159,27 @@ def _fit_numbers(sets: xr.Dataset, statement: Any) -> Iterator[Number]:
         for name, unit in FITTED.items():
             values = group[name]
             yield Number(f"{prefix}_{name}", values.median(), unit, values.min(), values.max())
+
+
+def _decisive_numbers(
+    fits: xr.Dataset, protruded: xr.Dataset, sets: xr.Dataset
+) -> Iterator[Number]:
+    """Yield range and work of adhesion without the decisive surface, and if it had protrusions.
+
+    Each is the median of the sets, of those that agree where there are protrusions, with the
+    interval of the claims.
+    """
+    tail = (1 - sets.attrs["confidence"]) / 2
+    without = fits.sel(left_out=protruded.attrs["surface"], contact_model="plastic")
+    agrees = protruded["agrees"].values == 1
+    yield Number("protruded_sets_that_agree", agrees.mean())
+    for name, unit in FITTED.items():
+        values = {"without_decisive": without[f"set_{name}"].values}
+        if agrees.any():
+            values["protruded"] = protruded[name].values[agrees]
+        for prefix, sample in values.items():
+            low, median, high = np.quantile(sample, [tail, 0.5, 1 - tail])
+            yield Number(f"{prefix}_{name}", median, unit, low, high)
 
 
 def _settings(datasets: Mapping[str, xr.Dataset], constants: pd.DataFrame) -> Iterator[Number]:

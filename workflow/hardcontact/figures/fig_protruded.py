@@ -28,7 +28,6 @@ paper and no independent test of it: both follow from the same forces. Drawn fro
 resources/paper/parameters.csv and pull_off.csv.
 """
 
-FACTOR = 2.0  # between computed and published forces of sets that count
 COLOURS = "viridis"
 COLUMNS = [
     "panel", "variant", "set", "origin", "quantity", "density", "height", "width", "agrees",
@@ -45,7 +44,7 @@ def draw(
     set, and whether its forces agree with the published ones (1) or not (0).
     """
     measured = published_pull_off.loc[protruded.attrs["surface"]]
-    agrees = agreement(protruded, measured)
+    agrees = protruded["agrees"] == 1
     figure = drawing.create(3.4, protruded)
     forces, fits = figure.subplots(1, 2, width_ratios=(1, 1.3))
     norm = Normalize(0, float(protruded["height"].max()))
@@ -68,20 +67,12 @@ def draw(
         for name in ("mean_at_published", "median_at_published")
     ] + [
         tables.computed_rows(
-            parts.assign(value=protruded[name], agrees=agrees.astype(int)),
+            parts.assign(value=protruded[name], agrees=protruded["agrees"]),
             panel="b", quantity=name, unit=unit,
         )
         for name, unit in (("range_of_adhesion", "nm"), ("work_of_adhesion", "J/m2"))
     ]  # fmt: skip
     return pd.concat(frames, ignore_index=True).reindex(columns=COLUMNS), figure
-
-
-def agreement(protruded: xr.Dataset, measured: "pd.Series[float]") -> xr.DataArray:
-    """Return whether both forces (variant, set) are within FACTOR of the measured ones."""
-    ratios = [protruded[name] / measured[name] for name in ("mean_force", "median_force")]
-    within = [abs(np.log(ratio)) <= np.log(FACTOR) for ratio in ratios]
-    both: xr.DataArray = within[0] & within[1]
-    return both
 
 
 def _draw_forces(

@@ -21,6 +21,9 @@ from hardcontact.surfaces.protrusions import draw_protrusions, with_protrusions
 from hardcontact.surfaces.substitute_scans import drawn_scan
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on
+#: A set agrees where mean and median force of the protruded surface lie within this factor of the
+#: published ones, at the range and work of adhesion that fit the set best.
+FACTOR = 2.0
 ONE, NEWTON = {"units": "1"}, {"units": "N"}
 #: Of protrusions, with their units.
 OF_PROTRUSIONS = {"density": "um-2", "height": "1", "width": "nm"}
@@ -103,9 +106,10 @@ def judge_protruded(
     xarray.Dataset
         Over (variant, set): ``range_of_adhesion`` (nm), ``work_of_adhesion`` (J/m²),
         ``best_error``, and at this pair ``mean_force`` and ``median_force`` (N) of the protruded
-        surface. Over variant, at the published pair: ``mean_at_published``,
-        ``median_at_published`` and ``spread_at_published``, the standard deviation of ln F; and
-        density, height and width of the protrusions.
+        surface; ``agrees`` is 1 where both lie within FACTOR of the published ones. Over variant,
+        at the published pair: ``mean_at_published``, ``median_at_published`` and
+        ``spread_at_published``, the standard deviation of ln F; and density, height and width of
+        the protrusions.
     """
     ranges = protruded["rho"].values
     fine = np.geomspace(ranges[0], ranges[-1], FINE_RANGES)
@@ -136,7 +140,14 @@ def judge_protruded(
             ).assign(_at_pair(own, measured.pair))
         )
     judged = xr.concat(fits, protruded["variant"])
-    return judged.assign(protruded[list(OF_PROTRUSIONS)])
+    published = measured.forces.loc[surface]
+    within = [
+        abs(np.log(judged[name] / published[name])) <= np.log(FACTOR)
+        for name in ("mean_force", "median_force")
+    ]
+    return judged.assign(protruded[list(OF_PROTRUSIONS)]).assign(
+        agrees=(within[0] & within[1]).astype("int8")
+    )
 
 
 def _at_pair(
