@@ -4,23 +4,6 @@ from hardcontact.claims.evaluation import replicated_statements
 from hardcontact.config.patterns import STUDY_VARIANT
 
 
-def pool_parameters(surface, variant, first, last):
-    """Return the parameters of the forces on scans or surfaces with these numbers."""
-    return {
-        "surface": surface,
-        "first": int(first),
-        "last": int(last),
-        "scans": len(SELECTION.scans(surface)),
-        "scan": SCAN_GRID,
-        "table1": FILES.surface_variants[variant].table1,
-        "amplitudes": STUDY["sets"]["amplitudes"],
-        "contact": STUDY["contact"] | {"count": STUDY["sets"]["count"]},
-        "ranges": RANGES,
-        "radius": STUDY["sphere"]["radius"],
-        "seed": STUDY["seed"],
-    }
-
-
 rule compute_pool:
     """Compute the forces of some scans of a pool at several heights of each."""
     input:
