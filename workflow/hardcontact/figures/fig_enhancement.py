@@ -14,11 +14,10 @@ from hardcontact.scales.critical_band import POOLED
 TITLE = "Plasticity and range of adhesion together make small roughness negligible"
 CHAPTER = "6. Scales"
 CAPTION = """\
-Pull-off force without all roughness below a cutoff, relative to the force with all roughness, for
-rigid and plastic contact at a short and at the published range of adhesion ρ. Below: the short
-edge of the band, where the force has changed by {{ scales.tolerance | percent }}.
+Fig. 6a for rigid and plastic contact at a short and at the published range of adhesion ρ. Below:
+the short edge of the band.
 
-The paper argues that a long range and plasticity enhance each other, so that wavelengths below
+At the edge the force has changed by {{ scales.tolerance | percent }}. The paper argues that a long range and plasticity enhance each other, so that wavelengths below
 43 nm (dashed) do not matter. A rigid sphere touches in one pixel. Bars:
 {{ inference.confidence | percent }} interval over realizations; arrows: no edge above the shortest
 cutoff. Contacts and pixels are those of the sets. Drawn from enhancement.nc and

@@ -12,8 +12,8 @@ from hardcontact.inference.leave_one_out import NONE_LEFT_OUT
 TITLE = "Which surface decides range and work of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Range of adhesion ρ and (b) work of adhesion W that fit the published mean forces of all
-surfaces best, or of all but one, and (c) the mean relative error that is left.
+(a) Range and (b) work of adhesion that fit the forces of all surfaces or all but one best, and
+(c) the error that is left.
 
 Contact is plastic. Dots: median of many equally good sets of substitute scans; bars: 90 % of
 them. Stars: the study's own scans. Dashed: the published range, work and bound of the error;

@@ -14,13 +14,11 @@ from hardcontact.numbers.printing import print_share
 TITLE = "If polished UNCD had rare protrusions"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-Polished UNCD with rare protrusions that Table 1 permits, in place of Gaussian scans. (a) Its mean
-and median force at the published range and work of adhesion; black: published. (b) Range and work
-of adhesion that fit the mean forces of all four surfaces best, of many sets of substitutes with
-each of these surfaces; filled: mean and median force of polished UNCD at the fitted pair lie
-within a factor of two of the published ones.
+(a) Mean and median force on polished UNCD with rare protrusions. (b) Best range and work of
+adhesion of sets with it; filled: both forces are within a factor of two of the published ones.
 
-Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms heights
+Polished UNCD stands in place of its Gaussian scans, (a) at the published range and work, (b) at
+those that fit the mean forces of all four surfaces best. Black: published. Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms heights
 high (colour) and 30 to 100 nm wide; a quarter of the surfaces has none (dark). All are scaled to
 the rms height of Table 1. The factor of two is the only condition, and it is not on range or work.
 That the filled pairs lie about the published one (with its uncertainty) is consistent with the

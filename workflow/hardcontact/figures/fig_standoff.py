@@ -13,12 +13,11 @@ from hardcontact.inference.standoff import STATISTICS
 TITLE = "How high measured forces put the sphere"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-Height of the sphere's apex above the mean planes that the published mean (solid) and median
-(dashed) force on each surface require, minus that of the forces computed on the substitutes, in
-rms heights of sphere and substrate together; (a) at the published work of adhesion, (b) at the
-work that fits the four mean forces best at each range.
+How much higher the published mean (solid) and median force (dashed) put the sphere's apex than
+the computed ones, in rms heights, at (a) the published work of adhesion W, (b) the best W.
 
-At zero a substitute lets the sphere as close as the measured surface did; above, the measured
+The height is that above the mean planes, the rms height that of sphere and substrate together. The
+best W fits the four mean forces at each range ρ. At zero a substitute lets the sphere as close as the measured surface did; above, the measured
 surface holds it off, as by protrusions that are higher than those of a Gaussian surface. Both
 heights follow from the attraction of all points of a Gaussian surface below a sphere at this
 height (Eq. 1), so that the formula's error for few points cancels in part. Contact is plastic.
