@@ -17,11 +17,11 @@ CAPTION = """\
 Fig. 6a for rigid and plastic contact at a short and at the published range of adhesion ρ. Below:
 the short edge of the band.
 
-At the edge the force has changed by {{ scales.tolerance | percent }}. The paper argues that a long range and plasticity enhance each other, so that wavelengths below
-43 nm (dashed) do not matter. A rigid sphere touches in one pixel. Bars:
-{{ inference.confidence | percent }} interval over realizations; arrows: no edge above the shortest
-cutoff. Contacts and pixels are those of the sets. Drawn from enhancement.nc and
-resources/paper/parameters.csv.
+At the edge the force has changed by {{ scales.tolerance | percent }}. The paper argues that a long
+range and plasticity enhance each other, so that wavelengths below 43 nm (dashed) do not matter. A
+rigid sphere touches in one pixel. Bars: {{ inference.confidence | percent }} interval over
+realizations; arrows: no edge above the shortest cutoff. Contacts and pixels are those of the sets.
+Drawn from enhancement.nc and resources/paper/parameters.csv.
 """
 
 COLUMNS = [

@@ -12,13 +12,13 @@ from hardcontact.inference.leave_one_out import NONE_LEFT_OUT
 TITLE = "Which surface decides range and work of adhesion"
 CHAPTER = "3. Adhesion"
 CAPTION = """\
-(a) Range and (b) work of adhesion that fit the forces of all surfaces or all but one best, and
-(c) the error that is left.
+(a) Range and (b) work of adhesion that fit the forces of all surfaces or all but one best, and (c)
+the error that is left.
 
-Contact is plastic. Dots: median of many equally good sets of substitute scans; bars: 90 % of
-them. Stars: the study's own scans. Dashed: the published range, work and bound of the error;
-grey: the published uncertainty. A fit of two numbers to three forces has one force left to test
-it, that to four has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
+Contact is plastic. Dots: median of many equally good sets of substitute scans; bars: 90 % of them.
+Stars: the study's own scans. Dashed: the published range, work and bound of the error; grey: the
+published uncertainty. A fit of two numbers to three forces has one force left to test it, that to
+four has two. Drawn from leave_one_out.nc and resources/paper/parameters.csv.
 """
 
 CONTACT_MODEL = "plastic"  # the one the paper's conclusions rest on

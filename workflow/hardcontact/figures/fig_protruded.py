@@ -18,11 +18,12 @@ CAPTION = """\
 adhesion of sets with it; filled: both forces are within a factor of two of the published ones.
 
 Polished UNCD stands in place of its Gaussian scans, (a) at the published range and work, (b) at
-those that fit the mean forces of all four surfaces best. Black: published. Protrusions have Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms heights
-high (colour) and 30 to 100 nm wide; a quarter of the surfaces has none (dark). All are scaled to
-the rms height of Table 1. The factor of two is the only condition, and it is not on range or work.
-That the filled pairs lie about the published one (with its uncertainty) is consistent with the
-paper and no independent test of it: both follow from the same forces. Drawn from protruded.nc and
+those that fit the mean forces of all four surfaces best. Black: published. Protrusions have
+Gaussian shape and stand at random places, 0.1 to 3 per µm², 3 to 8 rms heights high (colour) and 30
+to 100 nm wide; a quarter of the surfaces has none (dark). All are scaled to the rms height of Table
+1. The factor of two is the only condition, and it is not on range or work. That the filled pairs
+lie about the published one (with its uncertainty) is consistent with the paper and no independent
+test of it: both follow from the same forces. Drawn from protruded.nc and
 resources/paper/parameters.csv and pull_off.csv.
 """
 
